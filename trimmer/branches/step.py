@@ -197,8 +197,15 @@ def _examined(front: Front, arc: Arc, far: Place, smooth: bool) -> Step | None:
     tangent = far.tangent(arc.direction)
     if tangent is None:
         return None
-    bend = float(np.arccos(np.clip(tangent @ front.tangent, -1.0, 1.0)))
-    return Step(front.moved(far, tangent), tuple(special), tuple(switches), bend)
+    return Step(front.moved(far, tangent), tuple(special), tuple(switches), angle(front.tangent, tangent))
+
+
+def angle(first: Reals, second: Reals) -> float:
+    """Return the angle between two unit vectors, rad.
+
+    Kahan, How futile are mindless assessments of roundoff, 2006, section 12: no rounding is enlarged.
+    """
+    return 2.0 * float(np.arctan2(np.linalg.norm(first - second), np.linalg.norm(first + second)))
 
 
 def _passes(arc: Arc, border: Border) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -14,12 +15,14 @@ from tests.trimmer.branches.test_self_excited_map import PERIOD, SPEED, belt
 from tests.trimmer.maps.machines import linear_oscillator
 from trimmer.branches import follow as following
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.follow import _followed, _orbit_at_start, _unsettled, follow
+from trimmer.branches.follow import _followed, _interval, _orbit_at_start, _unsettled, follow
 from trimmer.branches.followed import FollowedOrbit
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import MechanismError, OrbitNotFoundError, WrongTypeError
+from trimmer.errors import MechanismError, OrbitNotFoundError, UnsupportedMotionError, WrongTypeError
+from trimmer.mechanism.parts import Link, Pin
+from trimmer.response.orbit import NEUTRAL
 
 SETTINGS = FollowSettings(most_points=2, most_periods=17, quiet=True)
 STATE = np.array([0.1, -0.2])
@@ -185,7 +188,34 @@ def test_without_a_drive_a_motion_that_does_not_repeat_begins_no_branch(asked: A
     branch = follow(still, SPEED, 0.2, 0.3, settings=SETTINGS)
     assert (branch.points, branch.reason) == ((), BranchEnd.NO_START)
     assert branch.message.startswith("at 0.2 there is no motion to begin with: ")
+    assert (branch.map.place, branch.map.scale, branch.map.mechanism.value(SPEED)) == (SPEED, 0.3, 0.2)
     settled = follow(belt(), SPEED, 0.2, 0.3, settings=SETTINGS)
     assert settled.reason is BranchEnd.LEFT_AT_STOP
     assert asked.state[-1] == pytest.approx(PERIOD, rel=1e-9)
     assert asked.map.scale == 0.3
+
+
+@pytest.mark.parametrize(
+    ("nearest", "alone"), [(1.0 + 9e-7, False), (1.0 - 9e-7, False), (1.0 + 1.1e-6, True)]
+)
+def test_without_a_drive_one_orbit_of_many_begins_no_branch(
+    asked: Asked, monkeypatch: pytest.MonkeyPatch, nearest: float, alone: bool
+) -> None:
+    from trimmer.branches.period_maps.self_excited_map import SelfExcitedPassage
+
+    assert NEUTRAL == 1e-6
+    monkeypatch.setattr(SelfExcitedPassage, "monodromy", np.diag([0.5, nearest, 0.0]))
+    branch = follow(belt(), SPEED, 0.2, 0.3, state=[0.7, 0.2, PERIOD], settings=SETTINGS)
+    assert (branch.reason is BranchEnd.LEFT_AT_STOP) is alone
+    assert branch.map.place == SPEED
+    if not alone:
+        assert (branch.points, branch.special, branch.reason) == ((), (), BranchEnd.NOT_ISOLATED)
+        assert branch.message == f"{BranchEnd.NOT_ISOLATED.value}, at 0.2"
+
+
+def test_a_motion_must_repeat_at_both_ends() -> None:
+    leaning = replace(linear_oscillator(), pins={"pin": Pin("ground", amplitude=0.1)})
+    leaning = replace(leaning, links={**leaning.links, "pull": Link(("pin", "mass"), stiffness=3.0)})
+    for interval in ((0.0, 1.0), (1.0, 0.0)):
+        with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
+            _interval(leaning, "pins.pin.velocity", *interval)

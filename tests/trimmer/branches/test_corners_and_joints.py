@@ -11,9 +11,12 @@ import pytest
 
 from tests.trimmer.branches.curves import OnCurve, line_front, parabola
 from tests.trimmer.branches.maps import Bent, Cubic, Failing, Given, Logistic
+from trimmer.branches import corner
+from trimmer.branches.arc import Arc, LostError
+from trimmer.branches.borders import Border
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import _first_behind, _tangents, turned
-from trimmer.branches.joining import front_beyond, joint
+from trimmer.branches.corner import _first_behind, _step, _tangents, turned
+from trimmer.branches.joining import _located, front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
@@ -57,22 +60,70 @@ def test_behind_a_corner_the_direction_with_the_same_turn_comes_first() -> None:
     assert abs(either[0]) == pytest.approx(abs(first), rel=1e-15)
 
 
-def test_the_orbit_behind_a_corner_is_near_and_has_other_phases() -> None:
-    # Behind it the orbits are x = p / 1.5: a direction that leads along them by a share of 1 / 29 finds one.
-    front = line_front(Bent(0.5, -0.5), -1e-12, -2e-12)
+@dataclass(frozen=True)
+class Shifted(Bent):
+    """As ``Bent``, with the corner at x = 3 and p = 2."""
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        found = super().passage(value - 2.0, state - 3.0)
+        return replace(found, end=found.end + 3.0)
+
+
+def test_the_orbit_behind_a_corner_is_near_and_has_other_phases(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Behind it the orbits are x = 3 + p / 1.5; a direction that leads along them by 1/29 finds one.
+    front = line_front(Shifted(0.5, -0.5), 2.0 - 1e-12, 3.0 - 2e-12)
     along, aside = np.array([2.0, 3.0]) / math.sqrt(13.0), np.array([3.0, -2.0]) / math.sqrt(13.0)
+    guesses = []
+
+    class Guessed(Arc):
+        def at(self, distance: float, guess: np.ndarray) -> Place | None:
+            guesses.append(guess - front.place.position)
+            return super().at(distance, guess)
+
+    monkeypatch.setattr(corner, "Arc", Guessed)
 
     def found(share: float, sign: float = 1.0) -> Place | None:
         direction = sign * (share * along + math.sqrt(1.0 - share * share) * aside)
-        return _first_behind(front, direction, 1e-7)
+        place = _first_behind(front, direction, 1e-7)
+        assert guesses[-1] == pytest.approx(1e-7 * direction, rel=1e-6)
+        return place
 
     for share in (1.0, 1.0 / 29.0):
         place = found(share)
         assert place is not None
-        assert place.position == pytest.approx(1e-7 / share * along, rel=1e-4)
+        assert place.position - [3.0, 2.0] == pytest.approx(1e-7 / share * along, rel=1e-4)
     assert found(1.0 / 31.0) is None
     # The other way it is one with the same phases.
     assert found(1.0, -1.0) is None
+
+
+@pytest.mark.parametrize(("old", "new", "folds"), [(0.8, 0.6, False), (0.8, -0.6, True), (-0.8, 0.6, True)])
+def test_a_corner_is_a_fold_if_the_value_turns_around(
+    monkeypatch: pytest.MonkeyPatch, old: float, new: float, folds: bool
+) -> None:
+    before, after = np.array([-0.6, 0.0, old]), np.array([0.0, 0.8, new])
+    place = SimpleNamespace(tangent=lambda reference: after if reference is before else None)
+    point = SpecialPoint(SpecialKind.STICK, 2.0, np.zeros(2))
+    asked = []
+
+    def points(arc: Arc, border: Border) -> list[SpecialPoint]:
+        asked.append((arc.problem, arc.origin, arc.direction, border.before, border.after))
+        return [point]
+
+    monkeypatch.setattr(corner, "special_points", points)
+    moved = SimpleNamespace(position="here")
+    front = SimpleNamespace(problem="orbits", place=moved, tangent=before, moved=lambda *given: given)
+    made = _step(front, place, before)  # type: ignore[arg-type]
+    assert made is not None
+    assert asked == [("orbits", "here", after, moved, place)]
+    assert [each.kind for each in made.special] == [SpecialKind.STICK, SpecialKind.FOLD][: 1 + folds]
+    assert made.front == (place, after)  # type: ignore[comparison-overlap]
+    assert made.bend == pytest.approx(math.acos(old * new), rel=1e-12)
+    assert _step(front, place, after) is None  # type: ignore[arg-type]
+    monkeypatch.setattr(corner, "special_points", lambda arc, border: [])
+    nothing = _step(front, place, before)  # type: ignore[arg-type]
+    assert nothing is not None
+    assert nothing.special == ()
 
 
 def of_value(value: float, state: float) -> BranchPoint:
@@ -170,6 +221,36 @@ def test_the_branch_of_single_orbits_goes_on_to_both_sides_of_a_joint() -> None:
     assert aside is not None
     assert joint(Front(problem, aside, tangent, 1.0), aside) is None
     assert joint(Front(Problem(Logistic(), 1.0, np.ones(1)), near, tangent, 1.0), far) is None
+
+
+def test_the_secant_method_goes_on_from_the_nearest_orbit() -> None:
+    asked = []
+
+    def at(value: float, guess: tuple[str, float]) -> SimpleNamespace:
+        asked.append((value, guess))
+        return SimpleNamespace(at=value, multipliers=np.array([-1.0 - 3.0 * (value - 2.5), 0.5, 7.0]))
+
+    arc = SimpleNamespace(
+        at=at, distance=lambda place: place.at, predicted=lambda place, value: ("from", place.at)
+    )
+    found = _located(arc, SimpleNamespace(at=2.0))  # type: ignore[arg-type]
+    assert found.at == pytest.approx(2.5, abs=1e-14)  # type: ignore[attr-defined]
+    # The function is a straight line: it is known from two orbits, and one more is the root.
+    values = [value for value, _ in asked]
+    assert values[:3] == pytest.approx([2.0, 2.0 + 1e-6, 2.5], abs=1e-9)
+    assert [from_where for _, (_, from_where) in asked[:3]] == [2.0, 2.0, values[1]]
+    assert values[-1] == found.at  # type: ignore[attr-defined]
+    lost = SimpleNamespace(**{**vars(arc), "at": lambda value, guess: None})
+    with pytest.raises(LostError):
+        _located(lost, SimpleNamespace(at=2.0))  # type: ignore[arg-type]
+    endless = SimpleNamespace(
+        **{
+            **vars(arc),
+            "at": lambda value, guess: SimpleNamespace(at=value, multipliers=np.array([value**2])),
+        }
+    )
+    with pytest.raises(LostError):
+        _located(endless, SimpleNamespace(at=2.0))  # type: ignore[arg-type]
 
 
 def test_a_branch_of_twice_the_period_parts_along_the_critical_direction() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -24,6 +25,7 @@ from trimmer.branches.step import (
     _between,
     _end_passed,
     _passes,
+    angle,
     at_border,
     begun,
     fold_at,
@@ -125,6 +127,12 @@ def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() ->
     nearer.position[-1] = 8.0
     # The difference falls from 0.2 to -0.3: it is zero after two fifths.
     assert _middle(front, nearer) == pytest.approx([1.0, 2.0, 7.4], rel=1e-12)
+    # From (0.4, 0) to (0, 0.6) it is (0.24, 0.24) at two fifths, and half of that is added.
+    turned = doubled(1.0, 0.5)
+    turned.passage.middle = np.array([0.5, 10.4])  # type: ignore[misc]
+    assert _middle(replace(front, place=doubled(1.0, 0.7)), turned) == pytest.approx(
+        [1.12, 2.12, 7.0], rel=1e-12
+    )
     single = doubled(2.0, None)
     assert _middle(Front(problem, single, np.zeros(3), 1.0), single)[-1] == 7.0  # type: ignore[arg-type]
 
@@ -154,6 +162,15 @@ def test_a_step_tells_its_bend_and_leads_along_the_curve() -> None:
     before, after = np.array([1.0, 3.0, 1.0]), np.array([2.0 * value, 3.0, 1.0])
     cosine = before @ after / np.linalg.norm(before) / np.linalg.norm(after)
     assert made.bend == pytest.approx(math.acos(cosine), rel=1e-9)
+
+
+def test_angles_are_exact_next_to_none_and_to_opposite_ones() -> None:
+    for turn in (0.0, 1e-9, 0.3, math.pi / 2.0, 2.5, math.pi - 1e-9, math.pi):
+        first = np.array([0.6, 0.8])
+        second = np.array(
+            [0.6 * math.cos(turn) - 0.8 * math.sin(turn), 0.6 * math.sin(turn) + 0.8 * math.cos(turn)]
+        )
+        assert angle(first, second) == pytest.approx(turn, abs=3e-16, rel=1e-6)
 
 
 def test_a_steep_branch_that_bends_towards_the_end_stops_there() -> None:

@@ -14,7 +14,7 @@ from tests.trimmer.branches.maps import Cubic, Failing, Given, Logistic, Torn
 from trimmer.branches import stepping
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.corner import is_torn
-from trimmer.branches.orbit import Problem
+from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.step import Front, begun
 from trimmer.branches.stepping import (
@@ -218,6 +218,11 @@ def test_a_branch_closes_where_it_passes_its_first_orbit() -> None:
     # Beside the chord, and beside the branch though near the chord.
     assert not _passed(middle.position + np.array([0.05, 0.0, 0.0]), before, after)
     assert not _passed(middle.position + np.array([1e-5, 0.0, 0.0]), before, after)
+    # A tenth of the chord is the most: of a chord of 10 the curve may lie 1 aside.
+    wide = OnCurve(
+        lambda p: np.array([1.0 - (p - 5.0) ** 2 / 25.0, 0.0]), lambda p: np.array([0.4 - 0.08 * p, 0.0])
+    )
+    assert _passed(wide.at(5.0).position, front_at(wide, 0.0), front_at(wide, 10.0))
     assert _closed(front_at(map, 0.56), before, after)
     touching = parabola(signature=lambda p: {("stop", None): int(p == 0.56)})  # type: ignore[dict-item]
     assert not _closed(front_at(touching, 0.56), before, after)
@@ -241,6 +246,12 @@ class Restarting(Logistic):
         if self.mirrored_states:
             return self, state
         return Restarting(mirrored_states=True), np.array([np.nan]) if self.lost else 1.0 - state + 1e-9
+
+
+def test_a_front_without_a_tangent_stays_where_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
+    front = line_front(Restarting(), 2.5, 0.6)
+    monkeypatch.setattr(Place, "tangent", lambda self, reference: None)
+    assert _restarted(front) is front
 
 
 def test_a_front_begins_where_its_map_says() -> None:

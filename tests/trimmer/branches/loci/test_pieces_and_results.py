@@ -1,0 +1,313 @@
+"""How a piece of branch is searched for a special point, and what a locus is made of, with stand-ins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.trimmer.branches.curves import parabola
+from tests.trimmer.branches.maps import Henon
+from tests.trimmer.maps.machines import impact_oscillator
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.followed import FollowedBranch
+from trimmer.branches.loci import follow_special as results
+from trimmer.branches.loci import relocation
+from trimmer.branches.loci.locus import LocusEnd, LocusRanges
+from trimmer.branches.loci.relocation import Relocated, Sought, _searched, _special_points, relocated
+from trimmer.branches.loci.search import Point, Search, Track, found_again
+from trimmer.branches.orbit import Problem
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.branches.step import Front
+
+GAP = "stops.wall.gap"
+FOLD = Sought(SpecialKind.FOLD, ())
+
+
+def special(
+    value: float, *state: float, kind: SpecialKind = SpecialKind.FOLD, parts: tuple[str, ...] = ()
+) -> SpecialPoint:
+    return SpecialPoint(kind, value, np.array(state), parts)
+
+
+def test_a_piece_is_followed_until_it_has_left_the_neighbourhood(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[Any] = []
+    ways = [1.09, 1.11, 0.0]
+
+    def longest_step(front: Any, length: float, limits: Any, smallest: float) -> tuple[Any, float]:
+        asked.append((front, length, smallest))
+        assert limits.settings.largest_step == 1.0
+        assert not limits.smooth
+        # The ends of the interval are half a span from the value on either side, in spans.
+        assert limits.interval.ends == pytest.approx((7.0 / 4.0 - 0.5, 7.0 / 4.0 + 0.5), rel=1e-14)
+        away = ways.pop(0) * 1e-2
+        place = SimpleNamespace(position=np.array([0.25 + 0.6 * away, 1.75 - 0.8 * away]))
+        found = SimpleNamespace(front=SimpleNamespace(place=place), special=(special(away),))
+        return found, 5e-3 if len(asked) == 1 else 9.0
+
+    monkeypatch.setattr(relocation, "longest_step", longest_step)
+    problem = SimpleNamespace(span=4.0, value=lambda position: 7.0)
+    begin: Any = SimpleNamespace(problem=problem, place=SimpleNamespace(position=None))
+    found = list(_special_points(begin, np.array([0.25, 1.75]), 1e-2, (3e-7, False)))
+    assert [point.value for point in found] == pytest.approx([1.09e-2, 1.11e-2], rel=1e-12)
+    assert [each[1:] for each in asked] == [(pytest.approx(2.2e-2, rel=1e-14), 3e-7), (5e-3, 3e-7)]
+    assert asked[0][0] is begin
+
+
+def test_a_piece_is_given_up_after_so_many_steps_or_where_none_is_made(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    here: Any = SimpleNamespace(
+        problem=SimpleNamespace(span=4.0, value=lambda position: 7.0),
+        place=SimpleNamespace(position=np.array([0.25, 1.75])),
+    )
+    lengths: list[float] = []
+
+    def longest_step(front: Any, length: float, limits: Any, smallest: float) -> tuple[Any, float]:
+        lengths.append(length)
+        made = SimpleNamespace(front=here, special=(special(1.0),))
+        return (None if len(lengths) == 40 else made), 9.0
+
+    monkeypatch.setattr(relocation, "longest_step", longest_step)
+    look = (1e-9, True)
+    assert len(list(_special_points(here, here.place.position, 1e-2, look))) == 24
+    assert lengths == pytest.approx([2.2e-2] * 24, rel=1e-14)
+    assert len(list(_special_points(here, here.place.position, 1e-2, look))) == 15
+
+
+@pytest.mark.parametrize("parts", [(), ("stop",)])
+def test_what_is_near_and_fits_is_the_point(monkeypatch: pytest.MonkeyPatch, parts: tuple[str, ...]) -> None:
+    asked: list[Any] = []
+    points: list[SpecialPoint] = []
+
+    def special_points(front: Front, centre: Any, reach: float, look: Any) -> Iterator[SpecialPoint]:
+        asked.append((front, centre, reach, look))
+        yield from points
+
+    monkeypatch.setattr(relocation, "_special_points", special_points)
+    map = parabola()
+    problem = Problem(map, 4.0, np.array([2.0, 0.5]))
+    centre = map.at(0.5, problem)
+    tangent = centre.tangent(np.array([0.0, 0.0, -1.0]))
+    assert tangent is not None
+
+    def at(distance: float, **others: Any) -> SpecialPoint:
+        position = centre.position + distance * tangent
+        return special(problem.value(position), *problem.state(position), **others)
+
+    kind = SpecialKind.GRAZING if parts else SpecialKind.FOLD
+    other = at(1.9e-3, kind=SpecialKind.STICK, parts=("blade",))
+    far, wanted = at(2.1e-3, kind=kind, parts=parts), at(-1.9e-3, kind=kind, parts=parts)
+    points += [at(-2.1e-3, kind=SpecialKind.TORUS), other, far, wanted, at(0.0, kind=SpecialKind.TORUS)]
+    found = _searched(centre, tangent, Sought(kind, parts), 1e-3)
+    assert found is not None
+    assert (found.point is wanted, found.others, found.problem is problem) == (True, (other,), True)
+    ((front, middle, reach, look),) = asked
+    assert middle is centre.position
+    assert reach == 1e-3
+    # Only what has parts may lie in a corner, and needs no bifurcations.
+    assert look == ((2e-12, False) if parts else (pytest.approx(1e-6, rel=1e-12), True))
+    begin = front.place.position
+    assert tangent @ (begin - centre.position) == pytest.approx(-1e-3, rel=1e-9)
+    assert front.tangent @ tangent == pytest.approx(1.0, rel=1e-4)
+    nothing = _searched(centre, tangent, Sought(SpecialKind.SYMMETRY_BREAKING, ()), 1e-3)
+    assert nothing is not None
+    assert (nothing.point, len(nothing.others)) == (None, 3)
+
+
+def test_a_piece_whose_beginning_is_not_found_near_is_none() -> None:
+    map = parabola()
+    centre = map.at(0.5)
+    across = np.array([3.0, -1.0, 0.0]) / math.sqrt(10.0)
+    # Along that direction the curve lies farther away than the reach.
+    aside = (across + 0.3 * np.array([1.0, 3.0, 1.0]) / math.sqrt(11.0)) / math.hypot(1.0, 0.3)
+    assert _searched(centre, aside, FOLD, 1e-3) is None
+    lost = parabola(ends=0.4999)
+    late = replace(centre, problem=Problem(lost, 1.0, np.ones(2)))
+    tangent = centre.tangent(np.array([0.0, 0.0, -1.0]))
+    assert tangent is not None
+    assert _searched(late, tangent, FOLD, 1e-2) is None
+
+
+def test_both_directions_are_searched_until_the_point_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    answers: dict[int, Relocated | None] = {}
+    asked: list[Any] = []
+
+    def searched(centre: Any, direction: Any, sought: Sought, reach: float) -> Relocated | None:
+        asked.append((direction, sought, reach))
+        return answers[len(asked)]
+
+    monkeypatch.setattr(relocation, "_searched", searched)
+
+    def run(first: Relocated | None, second: Relocated | None) -> Relocated | None:
+        answers.update({1: first, 2: second})
+        asked.clear()
+        return relocated(Henon(), 0.5, FOLD, 0.1, np.array([0.9, 0.27]), 0.03)
+
+    problem: Any = None
+    empty, other = Relocated(None, (), problem), Relocated(None, (), problem)
+    good = Relocated(special(1.0), (), problem)
+    assert run(good, empty) is good
+    assert len(asked) == 1
+    assert run(empty, good) is good
+    assert asked[1][0].tolist() == (-asked[0][0]).tolist()
+    assert asked[1][1:] == (FOLD, 0.03)
+    assert run(empty, other) is empty
+    assert run(None, other) is other
+    assert run(None, None) is None
+
+
+def search(kind: SpecialKind = SpecialKind.FOLD) -> Search:
+    map = MechanismMap(impact_oscillator(), "frequency", 1.5, 2)
+    maps = map, replace(map, place=GAP, scale=12.0)
+    return Search(maps, Sought(kind, ()), LocusRanges((1.0, 1.5), (8.0, 12.0)))
+
+
+def test_the_map_over_one_number_holds_the_other() -> None:
+    held_gap, held_frequency = search().map_at(1, 9.0), search().map_at(0, 1.25)
+    assert (held_gap.place, held_gap.mechanism.value(GAP), held_gap.scale) == ("frequency", 9.0, 1.5)
+    assert (held_frequency.place, held_frequency.scale) == (GAP, 12.0)
+    assert held_frequency.mechanism.value("frequency") == 1.25
+    assert held_frequency.mechanism.value(GAP) == 10.0
+
+
+@pytest.mark.parametrize("held", [0, 1])
+def test_a_point_that_is_found_again_has_shares_of_the_ranges(
+    monkeypatch: pytest.MonkeyPatch, held: int
+) -> None:
+    from trimmer.branches.loci import search as searching
+
+    asked: list[Any] = []
+    free = 1 - held
+    other, sizes = special(3.0), np.array([4e-5, 691.0])
+    answer: list[Relocated | None] = []
+
+    def relocate(map: Any, span: float, sought: Sought, value: float, state: Any, reach: float) -> Any:
+        asked.append((map.place, span, sought, value, state, reach))
+        return answer[-1]
+
+    monkeypatch.setattr(searching, "relocated", relocate)
+    track = Track([], [special(9.0)])
+    given, state = np.array([0.5, 0.25]), np.array([1.0, 2.0])
+    answer.append(None)
+    assert found_again(search(), track, held, given, state, 0.07) is None
+    assert [each.value for each in track.others] == [9.0]
+    numbers = (1.25, 9.0)
+    place, span = (("frequency", 0.5), (GAP, 4.0))[free]
+    assert asked == [(place, span, FOLD, numbers[free], state, 0.07)]
+    problem: Any = SimpleNamespace(sizes=sizes)
+    answer.append(Relocated(None, (other,), problem))
+    assert found_again(search(), track, held, given, state, 0.07) is None
+    assert track.others == [other]
+    answer.append(Relocated(special((1.3, 11.0)[free], 5.0, 6.0), (), problem))
+    found = found_again(search(), track, held, given, state, 0.07)
+    assert found is not None
+    wanted = given.copy()
+    wanted[free] = (0.6, 0.75)[free]
+    assert found.values == pytest.approx(wanted, rel=1e-12)
+    assert (found.state.tolist(), found.sizes is sizes, track.others) == ([5.0, 6.0], True, [])
+    assert given.tolist() == [0.5, 0.25]
+
+
+def test_a_locus_is_made_of_its_points(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[Any] = []
+
+    def place(search: Search, numbers: Any, point: Point) -> Any:
+        asked.append((numbers.tolist(), point))
+        multipliers = np.array([1.0 + 0.25 * len(asked), -3.0])
+        return None if len(asked) == 2 else SimpleNamespace(error=1e-13 * len(asked), multipliers=multipliers)
+
+    monkeypatch.setattr(results, "_place", place)
+    points = [
+        Point(np.array(values), np.array(values) + 1.0, np.ones(2))
+        for values in ((0, 1), (0.5, 0.25), (1, 0))
+    ]
+    found = results._locus(search(), Track(points), LocusEnd.LEFT)
+    assert found.values == pytest.approx(np.array([[1.0, 12.0], [1.25, 9.0], [1.5, 8.0]]), rel=1e-12)
+    assert [each[0] for each in asked] == [pytest.approx(row, rel=1e-12) for row in found.values.tolist()]
+    assert [each[1] for each in asked] == points
+    assert found.states.tolist() == [[1.0, 2.0], [1.5, 1.25], [2.0, 1.0]]
+    np.testing.assert_allclose(found.residual, [1e-13, np.nan, 3e-13], rtol=1e-12)
+    np.testing.assert_allclose(found.distance, [0.25, np.nan, 0.75], rtol=1e-12)
+    assert (found.kind, found.parts, found.places, found.periods) == (
+        SpecialKind.FOLD,
+        (),
+        ("frequency", GAP),
+        2,
+    )
+    assert (found.reason, found.units) == (LocusEnd.LEFT, ("Hz", "m"))
+    assert found.message == f"{LocusEnd.LEFT.value}, at frequency = 1.5 and {GAP} = 8"
+
+
+def test_the_orbit_of_a_point_is_that_of_both_numbers() -> None:
+    omega, sizes = 7.5, np.array([5.0, 30.0])
+    response = 100.0 / (40.0 - omega**2 + 0.1j * math.sqrt(40.0) * omega)
+    state = np.array([response.real, (1j * omega * response).real])
+    numbers = np.array([omega / (2.0 * math.pi), 11.0])
+    place = results._place(search(), numbers, Point(np.zeros(2), state, sizes))
+    assert place is not None
+    # Below the gap the motion is linear, and the orbit known.
+    assert place.error < 1e-12
+    assert place.position == pytest.approx([*(state / sizes), numbers[0]], rel=1e-14)
+    assert place.problem.map.mechanism.value(GAP) == 11.0  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("symmetric", [False, True])
+def test_a_search_is_over_the_shortest_period_in_the_scales_of_the_ranges(
+    monkeypatch: pytest.MonkeyPatch, symmetric: bool
+) -> None:
+    asked: list[Any] = []
+
+    def shortest(map: MechanismMap, value: float, state: Any) -> MechanismMap:
+        asked.append((map, value, state))
+        return replace(map, periods=3)
+
+    monkeypatch.setattr(results, "shortest_map", shortest)
+    monkeypatch.setattr(results, "is_symmetric", lambda *given: asked.append(given) or symmetric)
+    doubled = MechanismMap(impact_oscillator(), "frequency", 9.0).doubled()
+    branch: Any = SimpleNamespace(map=doubled)
+    point = special(1.25, 0.5, 0.75, kind=SpecialKind.GRAZING, parts=("wall",))
+    ranges = LocusRanges((-2.0, 1.5), (8.0, 12.0))
+    found = results._search(branch, point, GAP, ranges)
+    assert (found.sought, found.ranges) == (Sought(SpecialKind.GRAZING, ("wall",)), ranges)
+    first, second = found.maps
+    assert [(each.place, each.scale, each.periods, each.mirrored) for each in (first, second)] == [
+        ("frequency", 2.0, 3, symmetric),
+        (GAP, 12.0, 3, symmetric),
+    ]
+    (begun, value, state), (again, *rest) = asked
+    assert (begun.single, begun.periods, value, state is point.state) == (None, 2, 1.25, True)
+    assert begun.mechanism.value("frequency") == 1.25
+    assert (again.periods, rest[0], rest[1] is point.state) == (3, 1.25, True)
+    assert first.mechanism is second.mechanism is begun.mechanism
+
+
+@pytest.mark.parametrize(("stop", "sign"), [(12.0, 1.0), ("8 m", -1.0)])
+def test_a_locus_goes_towards_the_value_that_is_given(
+    monkeypatch: pytest.MonkeyPatch, stop: float | str, sign: float
+) -> None:
+    fold = special(1.25, 1.0, 2.0)
+    points: Any = tuple(SimpleNamespace(value=value) for value in (1.0, 1.5))
+    map = MechanismMap(impact_oscillator(), "frequency", 1.5)
+    branch = FollowedBranch(map, points, (fold,), BranchEnd.LEFT_AT_STOP, "")
+    asked: list[Any] = []
+
+    def followed(search: Search, track: Track, sign: float, settings: Any) -> LocusEnd:
+        asked.append((search.ranges.both, [point.values.tolist() for point in track.points], sign, settings))
+        return LocusEnd.LOST
+
+    monkeypatch.setattr(results, "followed", followed)
+    found = results.follow_special(branch, fold, GAP, stop)
+    ((ranges, begun, towards, settings),) = asked
+    assert towards == sign
+    assert settings is results.DEFAULT
+    assert ranges == ((1.0, 1.5), (10.0, 12.0) if sign > 0.0 else (8.0, 10.0))
+    assert begun == [pytest.approx([0.5, 0.5 - 0.5 * sign], rel=1e-12)]
+    assert (found.reason, len(found.values)) == (LocusEnd.LOST, 1)
+    assert found.values[0] == pytest.approx([1.25, 10.0], rel=1e-12)
