@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.branches.curves import OnCurve, parabola
+from trimmer.branches import bifurcations as module
 from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.bifurcations import (
     Bifurcation,
@@ -95,9 +96,10 @@ def test_a_link_is_halved_until_what_is_found_explains_the_multipliers_outside()
 
 
 def test_a_multiplier_that_jumps_past_minus_one_is_none() -> None:
-    jumping = diagonal(lambda p: -0.9 if p < 0.5 else -1.2, lambda p: 0.3)
-    # However far it is halved nothing explains the multiplier outside.
-    assert found(jumping, 0.1, 0.9) == []
+    for first, last in ((-0.9, -1.2), (-1.2, -0.9)):
+        jumping = diagonal(lambda p, first=first, last=last: first if p < 0.5 else last, lambda p: 0.3)  # type: ignore[misc]
+        # However far it is halved nothing explains the multiplier outside.
+        assert found(jumping, 0.1, 0.9) == []
 
 
 def fake(tangent_value: float) -> Place:
@@ -239,6 +241,30 @@ def test_a_function_that_changes_its_sign_or_bends_the_other_way_has_no_dip() ->
     ):
         arc = arc_of(map, 0.55)
         assert dips(arc, *(map.at(value, arc.problem) for value in (0.2, 0.55, 0.7))) == []
+
+
+@pytest.mark.parametrize(
+    ("values", "lowest"),
+    [
+        # A parabola through values at -0.3, 0 and 0.4: 0.01 + 2 (p - 0.25)^2 and its mirror image.
+        ((0.615, 0.135, 0.055), 0.25),
+        ((-0.615, -0.135, -0.055), 0.25),
+        # It changes its sign: a root is found by itself, and no dip.
+        ((0.595, 0.115, -0.01), None),
+        ((-0.1, 0.115, 0.035), None),
+        # The lowest point lies behind, or beyond.
+        ((0.19, 0.04, 1.0), None),
+        ((2.0, 1.0, 0.5), None),
+    ],
+)
+def test_a_dip_is_the_lowest_point_of_a_parabola_through_three_values(
+    monkeypatch: pytest.MonkeyPatch, values: tuple[float, ...], lowest: float | None
+) -> None:
+    monkeypatch.setattr(module, "_tests", lambda arc: dict.fromkeys("ab", lambda place: place[1]))
+    arc = SimpleNamespace(distance=lambda place: place[0])
+    places = zip((-0.3, 0.0, 0.4), values, strict=True)
+    found = dips(arc, *places)  # type: ignore[arg-type, call-arg]
+    assert found == ([] if lowest is None else [pytest.approx(lowest, rel=1e-12)])
 
 
 def test_without_a_tangent_the_branch_is_lost() -> None:

@@ -1,4 +1,4 @@
-"""Corners of branches, and where they join and part, on maps whose orbits are known."""
+"""Where branches join and part, and what is known of them, on maps whose orbits are known."""
 
 from __future__ import annotations
 
@@ -9,13 +9,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, line_front, parabola
-from tests.trimmer.branches.maps import Bent, Cubic, Failing, Given, Logistic
-from trimmer.branches import corner
-from trimmer.branches.arc import Arc, LostError
-from trimmer.branches.borders import Border
+from tests.trimmer.branches.curves import OnCurve, parabola
+from tests.trimmer.branches.maps import Cubic, Given, Logistic
+from trimmer.branches import switching
+from trimmer.branches.arc import LostError
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import _first_behind, _step, _tangents, turned
 from trimmer.branches.joining import _located, front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Place, Problem
@@ -26,104 +24,6 @@ from trimmer.branches.switching import _critical, _first, parted_fronts
 
 ALONG = np.array([0.0, 0.0, 1.0])
 ALONE = FollowSettings(switches=0, quiet=True)
-
-
-def test_a_corner_is_passed_or_turned_at() -> None:
-    # Beyond x = 0 the fixed points are p / (1 - slope): behind, if the slope is above 1.
-    for slope, ahead in ((-0.5, 1.0), (2.0, -1.0)):
-        front = line_front(Bent(0.5, slope), -1e-11, -2e-11)
-        made = turned(front)
-        assert made is not None
-        wanted = np.array([ahead / (1.0 - slope), ahead])
-        assert made.front.tangent == pytest.approx(wanted / np.linalg.norm(wanted), rel=1e-9)
-        kinds = [point.kind for point in made.special]
-        assert kinds == [SpecialKind.GRAZING, SpecialKind.FOLD][: 1 + (ahead < 0.0)]
-        old = np.array([2.0, 1.0]) / math.sqrt(5.0)
-        assert made.bend == pytest.approx(math.acos(made.front.tangent @ old), rel=1e-6)
-        assert made.switches == ()
-        assert 0.0 < abs(made.front.place.position[1]) < 1e-9
-    assert turned(line_front(Bent(0.5, 2.0), -0.5, -1.0)) is None
-    assert turned(line_front(Failing(), 0.5 - 1e-12, 1.0)) is None
-
-
-def test_behind_a_corner_the_direction_with_the_same_turn_comes_first() -> None:
-    front = line_front(Bent(0.5, 2.0), -1e-11, -2e-11)
-    beyond = front.problem.place(np.array([1e-9, 1e-9]))
-    assert beyond is not None
-    first, second = _tangents(front, beyond)
-    assert np.sign(beyond.orientation(first)) == front.turn
-    assert first.tolist() == (-second).tolist()
-    other = _tangents(replace(front, turn=-front.turn), beyond)
-    assert other[0].tolist() == second.tolist()
-    either = _tangents(replace(front, turn=0.0), beyond)
-    assert either[0].tolist() == (-either[1]).tolist()
-    assert abs(either[0]) == pytest.approx(abs(first), rel=1e-15)
-
-
-@dataclass(frozen=True)
-class Shifted(Bent):
-    """As ``Bent``, with the corner at x = 3 and p = 2."""
-
-    def passage(self, value: float, state: np.ndarray) -> Given:
-        found = super().passage(value - 2.0, state - 3.0)
-        return replace(found, end=found.end + 3.0)
-
-
-def test_the_orbit_behind_a_corner_is_near_and_has_other_phases(monkeypatch: pytest.MonkeyPatch) -> None:
-    # Behind it the orbits are x = 3 + p / 1.5; a direction that leads along them by 1/29 finds one.
-    front = line_front(Shifted(0.5, -0.5), 2.0 - 1e-12, 3.0 - 2e-12)
-    along, aside = np.array([2.0, 3.0]) / math.sqrt(13.0), np.array([3.0, -2.0]) / math.sqrt(13.0)
-    guesses = []
-
-    class Guessed(Arc):
-        def at(self, distance: float, guess: np.ndarray) -> Place | None:
-            guesses.append(guess - front.place.position)
-            return super().at(distance, guess)
-
-    monkeypatch.setattr(corner, "Arc", Guessed)
-
-    def found(share: float, sign: float = 1.0) -> Place | None:
-        direction = sign * (share * along + math.sqrt(1.0 - share * share) * aside)
-        place = _first_behind(front, direction, 1e-7)
-        assert guesses[-1] == pytest.approx(1e-7 * direction, rel=1e-6)
-        return place
-
-    for share in (1.0, 1.0 / 29.0):
-        place = found(share)
-        assert place is not None
-        assert place.position - [3.0, 2.0] == pytest.approx(1e-7 / share * along, rel=1e-4)
-    assert found(1.0 / 31.0) is None
-    # The other way it is one with the same phases.
-    assert found(1.0, -1.0) is None
-
-
-@pytest.mark.parametrize(("old", "new", "folds"), [(0.8, 0.6, False), (0.8, -0.6, True), (-0.8, 0.6, True)])
-def test_a_corner_is_a_fold_if_the_value_turns_around(
-    monkeypatch: pytest.MonkeyPatch, old: float, new: float, folds: bool
-) -> None:
-    before, after = np.array([-0.6, 0.0, old]), np.array([0.0, 0.8, new])
-    place = SimpleNamespace(tangent=lambda reference: after if reference is before else None)
-    point = SpecialPoint(SpecialKind.STICK, 2.0, np.zeros(2))
-    asked = []
-
-    def points(arc: Arc, border: Border) -> list[SpecialPoint]:
-        asked.append((arc.problem, arc.origin, arc.direction, border.before, border.after))
-        return [point]
-
-    monkeypatch.setattr(corner, "special_points", points)
-    moved = SimpleNamespace(position="here")
-    front = SimpleNamespace(problem="orbits", place=moved, tangent=before, moved=lambda *given: given)
-    made = _step(front, place, before)  # type: ignore[arg-type]
-    assert made is not None
-    assert asked == [("orbits", "here", after, moved, place)]
-    assert [each.kind for each in made.special] == [SpecialKind.STICK, SpecialKind.FOLD][: 1 + folds]
-    assert made.front == (place, after)  # type: ignore[comparison-overlap]
-    assert made.bend == pytest.approx(math.acos(old * new), rel=1e-12)
-    assert _step(front, place, after) is None  # type: ignore[arg-type]
-    monkeypatch.setattr(corner, "special_points", lambda arc, border: [])
-    nothing = _step(front, place, before)  # type: ignore[arg-type]
-    assert nothing is not None
-    assert nothing.special == ()
 
 
 def of_value(value: float, state: float) -> BranchPoint:
@@ -278,6 +178,39 @@ def test_where_branches_cross_one_parts_on_each_side() -> None:
     fronts = parted_fronts(problem, SimpleNamespace(place=place))  # type: ignore[arg-type]
     assert sorted(front.place.position[0] for front in fronts) == pytest.approx([-3e-5, 3e-5], rel=1e-9)
     assert all(front.problem is problem for front in fronts)
+
+
+@pytest.mark.parametrize(
+    ("multipliers", "doubled"),
+    [
+        ((-1.0, -3.0), True),
+        ((1.0, -3.0), False),
+        ((-1.0, -5.0), True),
+        ((1.2, -0.7), False),
+    ],
+)
+def test_of_several_multipliers_the_one_nearest_to_either_side_parts(
+    monkeypatch: pytest.MonkeyPatch, multipliers: tuple[float, float], doubled: bool
+) -> None:
+    asked = []
+    critical = np.array([0.6, 0.8, 0.0])
+
+    def of(place: Place, multiplier: float) -> np.ndarray:
+        asked.append(multiplier)
+        return critical
+
+    monkeypatch.setattr(switching, "_critical", of)
+    monkeypatch.setattr(switching, "_first", lambda *given: given)
+    problem = Problem(parabola(), 7.0, np.array([2.0, 3.0]))
+    place = SimpleNamespace(multipliers=np.array(multipliers), position="there")
+    fronts = parted_fronts(problem, SimpleNamespace(place=place))  # type: ignore[arg-type]
+    assert asked == [-1.0 if doubled else 1.0]
+    assert [(origin, direction.tolist()) for _, origin, direction in fronts] == [  # type: ignore[misc, has-type]
+        ("there", (sign * critical).tolist()) for sign in ((1.0,) if doubled else (1.0, -1.0))
+    ]
+    found = fronts[0][0]  # type: ignore[index]
+    assert found.map.doublings == int(doubled)
+    assert (found.span, found.sizes is problem.sizes) == (7.0, True)
 
 
 def test_the_critical_direction_is_the_eigenvector_of_the_multiplier() -> None:
