@@ -17,6 +17,7 @@ from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import _located, front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
@@ -253,7 +254,9 @@ def test_which_ends_are_successes_and_which_orbits_are_stable() -> None:
         BranchEnd.MOST_POINTS,
         BranchEnd.NO_START,
     }
-    assert Branch((), (), BranchEnd.TORN, "").success
+    torn = Branch((), (), BranchEnd.TORN, "")
+    assert torn.success
+    assert (torn.branches, torn.parted, torn.doublings) == ((), None, 0)
     assert not Branch((), (), BranchEnd.NO_START, "").success
     for multipliers, stable in (([0.9, -0.5], True), ([0.9, -1.0], False), ([0.3, 1.0 - 1e-10], False)):
         point = BranchPoint(0.0, np.zeros(1), np.array(multipliers, dtype=complex), np.zeros(2), {}, 0)
@@ -268,7 +271,7 @@ def test_a_special_point_tells_its_parts() -> None:
 
 def test_a_doubled_map_joins_both_passages() -> None:
     map = Logistic().doubled()
-    first, second = Logistic().passage(3.2, np.array([0.3])), None
+    first = Logistic().passage(3.2, np.array([0.3]))
     second = Logistic().passage(3.2, first.end)
     passage = map.passage(3.2, np.array([0.3]))
     assert passage.end == second.end
@@ -279,8 +282,13 @@ def test_a_doubled_map_joins_both_passages() -> None:
     step = 1e-6
     ends = [map.passage(3.2 + sign * step, np.array([0.3])).end for sign in (1.0, -1.0)]
     assert passage.rate() == pytest.approx((ends[0] - ends[1]) / (2.0 * step), rel=1e-8)
-    shortest = (SimpleNamespace(shortest=lambda *_: 3e-3), SimpleNamespace(shortest=lambda *_: 2e-3))
-    assert replace(passage, first=shortest[0], second=shortest[1]).shortest("a", None) == 2e-3  # type: ignore[arg-type]
+    known = {("a", Phase.UPPER): (3e-3, 2e-3), ("b", Phase.STICK): (4e-3, 5e-3)}
+    one, other = (
+        SimpleNamespace(shortest=lambda part, phase, half=half: known[part, phase][half]) for half in (0, 1)
+    )
+    halves = replace(passage, first=one, second=other)  # type: ignore[arg-type]
+    assert halves.shortest("a", Phase.UPPER) == 2e-3
+    assert halves.shortest("b", Phase.STICK) == 4e-3
     assert map.doubled().doublings == 2
     assert map.size == 1
     counted = replace(

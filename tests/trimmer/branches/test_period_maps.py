@@ -140,11 +140,16 @@ class Repeating:
         self.known = known
 
     def __call__(self, half: MechanismMap, map: MechanismMap, value: float, state: np.ndarray) -> bool:
+        assert (value, state.tolist()) == (0.2, [0.0, 0.0])
+        assert (map.periods, map.mirrored) in ((half.periods, False), (2 * half.periods, False))
         return (half.periods, half.mirrored) in self.known
 
 
 def shape(map: MechanismMap | None) -> list[tuple[int, bool]]:
-    return [] if map is None else [(map.periods, map.mirrored), *shape(map.single)]
+    if map is None:
+        return []
+    assert isinstance(map.periods, int)
+    return [(map.periods, map.mirrored), *shape(map.single)]
 
 
 @pytest.mark.parametrize(
@@ -177,6 +182,19 @@ def test_a_map_is_doubled_so_often_that_the_motion_is_its_orbit(
     assert shape(_asymmetric(whole)) == [each for each in shape(_asymmetric(whole)) if each[0] <= periods]
 
 
+def test_a_motion_of_an_even_number_of_periods_or_without_a_mirror_is_not_symmetric(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(fits, "_repeats", lambda *_: True)
+    for mechanism, periods, symmetric in (
+        (between_stops(0.2), 1, True),
+        (between_stops(0.2), 2, False),
+        (between_stops(0.2), 3, True),
+        (impact_oscillator(), 1, False),
+    ):
+        assert is_symmetric(MechanismMap(mechanism, "frequency", 1.0, periods), 0.2, np.zeros(2)) is symmetric
+
+
 @pytest.mark.parametrize(
     ("periods", "known", "expected"), [(8, [4, 2], 2), (8, [2], 8), (6, [3, 1], 3), (5, [1], 5), (2, [1], 1)]
 )
@@ -189,12 +207,14 @@ def test_the_shortest_map_is_halved_as_long_as_the_motion_repeats(
 
 
 def test_a_motion_repeats_if_half_of_it_does_as_far_as_it_is_known() -> None:
-    def of(end: list[float]) -> SimpleNamespace:
-        passage = SimpleNamespace(end=np.array(end), sizes=np.array([2.0, 0.0]))
+    def of(end: list[float], small: float = 0.0) -> SimpleNamespace:
+        passage = SimpleNamespace(end=np.array([*end, small]), sizes=np.array([2.0, 0.0, 4e-5]))
         return SimpleNamespace(passage=lambda value, state: passage)
 
-    state = np.array([1.0, 0.0])
+    state = np.array([1.0, 0.0, 0.0])
     exact = of([1.0, 0.0])
+    for small, repeats in ((3.9e-11, True), (4.1e-11, False)):
+        assert fits._repeats(of([1.0, 0.0], small), exact, 0.0, state) == repeats  # type: ignore[arg-type]
     for end, repeats in (([1.0 + 1.9e-6, 0.0], True), ([1.0 - 2.1e-6, 0.0], False), ([1.0, -1.1e-6], False)):
         assert fits._repeats(of(end), exact, 0.0, state) == repeats  # type: ignore[arg-type]
     # The whole misses by 1e-3 of its size, so that the half may miss by ten times that.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,7 +13,6 @@ from tests.trimmer.branches.maps import Bent, Steps
 from trimmer.branches.arc import Arc
 from trimmer.branches.borders import Border, borders
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.joining import _middle
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -29,8 +27,6 @@ from trimmer.branches.step import (
     at_border,
     begun,
     fold_at,
-    halves,
-    rejoined,
     step,
 )
 
@@ -87,54 +83,6 @@ def test_an_orbit_beside_or_behind_is_astray() -> None:
     assert _astray(front, at(0.3, -0.31))
     assert _astray(front, at(-0.3, 0.1))
     assert _astray(front, at(0.0, 0.0))
-
-
-def doubled(state: float, middle: float | None) -> Place:
-    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
-    after = None if middle is None else np.array([middle, 8.0])
-    return SimpleNamespace(  # type: ignore[return-value]
-        problem=problem, position=np.array([state, 2.0, 7.0]), passage=SimpleNamespace(middle=after)
-    )
-
-
-@pytest.mark.parametrize(
-    ("near", "far", "joined"),
-    [
-        ((1.0, 0.6), (1.0, 0.55), False),
-        ((1.0, 0.6), (1.0, 0.45), True),
-        ((1.0, 0.4), (1.0, 0.45), False),
-        ((1.0, 0.6), (1.0, 0.5), True),
-        ((1.0, None), (1.0, 0.5), False),
-        ((1.0, 0.6), (1.0, None), False),
-    ],
-)
-def test_a_doubled_orbit_has_become_a_single_one_where_its_halves_are_exchanged(
-    near: tuple[float, float | None], far: tuple[float, float | None], joined: bool
-) -> None:
-    first, last = doubled(*near), doubled(*far)
-    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
-    assert rejoined(Front(problem, first, np.zeros(3), 1.0), last) is joined  # type: ignore[arg-type]
-
-
-def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() -> None:
-    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
-    first, last = doubled(1.0, 0.6), doubled(1.4, 0.6)
-    assert halves(problem, first) == pytest.approx([0.2, 0.0], rel=1e-12)  # type: ignore[arg-type]
-    assert halves(problem, last) == pytest.approx([-0.2, 0.0], rel=1e-12)  # type: ignore[arg-type]
-    front = Front(problem, first, np.zeros(3), 1.0)  # type: ignore[arg-type]
-    assert _middle(front, last) == pytest.approx([1.2, 2.0, 7.0], rel=1e-12)
-    nearer = doubled(1.0, 0.35)
-    nearer.position[-1] = 8.0
-    # The difference falls from 0.2 to -0.3: it is zero after two fifths.
-    assert _middle(front, nearer) == pytest.approx([1.0, 2.0, 7.4], rel=1e-12)
-    # From (0.4, 0) to (0, 0.6) it is (0.24, 0.24) at two fifths, and half of that is added.
-    turned = doubled(1.0, 0.5)
-    turned.passage.middle = np.array([0.5, 10.4])  # type: ignore[misc]
-    assert _middle(replace(front, place=doubled(1.0, 0.7)), turned) == pytest.approx(
-        [1.12, 2.12, 7.0], rel=1e-12
-    )
-    single = doubled(2.0, None)
-    assert _middle(Front(problem, single, np.zeros(3), 1.0), single)[-1] == 7.0  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
