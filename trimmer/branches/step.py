@@ -105,9 +105,8 @@ def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool
     end = _end_passed(predicted, start, stop)
     if end is None:
         far = arc.at(float(front.direction @ (predicted - front.place.position)), predicted)
-        end = None if far is None else _end_passed(far.position, start, stop)
-        if far is not None and end is not None:
-            predicted = far.position
+        if far is not None:
+            predicted, end = far.position, _end_passed(far.position, start, stop)
     if end is not None:
         far = _at_end(front, predicted, end)
     if far is None or _astray(front, far):

@@ -213,6 +213,11 @@ def test_without_a_drive_one_orbit_of_many_begins_no_branch(
         assert branch.message == f"{BranchEnd.NOT_ISOLATED.value}, at 0.2"
 
 
+def test_orders_are_not_followed_over() -> None:
+    with pytest.raises(MechanismError, match="orders are whole numbers"):
+        _interval(linear_oscillator(), "forces.push.order", 1, 3)
+
+
 def test_a_motion_must_repeat_at_both_ends() -> None:
     leaning = replace(linear_oscillator(), pins={"pin": Pin("ground", amplitude=0.1)})
     leaning = replace(leaning, links={**leaning.links, "pull": Link(("pin", "mass"), stiffness=3.0)})

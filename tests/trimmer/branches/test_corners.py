@@ -51,6 +51,33 @@ def test_behind_a_corner_the_direction_with_the_same_turn_comes_first() -> None:
     assert abs(either[0]) == pytest.approx(abs(first), rel=1e-15)
 
 
+def test_the_other_side_of_a_border_is_looked_for_close_beyond_the_front() -> None:
+    asked = []
+
+    @dataclass(frozen=True)
+    class Watched(Bent):
+        def passage(self, value: float, state: np.ndarray) -> Given:
+            asked.append(np.array([state[0], value]))
+            return super().passage(value, state)
+
+    front = line_front(Watched(0.5, 2.0), -0.5, -1.0)
+    asked.clear()
+    assert turned(front) is None
+    tangent = np.array([2.0, 1.0]) / math.sqrt(5.0)
+    away = [(each - [-1.0, -0.5]) for each in asked]
+    assert np.array(away) == pytest.approx(np.outer(10.0 ** np.arange(-10.0, -5.0), tangent), abs=1e-15)
+
+
+def test_the_direction_behind_a_corner_is_the_null_vector_there() -> None:
+    along = np.array([2.0, -3.0, 6.0]) / 7.0
+    slope = np.array([[3.0, 2.0, 0.0], [0.0, 4.0, 2.0]])
+    beyond = SimpleNamespace(slope=slope, orientation=lambda tangent: float(tangent[2]))
+    for turn in (1.0, -1.0):
+        first, second = _tangents(SimpleNamespace(turn=turn), beyond)  # type: ignore[arg-type]
+        assert first == pytest.approx(turn * along, rel=1e-12)
+        assert second.tolist() == (-first).tolist()
+
+
 @dataclass(frozen=True)
 class Shifted(Bent):
     """As ``Bent``, with the corner at x = 3 and p = 2."""
@@ -88,11 +115,16 @@ def test_the_orbit_behind_a_corner_is_near_and_has_other_phases(monkeypatch: pyt
     assert found(1.0, -1.0) is None
 
 
-@pytest.mark.parametrize(("old", "new", "folds"), [(0.8, 0.6, False), (0.8, -0.6, True), (-0.8, 0.6, True)])
+@pytest.mark.parametrize(
+    ("old", "new", "folds"),
+    [(0.8, 0.6, False), (0.8, -0.6, True), (-0.8, 0.6, True), (0.0, -0.6, False), (-0.8, 0.0, False)],
+)
 def test_a_corner_is_a_fold_if_the_value_turns_around(
     monkeypatch: pytest.MonkeyPatch, old: float, new: float, folds: bool
 ) -> None:
-    before, after = np.array([-0.6, 0.0, old]), np.array([0.0, 0.8, new])
+    before, after = (
+        np.array([*(0.0, math.sqrt(1.0 - at * at))[::way], at]) for at, way in ((old, -1), (new, 1))
+    )
     place = SimpleNamespace(tangent=lambda reference: after if reference is before else None)
     point = SpecialPoint(SpecialKind.STICK, 2.0, np.zeros(2))
     asked = []

@@ -169,6 +169,26 @@ def test_a_doubled_orbit_has_become_a_single_one_where_its_halves_are_exchanged(
     assert rejoined(Front(problem, first, np.zeros(3), 1.0), last) is joined  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize(
+    ("near", "far", "joined"),
+    [
+        ((0.5, 0.3), (-0.2, 0.0), False),
+        ((0.2, 0.0), (-0.5, 0.3), False),
+        ((0.5, 0.2), (-0.2, 0.0), True),
+        ((0.2, 0.0), (-0.5, 0.2), True),
+    ],
+)
+def test_halves_are_exchanged_if_their_differences_are_nearly_opposite(
+    near: tuple[float, float], far: tuple[float, float], joined: bool
+) -> None:
+    # The cosine is -0.857 for (0.5, 0.3) against (-1, 0), and -0.928 for (0.5, 0.2).
+    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
+    places = [doubled(1.0, 0.5) for _ in range(2)]
+    for place, difference in zip(places, (near, far), strict=True):
+        place.passage.middle = (place.position[:-1] + difference) * problem.sizes  # type: ignore[misc]
+    assert rejoined(Front(problem, places[0], np.zeros(3), 1.0), places[1]) is joined  # type: ignore[arg-type]
+
+
 def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() -> None:
     problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
     first, last = doubled(1.0, 0.6), doubled(1.4, 0.6)
@@ -187,7 +207,9 @@ def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() ->
         [1.12, 2.12, 7.0], rel=1e-12
     )
     single = doubled(2.0, None)
-    assert _middle(Front(problem, single, np.zeros(3), 1.0), single)[-1] == 7.0  # type: ignore[arg-type]
+    later = doubled(2.0, None)
+    later.position[-1] = 9.0
+    assert _middle(Front(problem, single, np.zeros(3), 1.0), later)[-1] == 8.0  # type: ignore[arg-type]
 
 
 @pytest.mark.slow

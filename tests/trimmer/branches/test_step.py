@@ -8,8 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, parabola
-from tests.trimmer.branches.maps import Bent, Steps
+from tests.trimmer.branches.curves import OnCurve, line_front, parabola
+from tests.trimmer.branches.maps import Bent, Failing, Steps, Torn
+from trimmer.branches import step as stepping
 from trimmer.branches.arc import Arc
 from trimmer.branches.borders import Border, borders
 from trimmer.branches.branch import BranchEnd
@@ -70,6 +71,39 @@ def test_the_orbit_at_the_end_of_the_interval_is_exact() -> None:
     found = _at_end(front, np.array([0.4, 2.1, 0.7]), 0.6)
     assert found is not None
     assert found.position.tolist() == [pytest.approx(0.36), pytest.approx(1.8), 0.6]
+
+
+def test_the_orbit_at_the_end_is_sought_on_the_way_to_a_position_beyond() -> None:
+    asked = []
+    problem = SimpleNamespace(correct=lambda *given: asked.append([np.array(each) for each in given]))
+    near = SimpleNamespace(position=np.array([1.0, -2.0, 5.0]))
+    front = Front(problem, near, ALONG, 1.0)  # type: ignore[arg-type]
+    _at_end(front, np.array([3.0, 2.0, 1.0]), 4.0)
+    assert [each.tolist() for each in asked[0]] == [[1.5, -1.0, 4.0], [0.0, 0.0, 1.0], 4.0]
+
+
+@pytest.mark.parametrize(("length", "close"), [(1.9e-4, True), (2.1e-4, False)])
+def test_a_branch_that_is_close_to_a_joint_ends_with_an_orbit_beyond(
+    monkeypatch: pytest.MonkeyPatch, length: float, close: bool
+) -> None:
+    monkeypatch.setattr(stepping, "rejoined", lambda front, far: True)
+    front = front_at(parabola(), 0.5)
+    made = step(front, length, (0.0, 1.0))
+    assert (made is not None) is close
+    if made is not None:
+        assert (made.front, made.ended, made.bend) == (front, BranchEnd.REJOINED, 0.0)
+        assert (made.special, made.switches) == ((), ())
+        assert made.beyond is not None
+        assert made.beyond.position[2] == pytest.approx(0.5 + length / math.sqrt(11.0), rel=1e-12)
+
+
+def test_a_step_over_a_tear_does_not_succeed() -> None:
+    for map, made in ((Torn(), False), (Bent(0.5, -0.5), True)):
+        front = line_front(map, -0.05, -0.1)
+        assert (step(front, 0.2, (-1.0, 1.0)) is not None) is made
+    # Nor does one on which an orbit between is not found.
+    ending = line_front(Failing(), 0.45, 0.9)
+    assert step(ending, 0.2, (-1.0, 1.0)) is None
 
 
 def test_an_orbit_beside_or_behind_is_astray() -> None:
@@ -175,6 +209,8 @@ def test_a_branch_goes_on_beyond_a_border_where_the_determinant_keeps_its_sign()
         ((0.8, -0.8), True),
         ((-0.8, 0.8), True),
         ((0.8, 0.8), False),
+        ((-0.8, 0.0), False),
+        ((0.0, -0.8), False),
         ((NAN, -0.8), False),
         ((0.8, NAN), False),
     ],
@@ -262,8 +298,6 @@ def test_borders_come_in_their_order_up_to_a_number() -> None:
 
 
 def test_a_border_across_which_orbits_jump_is_none() -> None:
-    from tests.trimmer.branches.maps import Torn
-
     arc, problem = on_line(Torn(), -0.5)
     near, far = (
         problem.correct(np.array([2.0 * value, value]), np.array([0.0, 1.0]), value) for value in (-0.5, 0.5)

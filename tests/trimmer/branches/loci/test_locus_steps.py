@@ -115,6 +115,10 @@ def test_a_locus_closes_where_a_step_passes_its_first_point(
     assert not _closed(points[1:] if closed else points[:3])
     elsewhere = [points[0], points[1], point(*before, 1.0, 0.0), point(*last, 1.0, 0.0)]
     assert not _closed(elsewhere)
+    if before == (0.1, 0.5) and last == (0.3, 0.5):
+        # Half way the state is that of the first point.
+        assert _closed([*points[:2], point(*before, -1.0, 2e-5), point(*last, 1.0, -2e-5)])
+        assert not _closed([*points[:2], point(*before, -1.0, 2e-5), point(*last, 0.9, -2e-5)])
     assert not _closed([points[0], *points[2:]])
 
 

@@ -13,6 +13,7 @@ import pytest
 
 from tests.trimmer.branches.curves import parabola
 from tests.trimmer.branches.maps import Henon
+from tests.trimmer.branches.test_self_excited_map import SPEED, belt
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.followed import FollowedBranch
@@ -21,10 +22,12 @@ from trimmer.branches.loci import relocation
 from trimmer.branches.loci.locus import LocusEnd, LocusRanges
 from trimmer.branches.loci.relocation import Relocated, Sought, _searched, _special_points, relocated
 from trimmer.branches.loci.search import Point, Search, Track, found_again
-from trimmer.branches.orbit import Problem
+from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front
+from trimmer.errors import MechanismError, UnsupportedMotionError, WrongTypeError
 
 GAP = "stops.wall.gap"
 FOLD = Sought(SpecialKind.FOLD, ())
@@ -133,6 +136,14 @@ def test_a_piece_whose_beginning_is_not_found_near_is_none() -> None:
     tangent = centre.tangent(np.array([0.0, 0.0, -1.0]))
     assert tangent is not None
     assert _searched(late, tangent, FOLD, 1e-2) is None
+
+
+def test_a_piece_without_a_tangent_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    centre = parabola().at(0.5)
+    tangent = centre.tangent(np.array([0.0, 0.0, 1.0]))
+    assert tangent is not None
+    monkeypatch.setattr(Place, "tangent", lambda self, reference: None)
+    assert _searched(centre, tangent, FOLD, 1e-3) is None
 
 
 def test_both_directions_are_searched_until_the_point_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -311,3 +322,25 @@ def test_a_locus_goes_towards_the_value_that_is_given(
     assert begun == [pytest.approx([0.5, 0.5 - 0.5 * sign], rel=1e-12)]
     assert (found.reason, len(found.values)) == (LocusEnd.LOST, 1)
     assert found.values[0] == pytest.approx([1.25, 10.0], rel=1e-12)
+
+
+def test_wrong_numbers_and_types_are_refused() -> None:
+    fold = special(1.25, 1.0, 2.0)
+    points: Any = tuple(SimpleNamespace(value=value) for value in (1.0, 1.5))
+    map = MechanismMap(impact_oscillator(), "frequency", 1.5)
+    branch = FollowedBranch(map, points, (fold,), BranchEnd.LEFT_AT_STOP, "")
+    for place in ("frequency", "forces.push.order"):
+        with pytest.raises(MechanismError, match="a second number"):
+            results.follow_special(branch, fold, place, 2)
+    with pytest.raises(ValueError, match="is 10 already"):
+        results.follow_special(branch, fold, GAP, "10 m")
+    for ranges in (LocusRanges((1.3, 1.5), (9.0, 11.0)), LocusRanges((1.0, 1.5), (10.5, 11.0))):
+        with pytest.raises(ValueError, match=r"do not hold the point, at 1\.25 and 10"):
+            results.follow_special(branch, fold, GAP, 11.0, ranges=ranges)
+    with pytest.raises(WrongTypeError, match="branch"):
+        results.follow_special(map, fold, GAP, 11.0)  # type: ignore[arg-type]
+    with pytest.raises(WrongTypeError, match="special"):
+        results.follow_special(branch, 1.25, GAP, 11.0)  # type: ignore[arg-type]
+    driven = replace(branch, map=SelfExcitedMap(belt(), SPEED, 1.0))
+    with pytest.raises(UnsupportedMotionError, match="driven motions only"):
+        results.follow_special(driven, fold, GAP, 11.0)
