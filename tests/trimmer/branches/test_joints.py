@@ -15,7 +15,7 @@ from trimmer.branches import switching
 from trimmer.branches.arc import LostError
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import _located, front_beyond, joint
-from trimmer.branches.known import Known
+from trimmer.branches.known import Known, _images
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.settings import FollowSettings
@@ -78,6 +78,28 @@ def test_an_orbit_a_period_apart_is_the_same() -> None:
     assert not Known(0, ends=[(1, of_value(value, 0.5))]).holds(problem, of_value(value, high))
 
 
+def test_the_images_of_an_orbit_are_where_a_passage_may_begin_or_those_of_the_single_map() -> None:
+    ends = {0.5: 0.25, 0.25: 0.125, 0.125: 0.75}
+
+    def passage(value: float, state: np.ndarray) -> SimpleNamespace:
+        assert value == 3.0
+        return SimpleNamespace(end=np.array([ends[state[0]]]))
+
+    def images(doublings: int, *phases: float) -> list[float]:
+        map = SimpleNamespace(single=None, passage=passage)
+        for _ in range(doublings):
+            map = SimpleNamespace(single=map)
+        map.phases = lambda value, state: [np.array([each]) for each in phases]
+        found = _images(map, of_value(3.0, 0.5))  # type: ignore[arg-type]
+        return [float(each[0]) for each in found]
+
+    assert images(0) == [0.5]
+    assert images(0, 0.1, 0.2) == [0.1, 0.2]
+    assert images(1, 0.5) == [0.5, 0.25]
+    assert images(2, 0.5) == [0.5, 0.25, 0.125, 0.75]
+    assert images(1, 0.25, 0.125) == [0.25, 0.125]
+
+
 def test_a_branch_that_joined_is_known_at_the_bifurcation() -> None:
     problem = Problem(Logistic(), 2.0, np.array([0.5]))
     place = problem.place(problem.position(3.0, np.array([2.0 / 3.0])))
@@ -92,6 +114,8 @@ def test_a_branch_that_joined_is_known_at_the_bifurcation() -> None:
     assert joined(1, 3.019, 0.7)
     assert not joined(1, 3.021, 0.7)
     assert not joined(0, 3.0, 0.7)
+    known = Known(0, rejoined=[(1, of_value(3.5, 0.7))])
+    assert known.is_joined(problem, bifurcation, 0.25)  # type: ignore[arg-type]
     assert not joined(1, 3.0, 2.0 / 3.0 + 0.051)
     assert joined(1, 3.0, 2.0 / 3.0 - 0.049)
 

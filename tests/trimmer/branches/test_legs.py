@@ -115,7 +115,7 @@ class Followed:
 
     def leg(self, front: Any, limits: Limits, record: _Record) -> _Leg:
         leg = self.legs.pop(0)
-        record.points.append(point(leg.front))
+        record.points += [point(front(leg.front.value - 0.25)), point(leg.front)]
         return leg
 
     def joined(self, leg: _Leg, at: Any, limits: Limits, record: _Record) -> tuple[_Leg, list[Any]]:
@@ -148,7 +148,7 @@ def test_a_branch_that_joins_goes_on_and_both_are_known(follower: Followed) -> N
     branch = _followed(front(2.0), LIMITS, 1, parted, known)
     assert branch is not None
     assert known.lowest == 1
-    assert [each.value for each in branch.points] == [2.0, 4.0, 4.5]
+    assert [each.value for each in branch.points] == [2.0, 3.75, 4.0, 4.5]
     assert branch.special == (meeting.point,)
     assert (branch.reason, branch.doublings) == (BranchEnd.LEFT_AT_STOP, 2)
     assert branch.message == f"{BranchEnd.LEFT_AT_STOP.value}, at 4.5"
@@ -170,7 +170,7 @@ def test_a_branch_that_joins_one_that_was_followed_ends_there(follower: Followed
     assert branch is not None
     assert (branch.reason, branch.special, branch.branches) == (BranchEnd.REJOINED, (), ())
     assert known.lowest == 1
-    assert [each.value for each in branch.points] == [2.5, 4.0]
+    assert [each.value for each in branch.points] == [2.5, 3.75, 4.0]
     assert follower.asked == [("parted", 1)]
     # It has begun inside of the interval.
     assert (known.ends, len(known.rejoined)) == ([], 1)

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, line_front, parabola
+from tests.trimmer.branches.curves import Curve, OnCurve, line_front, parabola
 from tests.trimmer.branches.maps import Cubic, Failing, Given, Logistic, Torn
 from trimmer.branches import stepping
 from trimmer.branches.branch import BranchEnd
@@ -207,6 +207,30 @@ def test_an_obstacle_is_torn_neutral_or_only_an_end() -> None:
     assert not is_torn(stuck)
 
 
+def test_one_neutral_multiplier_of_several_is_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(stepping, "is_torn", lambda front: False)
+    for multipliers, end in (
+        ([1.0 - 9e-10, 0.3], BranchEnd.NOT_ISOLATED),
+        ([-0.5, 1.0 + 9e-10], BranchEnd.NOT_ISOLATED),
+        ([1.0 - 2e-9, 0.3], BranchEnd.STEP_TOO_SMALL),
+        ([-1.0, 0.3], BranchEnd.STEP_TOO_SMALL),
+    ):
+        place = SimpleNamespace(multipliers=np.array(multipliers))
+        assert _obstacle(SimpleNamespace(place=place)) is end  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True)
+class Several(OnCurve):
+    """A map whose orbits begin at states that are some distances aside."""
+
+    def __init__(self, curve: Curve, rate: Curve, aside: tuple[float, ...]) -> None:
+        super().__init__(curve, rate)
+        object.__setattr__(self, "aside", aside)
+
+    def phases(self, value: float, state: np.ndarray) -> list[np.ndarray]:
+        return [state + each for each in vars(self)["aside"]]
+
+
 def test_a_branch_closes_where_it_passes_its_first_orbit() -> None:
     map = parabola()
     before, after = front_at(map, 0.5), front_at(map, 0.6)
@@ -218,12 +242,24 @@ def test_a_branch_closes_where_it_passes_its_first_orbit() -> None:
     # Beside the chord, and beside the branch though near the chord.
     assert not _passed(middle.position + np.array([0.05, 0.0, 0.0]), before, after)
     assert not _passed(middle.position + np.array([1e-5, 0.0, 0.0]), before, after)
+    across = np.array([3.0, -1.1, 0.0]) / math.hypot(3.0, 1.1)
+    assert _passed(middle.position + 0.9e-6 * across, before, after)
+    assert not _passed(middle.position + 1.3e-6 * across, before, after)
+    assert not _passed(middle.position - 1.3e-6 * across, before, after)
     # A tenth of the chord is the most: of a chord of 10 the curve may lie 1 aside.
     wide = OnCurve(
         lambda p: np.array([1.0 - (p - 5.0) ** 2 / 25.0, 0.0]), lambda p: np.array([0.4 - 0.08 * p, 0.0])
     )
     assert _passed(wide.at(5.0).position, front_at(wide, 0.0), front_at(wide, 10.0))
     assert _closed(front_at(map, 0.56), before, after)
+    # An orbit may begin at several of its states.
+    for others in ([9.0, 0.0], [0.0, 9.0], [0.0, 0.0]):
+        several = replace(
+            before, problem=replace(before.problem, map=Several(map.curve, map.rate, tuple(others)))
+        )
+        assert _closed(front_at(map, 0.56), several, after) is (0.0 in others)
+    far = replace(before, problem=replace(before.problem, map=Several(map.curve, map.rate, (9.0,))))
+    assert not _closed(front_at(map, 0.56), far, after)
     touching = parabola(signature=lambda p: {("stop", None): int(p == 0.56)})  # type: ignore[dict-item]
     assert not _closed(front_at(touching, 0.56), before, after)
 
