@@ -114,8 +114,8 @@ def test_a_branch_that_joined_is_known_at_the_bifurcation() -> None:
     assert joined(1, 3.019, 0.7)
     assert not joined(1, 3.021, 0.7)
     assert not joined(0, 3.0, 0.7)
-    known = Known(0, rejoined=[(1, of_value(3.5, 0.7))])
-    assert known.is_joined(problem, bifurcation, 0.25)  # type: ignore[arg-type]
+    known = Known(0, rejoined=[(1, of_value(3.125, 0.7))])
+    assert known.is_joined(problem, bifurcation, 0.0625)  # type: ignore[arg-type]
     assert not joined(1, 3.0, 2.0 / 3.0 + 0.051)
     assert joined(1, 3.0, 2.0 / 3.0 - 0.049)
 

@@ -113,7 +113,7 @@ class Followed:
     parted: list[Any]
     asked: list[Any]
 
-    def leg(self, front: Any, limits: Limits, record: _Record) -> _Leg:
+    def leg(self, begun: Any, limits: Limits, record: _Record) -> _Leg:
         leg = self.legs.pop(0)
         record.points += [point(front(leg.front.value - 0.25)), point(leg.front)]
         return leg

@@ -78,6 +78,19 @@ def test_the_period_of_a_motion_without_a_drive_is_a_part_of_the_state() -> None
     assert twice.section.period == pytest.approx(PERIOD, rel=1e-12)
 
 
+def test_the_return_to_the_plane_is_the_motion_less_what_leads_along() -> None:
+    change, rate = np.array([[0.5, 2.0], [-1.0, 0.25]]), np.array([3.0, -4.0])
+    section = Section(np.zeros(2), np.array([2.0, 0.5]), 5.0)
+    passage = SimpleNamespace(section=section, _end_rate=rate, _change=change, map=SimpleNamespace(periods=3))
+    found = SelfExcitedPassage.monodromy.func(passage)  # type: ignore[attr-defined]
+    # The motion rises by 4 a second; a start aside ends (0.5, 4.125) higher.
+    wanted = change - np.outer(rate, [0.5, 4.125]) / 4.0
+    assert found[:2, :2] == pytest.approx(wanted, rel=1e-14)
+    assert not found[2].any() and not found[:, 2].any()
+    jacobian = SelfExcitedPassage.jacobian.func(passage)  # type: ignore[attr-defined]
+    assert jacobian.tolist() == [[0.5, 2.0, 9.0], [-1.0, 0.25, -12.0], [10.0, 2.5, 1.0]]
+
+
 def test_a_period_far_from_that_of_the_plane_is_lost() -> None:
     section = Section(np.array([0.7, 0.2]), np.array([1.0, 0.0]), 5.0)
     map = SelfExcitedMap(belt(), SPEED, 0.2, section=section)
