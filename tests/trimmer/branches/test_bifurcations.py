@@ -102,6 +102,34 @@ def test_a_multiplier_that_jumps_past_minus_one_is_none() -> None:
         assert found(jumping, 0.1, 0.9) == []
 
 
+@pytest.mark.parametrize(
+    ("near", "far", "value", "jumps"),
+    [
+        (1e-4, -10.0, 0.009, False),
+        (10.0, -1e-4, -0.009, False),
+        (1e-4, -10.0, 0.011, True),
+        (-10.0, 1e-4, -0.011, True),
+    ],
+)
+def test_a_function_jumps_where_it_is_not_zero_relative_to_the_larger_end(
+    monkeypatch: pytest.MonkeyPatch, near: float, far: float, value: float, jumps: bool
+) -> None:
+    kind, asked = SpecialKind.TORUS, []
+
+    def root(test: Callable[[tuple[float]], float], *ends: tuple[float]) -> tuple[float]:
+        asked.append(ends)
+        return (value,)
+
+    arc = SimpleNamespace(root=root, distance=lambda place: 0.0)
+    monkeypatch.setattr(module, "_tests", lambda arc: {kind: lambda place: place[0]})
+    monkeypatch.setattr(module, "_corner", lambda *given: [SimpleNamespace(place="jump", of=given)])
+    monkeypatch.setattr(module, "_located", lambda *given: [SimpleNamespace(place="root", of=given)])
+    (each,) = module._between(arc, (near,), (far,), 0)  # type: ignore[arg-type]
+    assert each.place == ("jump" if jumps else "root")
+    assert each.of == (arc, kind, (value,))  # type: ignore[attr-defined]
+    assert asked == [((near,), (far,))]
+
+
 def fake(tangent_value: float) -> Place:
     return SimpleNamespace(  # type: ignore[return-value]
         position=np.array([0.2, 3.0]), tangent=lambda _: np.array([0.6, tangent_value])
@@ -186,6 +214,12 @@ def test_what_was_found_explains_how_many_multipliers_leave_the_circle(
         SimpleNamespace(multipliers=np.array([-1.5] * count + [1.0, 0.9, -0.3 + 0.2j])) for count in outside
     ]
     assert _explained(of_kinds(*kinds), *ends) == good  # type: ignore[arg-type]
+
+
+def test_a_multiplier_on_the_circle_is_not_outside() -> None:
+    ends = [SimpleNamespace(multipliers=np.array([modulus, 0.5, -1.0j])) for modulus in (1.0, 0.9)]
+    assert _explained([], *ends)  # type: ignore[arg-type]
+    assert _explained([], *ends[::-1])  # type: ignore[arg-type]
 
 
 def test_a_chord_must_lie_close_to_both_tangents() -> None:

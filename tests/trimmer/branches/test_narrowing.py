@@ -71,6 +71,13 @@ def test_the_border_is_found(
     assert len(arc.asked) <= most
 
 
+def test_a_piece_that_is_as_short_as_rounding_leaves_is_not_halved() -> None:
+    for width, count in ((0.5, 0), (0.625, 1)):
+        arc = KnownArc(0.25, lambda beyond: math.inf, narrowest=0.5)
+        assert narrowed(arc, arc.place(0.0), arc.place(width)) is not None  # type: ignore[arg-type]
+        assert len(arc.asked) == count
+
+
 def test_an_orbit_that_is_not_found_ends_the_search() -> None:
     arc = KnownArc(0.003, lambda beyond: beyond)
     arc.between = lambda *_: None  # type: ignore[assignment,method-assign,return-value]
