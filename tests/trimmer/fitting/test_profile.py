@@ -74,6 +74,16 @@ def test_a_derivative_that_is_wrong_is_taken_anew() -> None:
     assert kept.jacobians == 1
 
 
+def test_a_derivative_by_which_a_step_does_too_little_is_taken_anew() -> None:
+    # Five times too steep, a step does 1 - (4/5)^2 of what it promises, and three times too steep 1 - (2/3)^2.
+    for factor, jacobians in ((5.0, 2), (3.0, 1)):
+        misfit = linear()
+        found = lowest(misfit, 0.3, -0.2, jacobian=factor * SLOPE)
+        assert found.chi_square == pytest.approx(lowest(linear(), 0.0, 0.0).chi_square, abs=0.1)
+        assert misfit.jacobians == jacobians
+        assert (len(misfit.tried) == 2) is (factor == 5.0)
+
+
 def test_a_step_that_leads_nowhere_is_shortened() -> None:
     misfit = Known(lambda at: None if at[0] > 0.3 else 40.0 * (at - 0.5), 1)
     found = lowest(misfit, 0.0, free=np.array([True]))
