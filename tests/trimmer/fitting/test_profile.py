@@ -75,7 +75,7 @@ def test_a_derivative_that_is_wrong_is_taken_anew() -> None:
 
 
 def test_a_derivative_by_which_a_step_does_too_little_is_taken_anew() -> None:
-    # Five times too steep, a step does 1 - (4/5)^2 of what it promises, and three times too steep 1 - (2/3)^2.
+    # Five times too steep, a step does 1 - (4/5)^2 of what it promises; three times, 1 - (2/3)^2.
     for factor, jacobians in ((5.0, 2), (3.0, 1)):
         misfit = linear()
         found = lowest(misfit, 0.3, -0.2, jacobian=factor * SLOPE)
