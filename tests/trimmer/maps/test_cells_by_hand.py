@@ -149,6 +149,11 @@ def test_what_was_searched_counts_starts_and_several_motions() -> None:
     told = made().searched
     assert told.startswith("6 cells, each from rest and from 2 random states (seed 5), for at most 300 drive")
     assert "; 1 of them have several motions" in told
+    twice = MapInputs(INPUTS.mechanism, INPUTS.places, INPUTS.values, Settings(starts=2))
+    cells = [CellResult(0, (ORBIT, OTHER)), *made().cells[1:]]
+    told = MotionMap(twice, tuple(cells)).searched
+    assert "each from rest and from 1 random states (seed 0)" in told
+    assert "; 2 of them have several motions" in told
     alone = MapInputs(INPUTS.mechanism, INPUTS.places, INPUTS.values, Settings(12))
     assert MotionMap(alone, made().cells).searched == (
         "6 cells, each from rest, for at most 12 drive periods; other motions were not looked for"
