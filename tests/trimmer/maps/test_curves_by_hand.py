@@ -175,7 +175,12 @@ def test_points_are_followed_until_there_are_enough_curves() -> None:
     assert once.asked == [[1.0, 3.0, 3.2], [5.0]]
     assert [each.values[0, 0] for each in once.curves] == [0.5, 2.5, 4.5]
     assert once.left == 1
-    assert Searching(ProcessRunner(1))._at_once == 1
+    at_once = [
+        Searching(runner)._at_once for runner in (ProcessRunner(1), ProcessRunner(9), SimpleNamespace())
+    ]
+    assert at_once == [1, 4, 4]
+    elsewhere = SideWork(PLACES[1], LocusRanges((-1.0, 3.0), (2e-5, 6e-5)))
+    assert _Search(SerialRunner(), elsewhere, True).spans == pytest.approx([4.0, 4e-5], rel=1e-12)
     assert search.spans == pytest.approx(SPANS, rel=1e-15)
     for value, inside in ((0.0, True), (10.0, True), (-1e-9, False), (10.1, False)):
         assert search._inside(special(value)) == inside

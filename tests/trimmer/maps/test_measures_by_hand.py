@@ -11,9 +11,7 @@ import pytest
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.contact.flow import ExactFlow
 from trimmer.maps.measures import _highest, _of_events, _top_of_cubic, of_orbit, of_window, product
-from trimmer.maps.settle import (
-    orbit_near,
-)
+from trimmer.maps.settle import orbit_near
 
 
 def test_the_top_of_a_cubic_is_between_its_samples() -> None:
