@@ -12,7 +12,7 @@ from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges
 from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import MapError
+from trimmer.errors import MapError, WrongTypeError
 from trimmer.maps import special_work
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import MapInputs, Settings
@@ -223,6 +223,8 @@ def test_what_was_searched_names_lines_that_ended_early_or_never_began() -> None
 def test_curves_need_several_values_of_two_numbers(values: tuple[tuple[float, ...], ...]) -> None:
     with pytest.raises(MapError, match="several values each"):
         special_curves(map_over(values), runner=SerialRunner(), quiet=True)
+    with pytest.raises(WrongTypeError, match="result"):
+        special_curves(values, runner=SerialRunner(), quiet=True)  # type: ignore[arg-type]
 
 
 class Recording(SerialRunner):
@@ -258,11 +260,13 @@ def test_a_branch_that_reaches_the_other_end_is_not_followed_back(monkeypatch: p
     end = np.array([2.0, 0.0, 4e-5])
     point = SimpleNamespace(state=end)
     reached = branch(
-        reason=BranchEnd.LEFT_AT_STOP, points=[SimpleNamespace(state=9.0 * end), point], periods=2
+        reason=BranchEnd.LEFT_AT_STOP, points=[*[SimpleNamespace(state=9.0 * end)] * 2, point], periods=2
     )
     settled = SimpleNamespace(periods=2, instant=SimpleNamespace(state=end.copy()))
-    monkeypatch.setattr(special_work, "orbit_from_rest", lambda mechanism, periods: settled)
-    assert _reaches(reached, None)  # type: ignore[arg-type]
+    asked: list[object] = []
+    monkeypatch.setattr(special_work, "orbit_from_rest", lambda *given: asked.append(given) or settled)
+    assert _reaches(reached, "it")  # type: ignore[arg-type]
+    assert asked == [("it", 2000)]
     for change, same in (
         ([1.9e-4, 0.0, 0.0], True),
         ([-2.1e-4, 0.0, 0.0], False),
