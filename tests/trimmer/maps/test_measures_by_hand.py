@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.contact.flow import ExactFlow
+from trimmer.contact.statuses import FORWARD, STICK
+from trimmer.maps import measures
 from trimmer.maps.measures import _highest, _of_events, _top_of_cubic, of_orbit, of_window, product
 from trimmer.maps.settle import orbit_near
 
@@ -80,3 +84,43 @@ def test_a_window_has_the_mean_square_of_accelerations_and_of_no_output_nothing(
     assert found.rms_acceleration == {"mass": pytest.approx(7.5**2 * amplitude / math.sqrt(2.0), rel=1e-9)}
     assert found.peak_to_peak == {}
     assert (found.events, found.impacts, found.impact_speed) == (0.0, 0.0, 0.0)
+
+
+def test_a_window_of_a_mechanism_with_one_mode_has_its_swings() -> None:
+    flow = ExactFlow(linear_oscillator())
+    orbit = orbit_near(flow, flow.rest(), 1)
+    assert orbit is not None
+    found = of_window(flow, flow.course(orbit.instant, 2), 2)
+    amplitude = 100.0 / abs(40.0 - 7.5**2 + 0.1j * math.sqrt(40.0) * 7.5)
+    assert found.peak_to_peak == {"x": pytest.approx(2.0 * amplitude, rel=1e-7)}
+
+
+def test_dry_friction_wears_by_its_kinetic_force_where_it_slips(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Two frictions beside a contact; speeds are states 0 and 1, and the second sticks in the second half.
+    monkeypatch.setattr(measures, "_accelerations", lambda *_: np.zeros((256, 1)))
+    monkeypatch.setattr(measures, "_swings", lambda *_: {})
+    monkeypatch.setattr(measures, "_of_events", lambda course, periods: (periods, 0.0, 0.0))
+    asked = []
+
+    def states(times: np.ndarray) -> np.ndarray:
+        asked.append(times)
+        return np.where(times < 1.5, 2.0, 4.0)[:, None] * [1.0, -1.0]
+
+    log = SimpleNamespace(start=np.array([0.0, 1.5]), mode=np.array([7, 3]))
+    course: Any = SimpleNamespace(log=log, duration=3.0, states=states)
+    machine = SimpleNamespace(friction_rate=np.eye(2), stiffness=np.zeros(1), kinetic=np.array([5.0, 0.5]))
+    statuses = np.full((8, 3), FORWARD)
+    statuses[3, 2] = statuses[:, 0] = STICK
+    modes = SimpleNamespace(
+        machine=machine,
+        tables=SimpleNamespace(statuses=statuses),
+        layout=SimpleNamespace(frictions=("comb", "blade")),
+    )
+    mechanism = SimpleNamespace(bodies={"body": None}, frictions={"smooth": 0, "blade": 0, "comb": 0})
+    flow: Any = SimpleNamespace(mechanism=mechanism, modes=modes)
+    found = of_window(flow, course, 2)
+    assert found.wear_power == {"smooth": 0.0, "blade": 0.5 * 2.0 / 2.0, "comb": 5.0 * 3.0}
+    assert found.events == 2
+    # Even samples amid their shares of the time, 128 for each drive period.
+    (times,) = asked
+    assert times == pytest.approx((np.arange(256) + 0.5) * 3.0 / 256.0, rel=1e-14)

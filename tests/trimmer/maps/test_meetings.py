@@ -30,6 +30,14 @@ def test_curves_cross_within_their_pieces_with_like_states() -> None:
     # What begins on the other curve crosses it there, what ends there does not.
     assert len(meetings([FLAT, curve([(4.0, 2e-5), (4.0, 4e-5)])], SPANS)) == 1
     assert meetings([FLAT, curve([(4.0, 4e-5), (4.0, 2e-5)])], SPANS) == ()
+    # Of one pair they come in the order of the curve with the lower number.
+    there_and_back = (
+        curve([(1.0, 0.0), (3.0, 4e-5), (5.0, 0.0)]),
+        curve([(10.0, 2e-5), (3.5, 2e-5), (0.0, 2e-5)]),
+    )
+    along = [each.values[0] for each in meetings(there_and_back, SPANS)]
+    assert along == pytest.approx([2.0, 4.0], rel=1e-12)
+    assert [each.values[0] for each in meetings(there_and_back[::-1], SPANS)] == pytest.approx([4.0, 2.0])
     # Two crossings of one pair, and a third curve: by their numbers.
     wave = curve([(1.0, 0.0), (3.0, 4e-5), (5.0, 0.0)])
     found = meetings([wave, curve([(0.0, 9e-5), (1.0, 9e-5)]), FLAT], SPANS)
