@@ -15,6 +15,7 @@ from trimmer.branches.period_maps.value_rate import ValueChange, _compiled_entry
 from trimmer.contact.flow import ExactFlow
 from trimmer.contact.statuses import FREE, MINUS, PLUS
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.taylor import DEGREE
 
 PLACES = (
     *("frequency", "plays.bridge.gap", "plays.bridge.damping", "plays.bridge.stiffness"),
@@ -68,6 +69,20 @@ def test_a_state_and_its_derivative_flow_as_the_exponential_of_both(duration: fl
     # Steps of half a unit: a Taylor polynomial of degree 24 has an error of (4 * 0.5)^25 / 25!, 2e-18, there.
     _compiled_entry(flow, change, 0.5, duration, state, tangent, np.empty((4, 3)))
     assert np.concatenate([state, tangent]) == pytest.approx(wanted, rel=1e-13)
+
+
+def test_a_long_step_is_a_polynomial_one_degree_above_that_of_the_flow() -> None:
+    flow, change = np.array([[-0.5, 9.0], [-8.0, 0.25]]), np.array([[2.0, -1.0], [3.0, 4.0]])
+    begin = np.array([1.0, -0.5, 0.25, 2.0])
+    both = np.block([[flow, np.zeros((2, 2))], [change, flow]])
+    term = wanted = begin
+    for k in range(1, DEGREE + 2):
+        term = both @ term / k
+        wanted = wanted + term
+    assert abs(term).max() > 1e-3
+    state, tangent = begin[:2].copy(), begin[2:].copy()
+    _compiled_entry(flow, change, 1.0, 1.0, state, tangent, np.empty((4, 2)))
+    assert np.concatenate([state, tangent]) == pytest.approx(wanted, rel=1e-11)
 
 
 HOLD = np.array([[1.0, 0.5, 0.0, 0.0], [0.0, 1.0, 0.25, 0.0], [2.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]])
