@@ -95,7 +95,7 @@ class Arc:
                 known[distance] = self.smooth(distance, known[before], known[after])
             return known[distance]
 
-        first, last = sorted(known)
+        first, last = known
         root = at(
             scipy.optimize.brentq(
                 lambda distance: function(at(distance)),

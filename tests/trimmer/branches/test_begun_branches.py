@@ -85,6 +85,8 @@ def test_a_branch_begins_with_a_state_that_is_given(asked: Asked) -> None:
     assert asked.fitted[0].periods == 5
     with pytest.raises(WrongTypeError, match="state"):
         follow(linear_oscillator(), "frequency", 1.1, 1.2, state="rest", settings=SETTINGS)
+    with pytest.raises(ValueError, match="periods"):
+        follow(linear_oscillator(), "frequency", 1.1, 1.2, periods=0, state=STATE, settings=SETTINGS)
 
 
 @pytest.mark.parametrize("given", [False, True])

@@ -109,6 +109,7 @@ def test_a_multiplier_that_jumps_past_minus_one_is_none() -> None:
         (10.0, -1e-4, -0.009, False),
         (1e-4, -10.0, 0.011, True),
         (-10.0, 1e-4, -0.011, True),
+        (-10.0, 1e-4, -0.009, False),
     ],
 )
 def test_a_function_jumps_where_it_is_not_zero_relative_to_the_larger_end(
@@ -128,6 +129,37 @@ def test_a_function_jumps_where_it_is_not_zero_relative_to_the_larger_end(
     assert each.place == ("jump" if jumps else "root")
     assert each.of == (arc, kind, (value,))  # type: ignore[attr-defined]
     assert asked == [((near,), (far,))]
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "changes"), [(0.0, 1.0, True), (0.0, -1.0, False), (1.0, 0.0, True), (-1.0, 0.0, False)]
+)
+def test_zero_counts_as_one_side(
+    monkeypatch: pytest.MonkeyPatch, near: float, far: float, changes: bool
+) -> None:
+    arc = SimpleNamespace(root=lambda test, *ends: (0.0,), distance=lambda place: 0.0)
+    monkeypatch.setattr(module, "_tests", lambda arc: {SpecialKind.TORUS: lambda place: place[0]})
+    monkeypatch.setattr(module, "_located", lambda *given: [SimpleNamespace(place="root")])
+    assert len(module._between(arc, (near,), (far,), 0)) == changes  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("splits", [0, 1, 3])
+def test_what_nothing_explains_is_halved_so_many_times(monkeypatch: pytest.MonkeyPatch, splits: int) -> None:
+    halves = []
+
+    def smooth(distance: float, near: float, far: float) -> float:
+        assert distance == 0.5 * (near + far)
+        halves.append((near, far))
+        return distance
+
+    arc = SimpleNamespace(smooth=smooth, distance=float)
+    monkeypatch.setattr(module, "_tests", lambda arc: {})
+    monkeypatch.setattr(module, "_explained", lambda *_: False)
+    assert bifurcations(arc, [0.0, 1.0, 3.0], splits) == []  # type: ignore[arg-type, list-item]
+    assert len(halves) == 2 * (2**splits - 1)
+    halves.clear()
+    assert bifurcations(arc, [0.0, 1.0]) == []  # type: ignore[arg-type, list-item]
+    assert len(halves) == 2**6 - 1
 
 
 def fake(tangent_value: float) -> Place:

@@ -163,6 +163,7 @@ def test_a_followed_branch_tells_its_orbits() -> None:
     )
     assert "one more branch" in str(one)
     assert "3 more branches" in str(two)
+    assert "2 more branches" in str(replace(branch, branches=(inner, inner)))
     assert list(two.all())[1:] == [two.branches[0], inner, inner]
     numbers = [row[0] for row in two._table().rows()]
     assert sorted({*numbers}) == [0, 1, 2, 3]

@@ -209,7 +209,7 @@ def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() ->
     single = doubled(2.0, None)
     later = doubled(2.0, None)
     later.position[-1] = 9.0
-    assert _middle(Front(problem, single, np.zeros(3), 1.0), later)[-1] == 8.0  # type: ignore[arg-type]
+    assert _middle(Front(problem, single, np.zeros(3), 1.0), later).tolist() == [2.0, 2.0, 8.0]  # type: ignore[arg-type]
 
 
 @pytest.mark.slow
