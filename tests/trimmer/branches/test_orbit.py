@@ -212,6 +212,12 @@ def test_derivatives_of_which_one_is_missing_are_no_derivatives() -> None:
     assert begin.correction(np.array([0.0, 0.0, 1.0]), 1.0) is not None
 
 
+def test_a_step_that_leaves_the_miss_as_it_is_is_none() -> None:
+    map = Missing(lambda x: 0.5, lambda x: -1.0)
+    assert solved(map, 1.0) is None
+    assert map.asked == [1.0, 1.5, 1.25, 1.125, 1.0625]
+
+
 @pytest.mark.parametrize(("share", "good"), [(0.9, True), (1.1, False)])
 def test_of_slow_convergence_so_many_steps_are_made(share: float, good: bool) -> None:
     # Each step brings the miss to a third.

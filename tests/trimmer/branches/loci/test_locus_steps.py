@@ -313,3 +313,25 @@ def test_the_second_point_is_looked_for_beside_the_first_inside_the_ranges(
     for _, values, state, _ in answering.asked:
         assert values == pytest.approx([0.3, expected], rel=1e-12, abs=1e-15)
         assert state == [1.0, 3e-5]
+
+
+def test_steps_grow_twofold_where_predictions_are_good_and_are_halved_where_none_is_made(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    errors, lengths = [0.0, 0.029, 0.031, None, None, 0.0, 0.5], list[float]()
+
+    def step(search: object, track: Track, sign: float, length: float) -> tuple[Point, float] | None:
+        lengths.append(length)
+        error = errors.pop(0)
+        before = track.points[-1].values
+        return None if error is None else (point(before[0] + length, before[1]), error)
+
+    monkeypatch.setattr(stepping, "_step", step)
+    search = OnCircle(0.3)
+    settings = LocusSettings(most_points=6, quiet=True)
+    assert followed(search, Track([point(0.3, 0.5)]), 1.0, settings) is LocusEnd.MOST_POINTS  # type: ignore[arg-type]
+    assert lengths == pytest.approx([2e-3, 4e-3, 8e-3, 8e-3, 4e-3, 2e-3, 4e-3], rel=1e-12)
+    errors[:], lengths[:] = [None] * 3, []
+    hasty = LocusSettings(largest_step=1e-3, smallest_step=2.5e-4, quiet=True)
+    assert followed(search, Track([point(0.3, 0.5)]), 1.0, hasty) is LocusEnd.LOST  # type: ignore[arg-type]
+    assert lengths == [1e-3, 5e-4, 2.5e-4]
