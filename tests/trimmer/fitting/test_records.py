@@ -133,6 +133,14 @@ def test_lines_up_to_what_the_window_leaves_below_half_the_rate_are_taken(
     assert record(np.zeros(samples), rate=rate)._count() == count
 
 
+def test_noise_is_that_of_half_a_drive_frequency_to_either_side_at_least() -> None:
+    # Over 2 s bins are 0.5 Hz wide, so that 25 Hz are 50 of them.
+    made = record(np.zeros(4000))
+    between = np.ones(2001, bool)
+    _, freedom, _ = made._noise(np.ones((10, 1), complex), np.full((1, 2001), 2.0 + 0j), between)
+    assert freedom == pytest.approx(2 * 101 / WINDOW_SHARE)
+
+
 def test_hardly_any_noise_is_taken_to_be_a_share_of_the_largest_line() -> None:
     made = record(np.zeros(COUNT), np.zeros(COUNT))
     lines = np.ones((10, 2), complex)

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from tests.trimmer.branches.curves import special
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges
@@ -43,12 +44,6 @@ def locus(
 UP = locus([(3.0, 1e-5), (4.0, 2e-5), (6.0, 3e-5)], [(1.0, 10.0), (2.0, 20.0), (3.0, 30.0)])
 DOWN = locus([(3.0, 1e-5), (1.0, 0.5e-5)], [(1.0, 10.0), (0.5, 5.0)])
 BOTH = SpecialCurve((UP, DOWN))
-
-
-def special(
-    value: float, *state: float, kind: SpecialKind = SpecialKind.FOLD, parts: tuple[str, ...] = ()
-) -> SpecialPoint:
-    return SpecialPoint(kind, value, np.array(state), parts)
 
 
 def test_both_sides_make_one_curve_from_end_to_end() -> None:

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.trimmer.branches.curves import special
+from tests.trimmer.branches.loci.test_pieces import FOLD
 from tests.trimmer.branches.test_self_excited_map import SPEED, belt
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.branches.branch import BranchEnd
@@ -20,17 +22,10 @@ from trimmer.branches.loci.relocation import Relocated, Sought
 from trimmer.branches.loci.search import Point, Search, Track, found_again
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
-from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.branches.special import SpecialKind
 from trimmer.errors import MechanismError, UnsupportedMotionError, WrongTypeError
 
 GAP = "stops.wall.gap"
-FOLD = Sought(SpecialKind.FOLD, ())
-
-
-def special(
-    value: float, *state: float, kind: SpecialKind = SpecialKind.FOLD, parts: tuple[str, ...] = ()
-) -> SpecialPoint:
-    return SpecialPoint(kind, value, np.array(state), parts)
 
 
 def search(kind: SpecialKind = SpecialKind.FOLD) -> Search:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import parabola
+from tests.trimmer.branches.curves import parabola, special
 from tests.trimmer.branches.maps import Henon
 from trimmer.branches.loci import relocation
 from trimmer.branches.loci.relocation import Relocated, Sought, _searched, _special_points, relocated
@@ -19,14 +19,7 @@ from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front
 
-GAP = "stops.wall.gap"
 FOLD = Sought(SpecialKind.FOLD, ())
-
-
-def special(
-    value: float, *state: float, kind: SpecialKind = SpecialKind.FOLD, parts: tuple[str, ...] = ()
-) -> SpecialPoint:
-    return SpecialPoint(kind, value, np.array(state), parts)
 
 
 def test_a_piece_is_followed_until_it_has_left_the_neighbourhood(monkeypatch: pytest.MonkeyPatch) -> None:
