@@ -155,3 +155,4 @@ def test_a_direction_is_scaled_by_its_largest_change_and_that_rises(
     assert weak.places == ("pins.pin.offset", "plays.p.gap", "plays.p.damping")
     assert weak.changes == pytest.approx((TOLD, -0.6 * TOLD, -0.45 * TOLD), rel=1e-12)
     assert weak.chi_square == pytest.approx((2.0 * TOLD / 0.8) ** 2, rel=1e-12)
+    assert weak_directions(UNKNOWNS, np.zeros((4, 3)), weak.chi_square) == ()

@@ -99,6 +99,16 @@ def test_a_curve_holds_the_points_that_lie_on_it_with_their_states() -> None:
     assert BOTH.holds(special(3.5, 1.5 + 0.14, 15.0 - 1.4), 1.5e-5, SPANS)
     assert not BOTH.holds(special(3.5, 1.5 + 0.16, 15.0), 1.5e-5, SPANS)
     assert not BOTH.holds(special(3.5, 1.5, 15.0 - 1.6), 1.5e-5, SPANS)
+    # Sizes are moduli, however small; what never moves has the size 1.
+    small = locus([(3.0, 1e-5), (4.0, 2e-5)], [(-3.0, 0.25, 0.0), (-1.0, -0.5, 0.0)])
+    for state, held in (
+        ((-2.0, -0.125, 0.0), True),
+        ((-2.14, -0.125 + 0.024, 0.049), True),
+        ((-2.16, -0.125, 0.0), False),
+        ((-2.0, -0.125 + 0.026, 0.0), False),
+        ((-2.0, -0.125, 0.051), False),
+    ):
+        assert SpecialCurve((small,)).holds(special(3.5, *state), 1.5e-5, SPANS) is held
     # Beside the first piece, of direction (2, 0.5e-5) / spans = (0.2, 0.125).
     aside = np.array([-0.125, 0.2]) / np.hypot(0.2, 0.125)
     for away, held in ((4.9e-3, True), (-4.9e-3, True), (5.1e-3, False)):
