@@ -13,6 +13,7 @@ from trimmer.contact.statuses import ARRIVED, AT_LIMIT, BROKEN, MADE_MINUS, MADE
 from trimmer.contact.step_event import NO_EVENT, first_event
 from trimmer.motion import first_event as first_event_of_motion
 from trimmer.motion.first_event import NOWHERE, ROUNDING
+from trimmer.motion.taylor import bernstein_from_taylor
 
 FALLING, RISING = (0.3, -1.0), (0.2, 1.0)
 
@@ -164,3 +165,13 @@ def test_far_from_contact_a_glance_is_enough() -> None:
     # In the mode itself margins do not count.
     tables, work = relaxing((0.5, -1.0), -0.05, 16.0)
     assert found(tables, work, mode=1, now=1)[1] == pytest.approx(0.5, rel=1e-14)
+
+
+def test_what_is_rounding_of_its_terms_is_no_event() -> None:
+    for excess, fires in ((1e-15, False), (1e-13, True)):
+        tables = tables_of([(0.0,)], (0,), (MADE_PLUS,))
+        tables.taylor[0, 0, :2, 0], tables.sizes[0, 0, 0, :2] = 1.0, 1.0
+        tables.screen[0, :, 3:] = tables.taylor[0, 0] @ bernstein_from_taylor()[0]
+        fired, fraction, jumped, _ = found(tables, work_at(tables, -1.0, 1.0 - excess, 1.0))
+        assert (fired, jumped) == (0 if fires else NO_EVENT, False)
+        assert fires == (fraction == 0.0)
