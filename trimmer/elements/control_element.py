@@ -68,7 +68,7 @@ class ControlElement(UnboundedElement):
         amplitudes = np.geomspace(10.0**-_DECADES, 10.0**_DECADES, 8 * 2 * _DECADES + 1)
         with np.errstate(all="ignore"):
             sizes = np.log(np.abs(self._describing_function(amplitudes, np.ones_like(amplitudes), 1)))
-        bend = np.abs(np.diff(sizes, 2))
+            bend = np.abs(np.diff(sizes, 2))
         bend[~np.isfinite(bend)] = 0.0
         return float(amplitudes[1 + int(np.argmax(bend))]) if bend.max() > 1e-6 else 1.0
 
@@ -95,9 +95,7 @@ class ControlElement(UnboundedElement):
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         if harmonic > 1 or self._own(1.0) is None:
             return super()._describing_function(amplitude, omega, harmonic)
-        return np.array([self._own(float(each)) for each in amplitude], dtype=complex).reshape(
-            amplitude.shape
-        )
+        return np.array([self._own(float(each)) for each in amplitude], dtype=complex)
 
     def _own(self, amplitude: float) -> complex | None:
         """Return N by the nonlinearity's own formula; None if it has none."""
@@ -176,15 +174,12 @@ def is_element(value: object) -> bool:
     return isinstance(value, Element) or (kind is not None and isinstance(value, kind))
 
 
-def adopted(
-    name: str, element: object, wanted: str = "an element, such as FrictionBacklash(4e-5)"
-) -> Element:
+def adopted(name: str, element: object) -> Element:
     """Return an element as it is, and a nonlinearity of python-control as one.
 
     Args:
         name: Name of the argument, for the message.
         element: What was given.
-        wanted: What to give, in words.
 
     Raises:
         WrongTypeError: if it is neither.
