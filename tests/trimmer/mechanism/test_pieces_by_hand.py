@@ -1,0 +1,318 @@
+"""Lines of keys, places, open values, units and symbols of mechanisms, each written out by hand."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from trimmer.errors import MechanismError
+from trimmer.mechanism import places
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.open_values import OpenValue, open_values, replaced
+from trimmer.mechanism.parts import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism.place_text import parse_place, place_text, quoted, split_assignment, unit_of
+from trimmer.mechanism.printed_symbols import (
+    _escaped,
+    _split,
+    _with_index,
+    natural_order,
+    plain_name,
+    printed_symbols,
+    value_of,
+)
+from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, QUANTITIES
+from trimmer.mechanism.reading import mechanism_of_text
+from trimmer.mechanism.symbols import is_symbol
+from trimmer.mechanism.toml_lines import lines_of_keys
+from trimmer.mechanism.units import UnitError, quantity, unit
+
+TEXT = """\
+title = "x"
+a.b . c = [1, [2,
+  3], { d = 4, e.f = 5 }]
+
+[[g]]
+h = '''
+k'''
+[[g]]
+[[g.i]]
+[g.i.j]
+[[g.i]]
+l = {}
+m = []
+[ "n.o" . p ]
+"""
+
+
+def test_every_key_and_entry_of_a_text_has_its_line() -> None:
+    found = {".".join(place): line for place, line in lines_of_keys(TEXT).items()}
+    assert found == {
+        "title": 1,
+        **dict.fromkeys(("a", "a.b", "a.b.c", "a.b.c.0", "a.b.c.1", "a.b.c.1.0"), 2),
+        **dict.fromkeys(("a.b.c.1.1", "a.b.c.2", "a.b.c.2.d", "a.b.c.2.e", "a.b.c.2.e.f"), 3),
+        **dict.fromkeys(("g", "g.0"), 5),
+        "g.0.h": 6,
+        "g.1": 8,
+        **dict.fromkeys(("g.1.i", "g.1.i.0"), 9),
+        "g.1.i.0.j": 10,
+        "g.1.i.1": 11,
+        "g.1.i.1.l": 12,
+        "g.1.i.1.m": 13,
+        **dict.fromkeys(("n.o", "n.o.p"), 14),
+    }
+    assert lines_of_keys(TEXT.replace("\n", "\r\n")) == lines_of_keys(TEXT)
+    assert lines_of_keys("") == lines_of_keys("# a = 1\n") == {}
+
+
+MECHANISM = Mechanism(
+    {"motor": Body(0.035), "2. guard": Body(0.03)},
+    frequency=110.0,
+    pins={"pin": Pin("motor", 1.5e-3)},
+    links={"mount": Link(("ground", "motor"), 200e3, 3.5)},
+    plays={"bridge": Play(("2. guard", "pin"), 30e3, 0.4, 40e-6)},
+    frictions={"rub": Friction(("ground", "2. guard"), 0.5)},
+    outputs={"stroke": Output({"motor": 1.0, "2. guard": -2.0})},
+    start={"motor": (3.0, 4.0)},
+)
+
+
+def test_numbers_are_read_and_set_at_their_places() -> None:
+    for place, value in {
+        "frequency": 110.0,
+        'outputs.stroke."2. guard"': -2.0,
+        "start.motor.displacement": 3.0,
+        "start.motor.velocity": 4.0,
+        'start."2. guard".velocity': 0.0,
+        "frictions.rub.static": 0.5,
+        "plays.bridge.gap": 40e-6,
+    }.items():
+        assert MECHANISM.value(place) == value
+    changed = MECHANISM.with_value('start."2. guard".velocity', "20 mm/s").with_value(
+        "start.motor.velocity", 7
+    )
+    assert dict(changed.start) == {"motor": (3.0, 7.0), "2. guard": (0.0, 0.02)}
+    changed = MECHANISM.with_value("outputs.stroke.motor", 5)
+    assert dict(changed.outputs["stroke"].weights) == {"motor": 5.0, "2. guard": -2.0}
+    assert (MECHANISM.start["motor"], MECHANISM.outputs["stroke"].weights["motor"]) == ((3.0, 4.0), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("place", "advice"),
+    [
+        ("plays", "after plays comes bridge"),
+        ("plays.bridge", "after plays.bridge comes stiffness, damping or gap"),
+        ("plays.brige", "did you mean plays.bridge.gap?"),
+        ("plays.bridge.gap.x", "did you mean plays.bridge.gap?"),
+        ("bridge.gap", "did you mean plays.bridge.gap?"),
+        ("gap", "did you mean plays.bridge.gap?"),
+        ("pin.amplitude", "did you mean pins.pin.amplitude?"),
+        ("mass", 'did you mean bodies.motor.mass or bodies."2. guard".mass?'),
+        ("outputs.stroke.pin", 'after outputs.stroke comes motor or "2. guard"'),
+        ("outputs.x.motor", "after outputs comes stroke"),
+        ("start.pin.velocity", 'after start comes motor or "2. guard"'),
+        ("start.motor.x", "after start.motor comes displacement or velocity"),
+        (
+            "forces.x.constant",
+            "a place begins with frequency, bodies, pins, links, plays, frictions, outputs or start",
+        ),
+        ("title", "a place begins with frequency"),
+        ("frequncy", "did you mean frequency?"),
+    ],
+)
+def test_advice_for_places_that_are_not_there(place: str, advice: str) -> None:
+    with pytest.raises(MechanismError) as raised:
+        MECHANISM.value(place)
+    assert str(raised.value).startswith(f"there is no number at {place}; {advice}")
+
+
+def test_places_that_end_alike_are_named_if_they_are_few() -> None:
+    known = [("a", str(k), "mass") for k in range(4)]
+    assert places._ending(("mass",), known[:3]) == known[:3]
+    assert places._ending(("mass",), known) == []
+    assert places._ending(("1", "mass"), known) == [known[1]]
+    assert [places._goes_on(("a", "b"), each) for each in ((), ("a",), ("a", "b"), ("b",))] == [
+        True,
+        True,
+        False,
+        False,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("a.b", ("a", "b")),
+        (" a . b c ", ("a", "b c")),
+        ('\'a.b\'."c\\"d"', ("a.b", 'c"d')),
+        ("a", ("a",)),
+        ("µ.b", ("µ", "b")),
+    ],
+)
+def test_places_as_text(text: str, names: tuple[str, ...]) -> None:
+    assert parse_place(text) == names
+    assert parse_place(place_text(names)) == names
+    for wrong in (f"{text}.", f".{text}", f"{text}..x", "", f'{text}."', f"{text}=1"):
+        with pytest.raises(MechanismError, match="is no place"):
+            parse_place(wrong)
+
+
+def test_assignments_and_units_of_places() -> None:
+    assert split_assignment(' "a=b".c = d = e ') == ('"a=b".c', "d = e")
+    assert split_assignment("a=") == ("a", "")
+    with pytest.raises(MechanismError, match="sets nothing"):
+        split_assignment('"a=b"')
+    assert places.assignment("a.b=3") == ("a.b", 3.0)
+    assert places.assignment("a.b c=3 mm") == ('a."b c"', "3 mm")
+    assert quoted('µ"') == '"µ\\""'
+    units = {"a.gap": "m", "a.order": "1"}
+    assert [unit_of(units, each) for each in (" a . gap", "a.order", "x")] == ["m", "", ""]
+
+
+def test_which_values_are_open() -> None:
+    content = {
+        "frequency": " unknown ",
+        "pins": {"p": {"on": "a..b", "amplitude": "1 mm..2 mm", "order": "unknown", "phase": 3}, "q": 4},
+        "bodies": {"a": {"mass": "unknowns"}},
+        "links": 5,
+        "outputs": {"y": {"a": "unknown"}},
+    }
+    assert list(open_values(content)) == [
+        OpenValue(("frequency",), " unknown ", FREQUENCY),
+        OpenValue(("pins", "p", "amplitude"), "1 mm..2 mm", DISPLACEMENT),
+    ]
+    first, second = open_values(content)
+    assert (first.is_unknown, second.is_unknown) == (True, False)
+    assert "nobody knows this value" in first.problem().reason
+    assert "this is a range" in second.problem().reason
+    assert (second.problem().place, second.problem().value) == (("pins", "p", "amplitude"), "1 mm..2 mm")
+    new = replaced(content, {("frequency",): 3.0, ("pins", "p", "amplitude"): "1 m"})
+    assert (new["frequency"], new["pins"]["p"]["amplitude"], new["pins"]["p"]["phase"]) == (3.0, "1 m", 3)
+    assert (content["frequency"], content["pins"]["p"]["amplitude"]) == (" unknown ", "1 mm..2 mm")
+
+
+@pytest.mark.parametrize(
+    ("text", "ends"),
+    [
+        ("20 um..60 um", (20e-6, 60e-6)),
+        ("20..60 um", (20e-6, 60e-6)),
+        (" -.5 .. 1.5 mm", (-0.5e-3, 1.5e-3)),
+        ("1.5 mm..2 m", (1.5e-3, 2.0)),
+        ("1e-3..2. m", (1e-3, 2.0)),
+    ],
+)
+def test_both_ends_of_a_range(text: str, ends: tuple[float, float]) -> None:
+    assert OpenValue(("x",), text, DISPLACEMENT).ends() == pytest.approx(ends, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted", "reason"),
+    [
+        ("unknown", DISPLACEMENT, "is no range"),
+        ("2 m..1 m", DISPLACEMENT, "has no length"),
+        ("1 m..1 m", DISPLACEMENT, "has no length"),
+        ("1..2", DISPLACEMENT, "has no unit"),
+        ("1 m..2", DISPLACEMENT, "has no unit"),
+        ("0..1 kg", QUANTITIES[Body]["mass"], "has an end that must be greater than zero"),
+        ("-2..-1 kg", QUANTITIES[Body]["mass"], "has an end that must be greater than zero"),
+        ("1 m..2 s", DISPLACEMENT, "'s' does not measure"),
+    ],
+)
+def test_what_is_no_range(text: str, wanted, reason: str) -> None:
+    with pytest.raises(UnitError, match=reason):
+        OpenValue(("x",), text, wanted).ends()
+
+
+def test_units_multiply_and_rise() -> None:
+    metre, second = unit("m"), unit("s")
+    assert (metre * second).dimension == (0, 1, 1, 0)
+    assert (unit("mm") ** 3).scale == Fraction(1, 10**9)
+    assert (unit("deg^2").half_turns, unit("deg/deg").half_turns, unit("1/deg").half_turns) == (2, 0, -1)
+    assert quantity("2 deg²", "rad^2") == pytest.approx(2.0 * (math.pi / 180) ** 2, rel=1e-15)
+    assert quantity("180 1/deg", "1/rad") == pytest.approx(180 * 180 / math.pi, rel=1e-15)
+    sizes = {
+        "min": 60.0,
+        "t": 1000.0,
+        "Ns": 1.0,
+        "rpm": 1 / 60,
+        "MN": 1e6,
+        "cm": 0.01,
+        "ns": 1e-9,
+        "kHz": 1e3,
+        "mrad": 1e-3,
+    }
+    assert {name: pytest.approx(float(unit(name).scale), rel=1e-15) for name in sizes} == sizes
+    for name in ("cN", "krad", "Mm", "cs", "nHz", "kt", "mmin"):
+        with pytest.raises(UnitError, match="unknown unit"):
+            unit(name)
+    assert quantity("0e400 m", "m") == 0.0
+    for text in ("1e401 m", "1e-401 m", f"{'1' * 61} m"):
+        with pytest.raises(UnitError, match="too many digits"):
+            quantity(text, "m")
+    assert quantity(f"{'0' * 59}7 m", "m") == 7.0
+
+
+def test_symbols_are_split_and_indexed() -> None:
+    splits = {"k": ("k", None), "k12": ("k", "12"), "k1_a": ("k", "1,a"), "mass_2": (r"\text{mass}", "2")}
+    splits |= {"φ_μ": ("phi", "mu"), "phi_{a,b}": ("phi", "a,b")}
+    assert {symbol: _split(symbol) for symbol in splits} == splits
+    indexed = {
+        ("k", None): "k",
+        ("k", "2"): "k_2",
+        ("k", "a"): "k_a",
+        ("k", "mu"): "k_mu",
+        ("k", "ab"): r"k_{\text{ab}}",
+    }
+    indexed |= {
+        ("k", "²"): r"k_{\text{²}}",
+        ("phi", "ab"): r"\phi_{\text{ab}}",
+        (r"\hat{k}", "2"): r"\hat{k}_{2}",
+    }
+    assert {pair: _with_index(*pair) for pair in indexed} == indexed
+    assert _escaped(r"a{b}$&#_%") == r"a\{b\}\$\&\#\_\%"
+    commands = ("asciitilde", "asciicircum", "less", "greater", "asciigrave", "backslash")
+    assert _escaped("~^<>`\\") == "".join(f"\\text{command}{{}}" for command in commands)
+    assert [is_symbol(each) for each in ("k_2", "k_{1,2}", "kb12_x", "k_", "2k", "k 2", "", 3)] == [
+        *[True] * 3,
+        *[False] * 5,
+    ]
+    assert sorted(["q_10", "q_2", "p", "q_1a"], key=natural_order) == ["p", "q_1a", "q_2", "q_10"]
+    assert plain_name(r"\hat{u}_{2}") == "u2"
+
+
+def test_symbols_with_what_they_stand_for() -> None:
+    found = printed_symbols(MECHANISM)
+    assert found["plays", "bridge", "gap"].meaning == "gap of bridge"
+    assert found["plays", "bridge", "gap"].unit == "m"
+    assert found["pins", "pin", "phase"].symbol == r"\varphi"
+    assert found["plays", "bridge", "side"].symbol == r"\sigma_{\text{bridge}}"
+    two = Mechanism({"a": Body(1.0, "m_3")}, forces={"f": Force("a", 1.0), "g": Force("a", 2.0, symbol="Q")})
+    names = {place: each.symbol for place, each in printed_symbols(two).items()}
+    assert (names["forces", "f", "value"], names["forces", "g", "value"]) == ("P_f", "Q")
+    assert names["forces", "g", "constant"] == r"\bar{Q}"
+    assert (names["bodies", "a", "mass"], names["bodies", "a", "coordinate"]) == ("m_3", "q_3")
+    assert value_of(MECHANISM, ("frictions", "rub", "static")) == 0.5
+    assert value_of(MECHANISM, ("plays", "bridge", "gap")) == 40e-6
+    assert value_of(MECHANISM, ("bodies", "motor", "coordinate")) is None
+
+
+def test_files_leave_values_open_that_are_given_by_place() -> None:
+    link = 'l = { between = ["ground", "a"], stiffness = "1..2 N/m" }'
+    text = f'[bodies]\na = {{ mass = "unknown" }}\n[links]\n{link}\n'
+    values = {"bodies.a.mass": "3 g", "links.l.stiffness": 1.5, "links.l.damping": 9.0}
+    mechanism = mechanism_of_text(text, "f", values)
+    assert mechanism == Mechanism({"a": Body(3e-3)}, links={"l": Link(("ground", "a"), 1.5)})
+    with pytest.raises(
+        MechanismError, match=r"^f: line 4: links\.l\.stiffness = '1\.\.2 N/m': this is a range"
+    ):
+        mechanism_of_text(text, "f", {"bodies.a.mass": 1.0})
+    with pytest.raises(MechanismError, match="2 problems"):
+        mechanism_of_text(text, "f")
+
+
+def test_a_mechanism_in_a_line() -> None:
+    assert MECHANISM._told() == "2 bodies, 1 pin, 1 link, 1 play, 1 friction"
+    one = Mechanism({"a": Body(1.0)}, links={"l": Link(("ground", "a"), 1.0)}, title="T")
+    assert one._told() == "T, 1 body, 1 link"
+    assert (one == MECHANISM, one != MECHANISM, one == 3) == (False, True, False)
