@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from trimmer.signals import time_stamps
-from trimmer.signals.sampling import Stamped, _resampled
+from trimmer.signals.sampling import Stamped, _new_rate, _resampled
 from trimmer.signals.text_file import SignalFileError
 from trimmer.signals.time_stamps import _breaks, _fitted, _seen, agreed_rate, last_digit, spacing_of
 
@@ -170,3 +171,13 @@ def test_resampling_tells_distances_and_what_a_spline_would_hide() -> None:
         "170 samples at unequal distances (0.0009 to 0.0011 s) are resampled at 1000 Hz"
     )
     assert found.trusted.highest > 0
+
+
+@pytest.mark.parametrize(
+    ("given", "rate"), [(None, 1000.12), (999.2, 999.2), (1000.5, 1000.5), (4000.0, 4000.0)]
+)
+def test_samples_are_not_brought_to_fewer(given: float | None, rate: float) -> None:
+    spacing = replace(spaced(np.arange(9.0)), rate=1000.123)
+    assert _new_rate(spacing, given, "f") == rate
+    with pytest.raises(SignalFileError, match=r"f: 999 Hz is less than the 1000\.12 samples"):
+        _new_rate(spacing, 999.0, "f")
