@@ -85,6 +85,7 @@ def test_numbers_are_read_and_set_at_their_places() -> None:
         "start.motor.displacement": 3.0,
         "start.motor.velocity": 4.0,
         'start."2. guard".velocity': 0.0,
+        'start."2. guard".displacement': 0.0,
         "frictions.rub.static": 0.5,
         "plays.bridge.gap": 40e-6,
     }.items():
@@ -93,6 +94,8 @@ def test_numbers_are_read_and_set_at_their_places() -> None:
         "start.motor.velocity", 7
     )
     assert dict(changed.start) == {"motor": (3.0, 7.0), "2. guard": (0.0, 0.02)}
+    changed = MECHANISM.with_value('start."2. guard".displacement', 5.0)
+    assert changed.start["2. guard"] == (5.0, 0.0)
     changed = MECHANISM.with_value("outputs.stroke.motor", 5)
     assert dict(changed.outputs["stroke"].weights) == {"motor": 5.0, "2. guard": -2.0}
     assert (MECHANISM.start["motor"], MECHANISM.outputs["stroke"].weights["motor"]) == ((3.0, 4.0), 1.0)
@@ -125,6 +128,13 @@ def test_advice_for_places_that_are_not_there(place: str, advice: str) -> None:
     with pytest.raises(MechanismError) as raised:
         MECHANISM.value(place)
     assert str(raised.value).startswith(f"there is no number at {place}; {advice}")
+
+
+def test_of_two_names_that_are_near_the_nearest_is_meant() -> None:
+    known = [("bodies", name, "mass") for name in ("motor1", "motor2", "motor12")]
+    assert places._near(("bodies", "moter2", "mas"), known) == [("bodies", "motor2", "mass")]
+    assert places._near(("mass",), known[:2]) == known[:2]
+    assert places._near(("x", "y"), known) == []
 
 
 def test_places_that_end_alike_are_named_if_they_are_few() -> None:
