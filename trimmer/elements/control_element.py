@@ -27,7 +27,12 @@ SETTLING = 2
 _DECADES = 12
 """How far on either side of 1 amplitudes are probed."""
 _PROBES = 400
+_MEMORY_DECADES = 6
+_MEMORY_PROBES = 24
 _PHASES = 61
+_SEED = 4171
+_OMEGA = 1.0
+"""Stands where an omega is wanted, rad/s; a nonlinearity knows none."""
 _DIFFERENT = 0.01
 """Difference between a nonlinearity's own describing function and its output's, relative, that is told."""
 
@@ -84,7 +89,7 @@ class ControlElement(UnboundedElement):
         Raises:
             UnsupportedElementError: if the output is not odd there.
         """
-        own, estimate = self._own(amplitude), self._estimate(amplitude, 1.0, 1)
+        own, estimate = self._own(amplitude), self._estimate(amplitude, _OMEGA, 1)
         if own is None or abs(own - estimate.value) <= _DIFFERENT * abs(own) + estimate.error:
             return ()
         return (
@@ -93,9 +98,11 @@ class ControlElement(UnboundedElement):
         )
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        if harmonic > 1 or self._own(1.0) is None:
-            return super()._describing_function(amplitude, omega, harmonic)
-        return np.array([self._own(float(each)) for each in amplitude], dtype=complex)
+        if harmonic == 1:
+            own = [self._own(float(each)) for each in amplitude]
+            if None not in own:
+                return np.array(own, dtype=complex)
+        return super()._describing_function(amplitude, omega, harmonic)
 
     def _own(self, amplitude: float) -> complex | None:
         """Return N by the nonlinearity's own formula; None if it has none."""
@@ -135,16 +142,14 @@ class ControlElement(UnboundedElement):
 
     def _require_odd(self) -> None:
         """Compare outputs at inputs of opposite signs, at places that no grid has."""
-        random = np.random.default_rng(4171)
+        random = np.random.default_rng(_SEED)
         if self.nonlinearity._isstatic():
-            inputs = 10.0 ** random.uniform(-_DECADES, _DECADES, _PROBES)
+            inputs = _drawn(random, _DECADES, _PROBES)
             function = copy.deepcopy(self.nonlinearity)
             up, down = _values(function, inputs), _values(function, -inputs)
-            size, apart = np.maximum(np.abs(up), np.abs(down)), np.abs(up + down)
-            wrong = apart > EVEN * size
-            where = [float(each) for each in inputs[wrong]]
+            where = inputs[np.abs(up + down) > EVEN * np.abs(up)].tolist()
         else:
-            amplitudes = [float(10.0**each) for each in random.uniform(-6, 6, 24)]
+            amplitudes = _drawn(random, _MEMORY_DECADES, _MEMORY_PROBES).tolist()
             where = [each for each in amplitudes if self._is_even_at(each, random)]
         if where:
             place = where[0]
@@ -154,8 +159,8 @@ class ControlElement(UnboundedElement):
             )
 
     def _is_even_at(self, amplitude: float, random: np.random.Generator) -> bool:
-        phases = np.sort(random.uniform(0.0, math.pi, _PHASES))
-        first, second = self._halves(phases, amplitude, 1.0)
+        phases = np.sort(math.pi * random.random(_PHASES))
+        first, second = self._halves(phases, amplitude, _OMEGA)
         # Where nothing switches an output may stay what it was; there N does not exist.
         own = self._own(amplitude)
         exists = own is None or not np.isnan(own)
@@ -195,6 +200,11 @@ def adopted(name: str, element: object) -> Element:
 def _kind() -> type[Any] | None:
     """Return the class of python-control; None where that was not imported, so none can be given."""
     return getattr(sys.modules.get("control"), "DescribingFunctionNonlinearity", None)
+
+
+def _drawn(random: np.random.Generator, decades: int, count: int) -> Reals:
+    """Draw numbers over some decades on either side of 1, evenly on a logarithmic scale."""
+    return np.asarray(10.0 ** random.uniform(-decades, decades, count))
 
 
 def _values(function: Any, inputs: Reals) -> Reals:

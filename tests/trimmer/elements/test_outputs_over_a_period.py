@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.control_element import ControlElement, adopted, is_element
+from trimmer.elements.control_element import ControlElement, _drawn, adopted, is_element
 from trimmer.elements.own_element import OwnElement, StaticElement
 from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
@@ -136,6 +136,12 @@ def test_an_output_gets_phases_of_one_period_and_its_own_breaks() -> None:
         (2.0 * np.sin(np.array([-1.0, 7.0]) - 1.382)) ** 3, rel=1e-10
     )
     assert seen == [(pytest.approx(7.0 - 2 * math.pi), pytest.approx(2 * math.pi - 1.0), 2.0, 691.0)]
+
+    class Broken(Late):
+        def breaks(self, amplitude, omega):
+            return (amplitude, omega)
+
+    assert Broken()._breaks(2.0, 691.0) == (2.0, 691.0)
     assert (tuple(Late().breaks(2.0, 1.0)), tuple(Late()._breaks(2.0, 1.0))) == ((), ())
 
 
@@ -231,3 +237,10 @@ def test_what_is_taken_for_an_element() -> None:
     assert isinstance(adopted("element", CLIPPED), ControlElement)
     with pytest.raises(WrongTypeError, match="terms must be an element"):
         adopted("terms", 3.0)
+
+
+def test_inputs_are_drawn_over_decades_on_either_side_of_one() -> None:
+    exponents = np.log10(_drawn(np.random.default_rng(1), 12, 400))
+    assert exponents.size == 400
+    assert (exponents.min(), exponents.max()) == pytest.approx((-12.0, 12.0), abs=0.2)
+    assert exponents.mean() == pytest.approx(0.0, abs=1.0)
