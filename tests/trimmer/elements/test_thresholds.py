@@ -156,4 +156,7 @@ def test_a_relay_hands_on_what_its_thresholds_say_in_the_shape_of_the_box() -> N
         [math.inf] * 2,
         [math.inf] * 2,
     ]
+    assert relay.mean_gain([0.9, 2.0]).tolist() == LOOP.mean_gain(np.array([0.9, 2.0])).tolist()
+    with pytest.raises(ValueError, match="amplitude must be positive"):
+        relay.mean_gain([0.9, -2.0])
     assert (kinds[1].height, kinds[1].mean_gain(0.9)) == (3.0, LOOP.mean_gain(np.array(0.9)))
