@@ -121,7 +121,7 @@ class _Runs:
         arriving = [self.values[begins[inner] - back] for back in (1, 2, 3)]
         leaving = [self.values[ends[inner] + on] for on in (0, 1, 2)]
         fast = _is_fast(*arriving) & _is_fast(*leaving)
-        return bool(fast.size and np.mean(fast) >= _MOST)
+        return bool(np.count_nonzero(fast) >= max(_MOST * fast.size, 1))
 
     def at(self, value: float) -> Flags:
         """Which runs have a value, shape (m,)."""

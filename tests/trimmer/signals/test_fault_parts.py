@@ -113,8 +113,12 @@ def test_which_runs_of_an_extreme_look_clipped() -> None:
     for scale, begins in ((40.0, [8, 28]), (40.0 / 0.999, [8, 28]), (40.1, [8])):
         record, runs = signal(record.values, full_scale=scale)
         assert runs.begins[_clipped_runs(record, runs, 40.0)].tolist() == begins
-    record, runs = signal(-record.values)
-    assert runs.begins[_clipped_runs(record, runs, -40.0)].tolist() == [8]
+    for scale, begins in ((math.inf, [8]), (40.0, [8, 28])):
+        record, runs = signal(-np.abs(record.values), full_scale=scale)
+        assert runs.begins[_clipped_runs(record, runs, -40.0)].tolist() == begins
+    # One into which the signal comes in steps of 5 is not as abrupt.
+    record, runs = signal([*wave, 40, 40, 40, *wave, 10, 20, 30, 35, 40, 40, 40, 35, 30, 20, 10, *wave])
+    assert runs.begins[_clipped_runs(record, runs, 40.0)].tolist() == [8]
 
 
 @pytest.mark.parametrize(("length", "samples", "clipped"), [(7, 20, 1), (8, 20, 0), (9, 40, 1), (10, 40, 0)])
@@ -171,6 +175,9 @@ def test_only_at_full_scale_it_is_certain(full_scale: float, certainty: Certaint
     values = [*noisy, 30, 30, 30, *noisy, -30, -30, -30, -30, *noisy]
     found = _clipping(*signal(values, full_scale=full_scale))
     assert found == Clipping(certainty, 3, 4, 2, 37, 0.4 + 10 / RATE, 30.0)
+    # The other extreme has the same size, but one sample alone.
+    single = _clipping(*signal([*noisy, 30, 30, 30, *noisy, 30, 30, 30, *noisy, -30, *noisy]))
+    assert single == Clipping(Certainty.POSSIBLE, 6, 0, 2, 47, 0.4 + 10 / RATE, 30.0)
     # Two runs at one extreme alone are not enough, three are.
     for count, known in ((2, Certainty.POSSIBLE), (3, Certainty.LIKELY)):
         several = _clipping(*signal([*count * [*noisy, 30, 30, 30], *noisy]))
@@ -189,7 +196,7 @@ def test_a_dropout_is_no_crest(value: float, found: bool) -> None:
 
 @pytest.mark.parametrize(("usual", "least"), [(1, 16), (2, 16), (3, 24)])
 def test_a_dropout_is_far_longer_than_other_runs(usual: int, least: int) -> None:
-    wave = np.repeat([1.0, 50.0, 101.0, 51.0, 2.0, 70.0, 30.0], usual)
+    wave = [1.0, 101.0, 2.0, *np.repeat([50.0, 51.0, 70.0, 30.0], usual)]
     for length, found in ((least - 1, False), (least, True)):
         values = [*wave, *length * [0.0], *wave, *wave, 1.0, *wave]
         assert (dropout(values) is not None) is found
@@ -216,6 +223,9 @@ def test_few_steps_are_counted_from_three_on() -> None:
     values = np.resize([0.0, 1.0, 2.0], 60)
     assert _few_steps(*signal(values)) == FewSteps(3, 1.0, math.log2(3.0), 1.0 / math.sqrt(12.0), "g")
     assert _few_steps(*signal(values[:59])) is None
+    moved = _few_steps(*signal(values + 0.25))
+    assert moved is not None
+    assert (moved.values, moved.step) == (3, 1.0)
     assert _few_steps(*signal(np.resize([0.0, 1.0], 60))) is None
     found = _few_steps(*signal(np.resize([0.1 * k for k in (0, 1, 2, 3, 7)], 100)))
     assert found is not None
