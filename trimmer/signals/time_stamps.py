@@ -80,7 +80,7 @@ def spacing_of(times: Reals, lines: Sequence[int], place: str) -> Spacing:
     _check_rising(times, steps < 0, lines, place)
     usual = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
     stretches = _stretches(times, steps, usual)
-    if not stretches.equal or not stretches.rounding:
+    if not stretches.rounding:
         _check_rising(times, steps <= 0, lines, place)
     unusual = np.abs(steps - usual)
     return Spacing(

@@ -48,6 +48,14 @@ def test_a_gap_among_unequal_distances_is_longer_than_their_scatter(pattern, lon
         assert found.usual == pytest.approx(0.0123456789)
 
 
+def test_stamps_that_are_mostly_repeated_have_the_step_between_those_that_differ() -> None:
+    found = spaced(np.floor(np.arange(90) / 3.0))
+    assert (found.usual, found.equal, found.rounding) == (1.0, True, 1.0)
+    assert found.rate == pytest.approx(3.0, rel=0.02)
+    with pytest.raises(SignalFileError, match="line 2: time stamp 5 s does not come after 5 s"):
+        spaced(np.full(3, 5.0))
+
+
 def test_a_short_record_with_stamps_of_nanoseconds_is_not_rounded_to_seconds() -> None:
     steps = np.resize([1.0, 1.0, 1.0, 3.0, 0.5], 100)
     found = spaced(np.concatenate([[0.0], np.cumsum(steps)]) * 1e-9)
@@ -105,6 +113,7 @@ def test_stamps_are_rounded_ones_if_twenty_differ_and_none_is_far_off() -> None:
         (np.arange(30) * 3e-10, 0.0),
         (1.7e9 + np.arange(30) * 7e-3, 1e-3),
         (-1.7e9 + np.arange(30) * 7e-3, 1e-3),
+        (np.concatenate([[0.0], 1.7e9 + np.arange(30) * 7e-3]), 1e-3),
         (np.sqrt(np.arange(30)), 0.0),
         (np.zeros(3), 1.0),
         (np.array([2.0, 2.0 + 5e-7]), 1e-7),
@@ -143,7 +152,8 @@ def test_a_rate_has_as_few_digits_as_explain_the_stamps() -> None:
     for rate in (5.0, 44_100.0, 123.456789012345, 0.1):
         for start in (0.0, 0.25):
             assert spaced(start + np.arange(200) / rate).rate == rate
-    assert spaced(np.arange(7) * 0.3).rate == pytest.approx(10.0 / 3.0, rel=1e-15)
+    # Beyond 15 digits it is what the ends give.
+    assert spaced(np.arange(7) * 0.3).rate == 1.0 / (1.8 / 6) != 3.33333333333333
     # Over several stretches fourteen digits are told.
     third = np.concatenate([np.arange(30), np.arange(40, 70)]) * 0.3
     assert spaced(third).rate == 3.3333333333333
@@ -181,3 +191,10 @@ def test_samples_are_not_brought_to_fewer(given: float | None, rate: float) -> N
     assert _new_rate(spacing, given, "f") == rate
     with pytest.raises(SignalFileError, match=r"f: 999 Hz is less than the 1000\.12 samples"):
         _new_rate(spacing, 999.0, "f")
+
+
+@pytest.mark.parametrize(("bits", "digit"), [(0, 1e-3), (1, 1e-3), (-3, 1e-3), (5, 1e-5)])
+def test_the_last_digit_may_be_four_roundings_off(bits: int, digit: float) -> None:
+    times = 1.7e9 + np.arange(30) * 7e-3
+    times[5] += bits * np.spacing(times[5])
+    assert last_digit(times) == digit
