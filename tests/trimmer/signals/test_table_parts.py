@@ -80,6 +80,7 @@ def test_comments_and_empty_lines_keep_the_numbers_of_the_others(file) -> None:
         (("serial;1234", "Time;Way", "late;1"), None),  # no more numbers than before
         (("serial;1234", "", "0;1"), None),  # a blank line is no heading
         (("serial;1234", "state;5", "0;1"), None),  # nor is one with a number
+        (("serial;1234;x", "state;5;6", "0;1;2"), None),
         (("serial;1234", "Time;Way"), None),
         (("1;2", "Time;Way", "0;1;2"), None),  # no text beside the number
         (("serial;1234", *(98 * [""]), "Time;Way", "0;1"), 100),
@@ -122,6 +123,7 @@ def test_missing_values_before_the_first_number_are_data(file) -> None:
     assert (table.headings, list(table.lines)) == (("-", "nan"), [5])
     table = read_table(file("a;b\nnan;-\n-;nan\n1;2\n"), ANY)
     assert (table.headings, list(table.lines)) == (("a", "b"), [2, 3, 4])
+    assert list(read_table(file("a;b\nnan;\n1;2\n"), ANY).lines) == [2, 3]
     table = read_table(file("nan;-\n1;2\n"), ANY)
     assert (table.headings, list(table.lines)) == ((), [1, 2])
     table = read_table(file("a;nan\n1;2\n"), ANY)
