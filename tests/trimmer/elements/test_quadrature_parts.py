@@ -101,3 +101,16 @@ def test_a_square_wave_of_an_odd_harmonic_is_that_of_the_period_whatever_its_pha
     for shift in (0.0, 1.0, 0.5 * math.pi, 3.0):
         found = harmonic_by_quadrature(Counted(lambda phases, s=shift: np.cos(3 * (phases - s))), 1.0, 3)
         assert found.value == pytest.approx(1j * np.exp(-3j * shift), abs=1e-13)
+
+
+def test_places_of_a_panel_are_fifteen_and_two_just_inside_its_ends() -> None:
+    assert (quadrature.PLACES.size, quadrature.NODES.size) == (17, 15)
+    np.testing.assert_array_equal(quadrature.NODES, -quadrature.NODES[::-1])
+    assert quadrature.ENDS.tolist() == [1e-9 - 1.0, 1.0 - 1e-9]
+    assert quadrature.PLACES[-2:].tolist() == quadrature.ENDS.tolist()
+    # Gauss's seven points are every other one, from the second on.
+    gauss = np.polynomial.legendre.leggauss(7)[0]
+    assert quadrature.NODES[quadrature.COARSE] == pytest.approx(gauss, abs=1e-15)
+    assert quadrature.NODES[quadrature.OTHERS].size == 8
+    values = quadrature._continuation(np.array([0.0, 1.0, 3.0]), np.array([2.0, -1.0]))
+    assert np.array([0.0, 1.0, 9.0]) @ values == pytest.approx([4.0, 1.0])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from trimmer.errors import MechanismError
@@ -11,7 +13,7 @@ from trimmer.mechanism.open_values import OpenValue, open_values, replaced
 from trimmer.mechanism.parts import Body, Friction, Link, Output, Pin, Play
 from trimmer.mechanism.place_text import parse_place, place_text, quoted, split_assignment, unit_of
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, QUANTITIES
-from trimmer.mechanism.reading import mechanism_of_text
+from trimmer.mechanism.reading import mechanism_of_text, read_mechanism
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError
 
@@ -221,7 +223,7 @@ def test_what_is_no_range(text: str, wanted, reason: str) -> None:
         OpenValue(("x",), text, wanted).ends()
 
 
-def test_files_leave_values_open_that_are_given_by_place() -> None:
+def test_files_leave_values_open_that_are_given_by_place(tmp_path: Path) -> None:
     link = 'l = { between = ["ground", "a"], stiffness = "1..2 N/m" }'
     text = f'[bodies]\na = {{ mass = "unknown" }}\n[links]\n{link}\n'
     values = {"bodies.a.mass": "3 g", "links.l.stiffness": 1.5, "links.l.damping": 9.0}
@@ -233,6 +235,10 @@ def test_files_leave_values_open_that_are_given_by_place() -> None:
         mechanism_of_text(text, "f", {"bodies.a.mass": 1.0})
     with pytest.raises(MechanismError, match="2 problems"):
         mechanism_of_text(text, "f")
+    (tmp_path / "f.toml").write_text(text)
+    assert read_mechanism(tmp_path / "f.toml", values) == mechanism
+    with pytest.raises(MechanismError, match=r"f\.toml: 2 problems"):
+        read_mechanism(tmp_path / "f.toml")
 
 
 def test_a_mechanism_in_a_line() -> None:

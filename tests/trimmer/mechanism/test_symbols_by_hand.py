@@ -19,7 +19,7 @@ from trimmer.mechanism.printed_symbols import (
     value_of,
 )
 from trimmer.mechanism.symbols import is_symbol
-from trimmer.mechanism.units import UnitError, quantity, unit
+from trimmer.mechanism.units import Unit, UnitError, quantity, unit
 
 MECHANISM = Mechanism(
     {"motor": Body(0.035), "2. guard": Body(0.03)},
@@ -104,3 +104,34 @@ def test_symbols_with_what_they_stand_for() -> None:
     assert value_of(MECHANISM, ("frictions", "rub", "static")) == 0.5
     assert value_of(MECHANISM, ("plays", "bridge", "gap")) == 40e-6
     assert value_of(MECHANISM, ("bodies", "motor", "coordinate")) is None
+
+
+BASES = {
+    "1": (Fraction(1), (0, 0, 0, 0), 0, ""),
+    "g": (Fraction(1, 1000), (1, 0, 0, 0), 0, "n u m k"),
+    "m": (Fraction(1), (0, 1, 0, 0), 0, "n u m c k"),
+    "s": (Fraction(1), (0, 0, 1, 0), 0, "n u m"),
+    "N": (Fraction(1), (1, 1, -2, 0), 0, "n u m k M"),
+    "Hz": (Fraction(1), (0, 0, -1, 0), 0, "m k M"),
+    "rad": (Fraction(1), (0, 0, 0, 1), 0, "m"),
+    "t": (Fraction(1000), (1, 0, 0, 0), 0, ""),
+    "min": (Fraction(60), (0, 0, 1, 0), 0, ""),
+    "rpm": (Fraction(1, 60), (0, 0, -1, 0), 0, ""),
+    "Ns": (Fraction(1), (1, 1, -1, 0), 0, ""),
+    "deg": (Fraction(1, 180), (0, 0, 0, 1), 1, ""),
+    "°": (Fraction(1, 180), (0, 0, 0, 1), 1, ""),
+}
+"""Size without powers of pi; powers of kilogram, metre, second and radian; power of pi; prefixes."""
+PREFIXES = {"n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "k": 3, "M": 6}
+
+
+@pytest.mark.parametrize("name", BASES)
+def test_each_unit_has_its_size_and_dimension_with_every_prefix_it_takes(name: str) -> None:
+    scale, dimension, half_turns, prefixes = BASES[name]
+    assert unit(name) == Unit(scale, dimension, half_turns)
+    for prefix, exponent in PREFIXES.items():
+        if prefix.replace("µ", "u").replace("μ", "u") in prefixes.split():
+            assert unit(prefix + name) == Unit(scale * Fraction(10) ** exponent, dimension)
+        elif prefix + name not in ("min", "cm", "m1"):
+            with pytest.raises(UnitError, match="unknown unit"):
+                unit(prefix + name)
