@@ -8,9 +8,10 @@ import pytest
 
 from trimmer.errors import MechanismError
 from trimmer.mechanism import places
+from trimmer.mechanism.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values, replaced
-from trimmer.mechanism.parts import Body, Friction, Link, Output, Pin, Play
+from trimmer.mechanism.parts import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.mechanism.place_text import parse_place, place_text, quoted, split_assignment, unit_of
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, QUANTITIES
 from trimmer.mechanism.reading import mechanism_of_text, read_mechanism
@@ -122,6 +123,8 @@ def test_advice_for_places_that_are_not_there(place: str, advice: str) -> None:
 def test_of_two_names_that_are_near_the_nearest_is_meant() -> None:
     known = [("bodies", name, "mass") for name in ("motor1", "motor2", "motor12")]
     assert places._near(("bodies", "moter2", "mas"), known) == [("bodies", "motor2", "mass")]
+    (found,) = places._near(("bodies", "motor3", "mass"), known)
+    assert found in known
     assert places._near(("mass",), known[:2]) == known[:2]
     assert places._near(("x", "y"), known) == []
 
@@ -213,6 +216,7 @@ def test_both_ends_of_a_range(text: str, ends: tuple[float, float]) -> None:
         ("1 m..1 m", DISPLACEMENT, "has no length"),
         ("1..2", DISPLACEMENT, "has no unit"),
         ("1 m..2", DISPLACEMENT, "has no unit"),
+        ("1..m", DISPLACEMENT, "has no unit"),
         ("0..1 kg", QUANTITIES[Body]["mass"], "has an end that must be greater than zero"),
         ("-2..-1 kg", QUANTITIES[Body]["mass"], "has an end that must be greater than zero"),
         ("1 m..2 s", DISPLACEMENT, "'s' does not measure"),
@@ -239,6 +243,12 @@ def test_files_leave_values_open_that_are_given_by_place(tmp_path: Path) -> None
     assert read_mechanism(tmp_path / "f.toml", values) == mechanism
     with pytest.raises(MechanismError, match=r"f\.toml: 2 problems"):
         read_mechanism(tmp_path / "f.toml")
+
+
+def test_matrices_in_a_line() -> None:
+    pins = {"p": Pin("ground"), "q": Pin("ground")}
+    mechanism = Mechanism({"a": Body(1.0)}, pins=pins, forces={f: Force("a", 1.0) for f in "xyz"})
+    assert linear_matrices(mechanism)._told() == "1 body, 2 pins, 3 forces"
 
 
 def test_a_mechanism_in_a_line() -> None:

@@ -36,6 +36,7 @@ MECHANISM = Mechanism(
 def test_units_multiply_and_rise() -> None:
     metre, second = unit("m"), unit("s")
     assert (metre * second).dimension == (0, 1, 1, 0)
+    assert (quantity("1 m", "mm"), quantity("3 mm", "mm")) == (1000.0, 3.0)
     assert (unit("mm") ** 3).scale == Fraction(1, 10**9)
     assert (unit("deg^2").half_turns, unit("deg/deg").half_turns, unit("1/deg").half_turns) == (2, 0, -1)
     assert quantity("2 deg²", "rad^2") == pytest.approx(2.0 * (math.pi / 180) ** 2, rel=1e-15)
