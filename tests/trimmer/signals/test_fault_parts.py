@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
+from trimmer.errors import WrongTypeError
 from trimmer.signals.fault import Certainty, Clipping, Dropout, FewSteps, Offset
 from trimmer.signals.faults import _clipped_runs, _clipping, _dropout, _few_steps, _Runs, faults
 from trimmer.signals.signal import Signal
@@ -27,6 +28,11 @@ def summed(*steps: float) -> np.ndarray:
 
 def dropout(values: Sequence[float] | np.ndarray) -> Dropout | None:
     return _dropout(*signal(values))
+
+
+def test_only_signals_are_looked_at() -> None:
+    with pytest.raises(WrongTypeError, match="signal must be"):
+        faults([1.0, 2.0])  # type: ignore[arg-type]
 
 
 def test_runs_of_equal_samples() -> None:
