@@ -113,11 +113,18 @@ def test_intervals_without_a_solution_are_examined_once() -> None:
 
 def test_two_solutions_in_one_interval_are_told_apart() -> None:
     """1/G = (s + 1)**24 has the phase 24 atan(omega); the interval from -0.3 to 0.3 holds 5 pi and 7 pi."""
-    inverse = InverseResponse(1.0, np.full(24, -1.0 + 0j), NOTHING, 1.0)
-    result = _real_and_negative(inverse, 2.0 + 0j, (-18.9, 19.5))
+    turn = np.exp(0.3j)
+    inverse = InverseResponse(turn, np.full(24, -1.0 + 0j), NOTHING, 1.0)
+    result = _real_and_negative(inverse, 2.0 * turn, (-18.9, 19.5))
     expected = np.tan(np.pi * (2.0 * np.arange(6) + 1.0) / 24.0)
     assert np.exp(result.x) == pytest.approx(expected, rel=1e-12)
     assert result.u == pytest.approx((1.0 + expected**2) ** 12 / 2.0, rel=1e-10)
+
+
+def test_a_solution_between_two_intervals_is_found_once() -> None:
+    # 1/G = s (s + 1)² is -2 at 1 rad/s, to the last digit; one of 64 intervals ends there.
+    result = _real_and_negative(Plant(1.0, (0.0, -1.0, -1.0)).inverse(), 4.0 + 0j, (-2.0, 2.0))
+    assert (result.u.tolist(), result.x.tolist()) == ([0.5], [0.0])
 
 
 def test_a_phase_that_stays_at_pi_is_undecided() -> None:
