@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP
@@ -14,9 +15,11 @@ from trimmer.balance.identification import (
     _at_limit,
     _intervals,
     _nearest,
+    _time_constants,
     _turning_points,
     identify_time_constant,
 )
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -144,3 +147,41 @@ def test_an_identification_holds_what_was_given() -> None:
     (interval,) = result.intervals
     assert interval.lowest < 2e-4 < interval.highest
     assert interval.frequencies == pytest.approx((given.frequency - 0.5, given.frequency + 0.5))
+
+
+def test_a_table_tells_each_time_constant_with_its_limit_cycle() -> None:
+    (cycle,) = limit_cycles(THESIS_LOOP, FrictionBacklash(GAP))[-1:]
+    told = identify_time_constant(THESIS_LOOP, GAP, cycle.frequency)
+    assert told.frequency_uncertainty == 0.0
+    (found,) = told.time_constants
+    rows = [list(row) for row in told._table().rows()]
+    expected = found.limit_cycle
+    assert rows == [
+        [
+            *(0.0, expected.amplitude, expected.omega, expected.frequency),
+            *(expected.stable, expected.crossing_angle),
+        ]
+    ]
+    assert repr(told).count("M/D within the uncertainty: 0 to 0 s") == 1
+
+
+def test_limit_cycles_with_another_load_are_those_of_the_solver() -> None:
+    told = identify_time_constant(THESIS_LOOP, GAP, 740.0)
+    found = told.limit_cycles_with(3e-4)
+    assert [each.frequency for each in found] == pytest.approx(
+        [each.frequency for each in limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 3e-4))], rel=1e-10
+    )
+
+
+def test_the_time_constant_is_that_of_the_load_at_its_frequency() -> None:
+    """-1/G at 691 rad/s is made to be N of gap 1 and omega M/D = 0.7 at u = 0.6."""
+    gamma = 0.7
+    element = ViscousBacklash(1.0, gamma)
+    omega = 691.0
+    u = 0.6
+    gain = complex(element.describing_function(float(element.amplitude_scale) / u, 1.0))
+    response = InverseResponse(-gain / (1j * omega + 9.0), np.array([-9.0]), np.empty(0), 1.0)
+    (found,) = _time_constants(response, 1.0, omega / (2.0 * math.pi))
+    assert found.time_constant == pytest.approx(gamma / omega, rel=1e-9)
+    assert found.limit_cycle.omega == pytest.approx(omega, rel=1e-12)
+    assert found.amplitude == pytest.approx(float(element.amplitude_scale) / u, rel=1e-9)
