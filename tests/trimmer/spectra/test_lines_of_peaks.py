@@ -12,11 +12,11 @@ from trimmer.errors import WrongTypeError
 from trimmer.spectra.noise import NEIGHBOURHOOD
 from trimmer.spectra.peaks import (
     _added,
-    _around,
     _fitted,
     _left,
     _Lines,
     _maxima,
+    _near,
     _new_bins,
     _noise,
     _relaxed,
@@ -109,8 +109,9 @@ def test_noise_is_not_taken_from_the_ends_nor_from_beside_lines_if_there_is_else
     assert _noise(few, everywhere, 20.0) == pytest.approx(scale, rel=1e-12)
 
 
-def test_a_bin_has_two_neighbours() -> None:
-    assert _around(np.array([7, 20])).tolist() == [[6, 7, 8], [19, 20, 21]]
+def test_bins_within_a_reach_rise() -> None:
+    assert _near(np.array([7, 20]), 1).tolist() == [[6, 7, 8], [19, 20, 21]]
+    assert _near(np.array([7]), 2).tolist() == [[5, 6, 7, 8, 9]]
 
 
 @pytest.mark.parametrize("window", [Window.HANN, Window.FLAT_TOP])
@@ -119,7 +120,7 @@ def test_steps_of_the_fit_converge_on_a_line_but_stay_beside_their_bin(window: W
     bins = np.array([33, 70, 90, 120])
     places = np.array([33.3, 69.8, 91.2, 118.7])
     amplitudes = np.array([2.0 - 1.0j, 0.5j, 1.0, 1.0])
-    shown = amplitudes[:, None] * window.transform(_around(bins) - places[:, None], 400)
+    shown = amplitudes[:, None] * window.transform(_near(bins, 1) - places[:, None], 400)
     lines = _Lines(bins, bins.astype(float), np.ones(4, complex))
     for _ in range(8):
         lines = _fitted(given, lines, shown)
