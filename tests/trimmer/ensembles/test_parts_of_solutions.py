@@ -16,7 +16,7 @@ from trimmer.ensembles.crossings import (
     _enclosures,
     crossings,
 )
-from trimmer.ensembles.grid import grid_at
+from trimmer.ensembles.grid import Grid, grid_at
 from trimmer.ensembles.limit_cycles import (
     SampledLimitCycles,
     _check,
@@ -81,6 +81,28 @@ def test_crossings_of_some_trimmers_enclose_their_solutions() -> None:
     one = solved.part(np.arange(solved.u.size) == 0)
     assert [len(each) for each in one] == [1] * 6
     assert one.sine[0] == solved.sine[0]
+
+
+def test_a_trimmer_that_stays_urgent_is_refined_three_times_and_doubtful(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    points: list[tuple[int, int]] = []
+
+    def stubborn(grid: Grid) -> np.ndarray:
+        points.append(grid.omega.shape)
+        urgency = np.zeros((len(grid.omega), grid.omega.shape[1] - 1))
+        urgency[-1, ::7] = 1.0
+        return urgency
+
+    omegas = np.repeat(np.geomspace(0.01, 30.0, 120)[None], 3, axis=0)
+    plain = crossings(THREE, omegas)
+    monkeypatch.setattr("trimmer.ensembles.crossings._urgency", stubborn)
+    found = crossings(THREE, omegas)
+    assert points == [(3, 120), (1, 140), (1, 160), (1, 180)]
+    assert found.doubtful.tolist() == [False, False, True]
+    assert found.rows.tolist() == plain.rows.tolist()
+    for both in (plain, found):
+        assert polished(THREE.part(both.rows), both).found.all()
 
 
 def test_enclosures_are_halved_round_each_change_of_sign() -> None:
