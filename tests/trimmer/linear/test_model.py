@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, exact_response, trimmers
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
+from trimmer.errors import WrongTypeError
 from trimmer.generated import linear_trimmer
 from trimmer.linear.model import (
     INPUTS,
@@ -120,6 +121,12 @@ def test_reference_values_of_the_thesis_trimmer() -> None:
 def test_zeros_before_a_polynomial_are_dropped_and_nothing_else() -> None:
     assert _without_leading_zeros(np.array([0.0, 0.0, 3.0, 0.0, 2.0, 0.0])).tolist() == [3.0, 0.0, 2.0, 0.0]
     assert _without_leading_zeros(np.zeros(4)).tolist() == [0.0]
+
+
+@pytest.mark.parametrize("build", [linear_model, pin_model, transfer_function])
+def test_what_is_no_trimmer_is_named(build) -> None:
+    with pytest.raises(WrongTypeError, match="parameters"):
+        build(3.0)
 
 
 def test_any_number_that_is_none_is_told_with_the_lightest_body() -> None:
