@@ -38,10 +38,12 @@ inertia-controlled one."""
 LIMIT_TOLERANCE = 1e-7
 """|1 + N G| below which a frequency counts as that of friction- or inertia-controlled backlash itself."""
 
-_BLOCKS = 64
-"""Intervals of ln(omega M/D) to begin with."""
+_LIMITS = 65
+"""Limits of the intervals of ln(omega M/D) to begin with."""
 
 _SAMPLES = 400
+
+_STEPS = 8
 
 _FREQUENCIES = 17
 """Frequencies of a measured range at which M/D is found, to see where it turns."""
@@ -291,7 +293,7 @@ def _time_constants(
     inverse = complex(response.value(np.array([math.log(omega)]))[0])
     # With a time constant of 1 s, x = ln omega of the element is ln gamma.
     curve = ElementCurve(ViscousBacklash(gap, 1.0))
-    table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _BLOCKS + 1))
+    table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _LIMITS))
     result = find_all(Problem(ConstantResponse(inverse), curve, table, 0.0))
     found = [
         _identified(response, gap, math.exp(x) / omega, u, omega)
@@ -307,11 +309,10 @@ def _time_constants(
 
 def _at_limit(element: ViscousBacklash, inverse: complex, omega: float) -> Reals:
     """Find u with N(u) + inverse = 0 to the tolerance, by the Gauss-Newton method from the nearest sample."""
-    curve = ElementCurve(element.at(omega))
-    x = np.array([math.log(omega)])
-    samples = np.linspace(0.0, float(curve.edge(x).max()), _SAMPLES + 2)[1:-1]
-    u = samples[[np.argmin(np.abs(curve.value(samples, np.full(_SAMPLES, x[0])) + inverse))]]
-    for _ in range(8):
+    curve, x = ElementCurve(element.at(omega)), np.zeros(1)  # N at one omega is the same at all x
+    samples = np.linspace(0.0, curve.edge(x).item(), _SAMPLES + 2)[1:-1]
+    u = samples[[np.argmin(np.abs(curve.value(samples, np.zeros_like(samples)) + inverse))]]
+    for _ in range(_STEPS):
         gain, slope, _ = curve.expansion(u, x)
         u = u - ((gain + inverse) * slope.conj()).real / np.abs(slope) ** 2
     with np.errstate(invalid="ignore"):

@@ -65,10 +65,10 @@ def test_sizes_meet_up_to_equality_and_where_a_bound_is_missing() -> None:
 
 
 def test_a_box_is_open_if_both_its_disks_and_its_sizes_meet() -> None:
-    def left(centre: complex, smallest_gain: float, largest: float = 9.0) -> int:
+    def left(centre: complex, smallest_gain: float, largest: float = 9.0, smallest: float = 3.0) -> int:
         one = Cells(*(np.array([each]) for each in (0.1, 0.2, 1.0, 2.0)))
         # |N| is between 4 and 6, and 1/G reaches far.
-        given = EnclosedCells(one, disks(3 + 4j, 1.0), enclosure(centre, 1.0, 3.0, largest))
+        given = EnclosedCells(one, disks(3 + 4j, 1.0), enclosure(centre, 1.0, smallest, largest))
         return len(given.open(smallest_gain))
 
     assert left(-3 - 4j, 0.0) == 1
@@ -76,6 +76,8 @@ def test_a_box_is_open_if_both_its_disks_and_its_sizes_meet() -> None:
     assert left(-3 - 4j, 9.5) == 0
     assert left(-3 - 4j, 0.0, largest=3.9) == 0
     assert left(-3 - 4j, 0.0, largest=4.1) == 1
+    assert left(-3 - 4j, 0.0, smallest=5.9) == 1
+    assert left(-3 - 4j, 0.0, smallest=6.1) == 0
 
 
 def test_disks_are_refined_to_the_boxes_themselves() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP
+from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.feasible_frequencies import BandEnd, FeasibleBand
 from trimmer.balance.identification import (
     IdentifiedTimeConstant,
@@ -50,6 +51,11 @@ def test_turning_points_are_minima_and_maxima_between_samples() -> None:
 
     found = list(_turning_points(value, frequencies, [value(each) for each in frequencies]))
     assert found == pytest.approx([1.3, 3.3], abs=1e-4)
+    few = frequencies[:-1]
+    later = [value(each - 1.4) for each in few]  # the last three hold a turning point too
+    assert list(_turning_points(lambda each: value(each - 1.4), few, later)) == pytest.approx(
+        [0.7, 2.7], abs=1e-4
+    )
     assert list(_turning_points(value, frequencies, frequencies)) == []
     assert list(_turning_points(value, frequencies, [1.0] * 6)) == []
     assert len(list(_turning_points(value, [0.0, 1.0, 2.0], [5.0, 5.0, 1.0]))) == 0
@@ -111,10 +117,12 @@ def test_the_nearest_end_is_that_of_the_nearest_band() -> None:
 def test_a_load_without_a_time_constant_is_told_from_n_itself(time_constant: float) -> None:
     element = ViscousBacklash(GAP, time_constant)
     exact = {0.0: FrictionBacklash(GAP), math.inf: InertiaBacklash(GAP)}[time_constant]
-    for u in (0.3, 0.9):
+    edge = ElementCurve(exact).edge(np.zeros(1)).item()
+    for u in (0.01 * edge, 0.3, 0.9, 0.99 * edge):
         inverse = -complex(exact.describing_function(GAP / u))
         assert _at_limit(element, inverse, 691.0) == pytest.approx([u], rel=1e-10)
-        assert _at_limit(element, inverse * (1.0 + 1e-5j), 691.0).size == 0
+        if 0.1 < u < 1.0:
+            assert _at_limit(element, inverse * (1.0 + 1e-5j), 691.0).size == 0
         assert _at_limit(element, -inverse, 691.0).size == 0
 
 
