@@ -146,7 +146,7 @@ class AveragedSpectrum(Tabular):
         inside = np.arange(self.window.half_width, self.density.size - 1)
         at = self.frequency[inside]
         inside = inside[(at >= self.trusted.lowest) & (at <= self.trusted.highest)]
-        if not inside.size or not self.density.any():
+        if not inside.size:
             return ()
         noise = np.array([self._noise(place) for place in inside.tolist()])
         factor = float(chi2.isf(_FALSE_ALARM / inside.size, freedom)) / freedom

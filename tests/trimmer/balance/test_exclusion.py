@@ -175,9 +175,30 @@ def test_the_first_grid_holds_the_solution_and_counts_what_it_compared() -> None
     assert 0 < len(boxes) < 32
     assert boxes.cells.hold(np.array([u]), np.array([0.5])).any()
     assert boxes.cells.hold(np.array([u]), np.array([1.5])).any()
+    sides = {*zip(boxes.cells.x_lower.tolist(), boxes.cells.x_upper.tolist(), strict=True)}
+    assert sides == {(0.0, 1.0), (1.0, 2.0)}
     none, size = first_grid(Problem(ConstantResponse(5j), CURVE, table, 0.0))
     assert len(none) == 0
     assert size == 0
+
+
+class Widening:
+    """1/G = -N(0.7), within 12.7 % of it times the width, below x = 1; N(0.7) beyond, which N never meets."""
+
+    def enclose(self, lower: np.ndarray, upper: np.ndarray) -> Enclosure:
+        gain = complex(CURVE.value(np.array([0.7]), np.zeros(1))[0])
+        centre = np.where(lower < 1.0, -gain, gain)
+        radius = np.where(lower < 1.0, math.expm1(0.12) * abs(gain) * (upper - lower), 0.0)
+        return Enclosure(centre, 0.0 * centre, radius, radius, abs(gain) - radius, abs(gain) + radius)
+
+
+def test_only_columns_with_a_possible_row_are_cut_and_compared_again() -> None:
+    """One of two is cut into ceil(0.12 / 0.05) = 3 parts, which need no further cut."""
+    table = GainTable.of(CURVE, np.array([0.0, 1.0, 2.0]))
+    boxes, size = first_grid(Problem(Widening(), CURVE, table, 0.0))
+    assert size == 64 * (2 + 3)
+    assert np.unique(boxes.cells.x_lower) == pytest.approx([0.0, 1.0 / 3.0, 2.0 / 3.0])
+    assert np.unique(boxes.cells.x_upper) == pytest.approx([1.0 / 3.0, 2.0 / 3.0, 1.0])
 
 
 def test_cut_columns_are_counted_again() -> None:

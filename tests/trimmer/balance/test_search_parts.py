@@ -108,13 +108,23 @@ def test_a_solution_is_found_once_and_settles_its_neighbours() -> None:
     found, settled = _settled(PROBLEM, beside, nothing)
     assert settled.all()
     assert found.u == pytest.approx([u[0]], rel=1e-12)
-    assert len(found.regions) == 1
+    # The region of the first is kept, twice as wide as its box.
+    assert found.regions.u_lower == pytest.approx([u[0] - 0.65 * d], abs=1e-9)
+    assert found.regions.u_upper == pytest.approx([u[0] + 1.55 * d], abs=1e-9)
     again, settled = _settled(PROBLEM, beside, found)
     assert settled.all()
     assert again.u.size == 1
     both, _ = _settled(PROBLEM, Cells(u[1:] - d, u[1:] + d, x[1:] - d, x[1:] + d), found)
     assert both.u == pytest.approx(u, rel=1e-12)
     assert len(both.regions) == 2
+    wide = Cells(u - 2.0 * d, u + 2.0 * d, x - 2.0 * d, x + 2.0 * d)
+    both, settled = _settled(PROBLEM, wide, found)
+    assert both.u == pytest.approx(u, rel=1e-12)
+    assert settled.all()
+    # Of a box that may hold several nothing is settled.
+    all_of_it = Cells(*(side[None] for side in (u.min() - d, u.max() + d, x.min() - d, x.max() + d)))
+    none, settled = _settled(PROBLEM, all_of_it, nothing)
+    assert (none.u.size, settled.tolist()) == (0, [False])
 
 
 def test_the_sine_of_a_crossing_is_that_of_the_angle() -> None:

@@ -168,6 +168,13 @@ def test_lines_are_looked_for_up_to_both_ends_of_the_trusted_band() -> None:
     edges = np.ones(201)
     edges[[1, 200]] = 90.0
     assert averaged(edges).lines(9) == ()
+    assert averaged(density, trusted=Band(101.0, 101.9)).lines(9) == ()
+    assert averaged(np.zeros(201)).lines(9) == ()
+    # Only the top of a broad peak counts, not its flanks.
+    for flank in ([90.0, 60.0, 40.0], [40.0, 60.0, 90.0]):
+        broad = np.ones(201)
+        broad[80:83] = flank
+        assert len(averaged(broad).lines(9)) == 1
     flat = np.ones(201)
     flat[[80, 81]] = 30.0
     (line,) = averaged(flat).lines(9)
