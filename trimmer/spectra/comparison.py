@@ -52,7 +52,7 @@ class SimulatedLines(Shown):
         try:
             lines = np.asarray(self.displacement)
         except ValueError:  # nested lists of unequal length
-            lines = np.empty(0)
+            lines = np.array(None)
         if lines.ndim != 1 or lines.size == 0 or lines.dtype.kind not in "fc" or not np.isfinite(lines).all():
             raise SignalError("displacement must be finite complex amplitudes in one dimension, at least one")
         object.__setattr__(self, "displacement", lines.astype(np.complex128))
@@ -230,7 +230,7 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
         peak.frequency / order
         for peak in peaks(spectrum, 20)
         if peak.frequency in signal.trusted
-        and (order := max(1, round(peak.frequency / simulated.frequency)))
+        and (order := round(peak.frequency / simulated.frequency))
         and abs(peak.frequency / order - simulated.frequency) <= NEAR * simulated.frequency
     ]
     if not near:

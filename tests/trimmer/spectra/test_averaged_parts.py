@@ -133,7 +133,13 @@ def test_samples_whose_squares_are_out_of_range_are_refused() -> None:
     for scale in (1e-141, 1e141):
         with pytest.raises(SignalError, match="cannot be squared"):
             averaged_spectrum(Signal(scale * values / np.abs(values).max(), RATE))
+    large = -1e141 * (1.0 + np.abs(values))
+    for stretches in ([large, values], [values, large]):
+        with pytest.raises(SignalError, match="cannot be squared"):
+            averaged_spectrum([Signal(each, RATE) for each in stretches])
     assert averaged_spectrum(Signal(np.zeros(400), RATE)).density.max() == 0.0
+    usual = averaged_spectrum(Signal(values, RATE))
+    assert (usual.segment, usual.window) == (averaged_spectrum(Signal(values, RATE), 8).segment, Window.HANN)
     signal = Signal(values, RATE, trusted=Band(1.0, 90.0))
     assert averaged_spectrum(signal).trusted == Band(1.0, 90.0)
     assert averaged_spectrum(signal).left_out == 0

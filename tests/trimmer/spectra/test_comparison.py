@@ -71,6 +71,11 @@ def test_subharmonics_are_lines_too() -> None:
     assert compared.frequencies[:2].tolist() == pytest.approx([55.0, 110.0], rel=1e-6)
     assert compared.shift == pytest.approx(0.011, abs=1e-7)
     assert compared.residual < 1e-4
+    velocity = Signal(1e3 * motion(110.0, lines, 1, 0.011, 2), RATE, "v", "mm/s")
+    compared = compare_motions(velocity, SimulatedLines(lines, 110.0, 2))
+    assert compared.residual < 1e-4
+    assert compared.signal.unit == "m/s"
+    assert compared.signal.values == pytest.approx(1e-3 * velocity.values)
 
 
 def test_a_sensor_that_is_mounted_the_other_way_round_is_noticed() -> None:

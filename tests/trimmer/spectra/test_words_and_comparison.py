@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from trimmer.errors import WrongTypeError
 from trimmer.signals.band import Band
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.analysis import analyse_signal
@@ -127,6 +128,8 @@ def test_lines_are_compared_one_by_one() -> None:
     assert simulated == pytest.approx([5.0, -2.0, -1.0, -2.0], abs=1e-12)
     rows = [list(row) for row in both._table().rows()]
     assert rows[1] == pytest.approx([100.0, 4.0, 2.0, 20.0 * math.log10(2.0), 0.5 * math.pi])
+    turned = compared(simulated=np.array([-3.0 + 0j, 2j]), measured=np.array([-3.0 + 0j, 4j]))
+    assert [list(row)[1:3] for row in turned._table().rows()] == [[3.0, 3.0], [4.0, 2.0]]
     assert "2 lines at 100 Hz, difference 89.443% rms" in repr(both)
     assert _residual(np.zeros(2, complex), np.ones(2, complex)) == math.inf
 
@@ -182,6 +185,14 @@ def test_simulated_lines_are_complex_numbers_in_a_row() -> None:
     for wrong in ([], [[1.0]], [1, 2], [np.inf], ["a"], [[1.0], [1.0, 2.0]]):
         with pytest.raises(SignalError, match="one dimension"):
             SimulatedLines(wrong, 3.0)
+    with pytest.raises(SignalError, match="frequency must be positive"):
+        SimulatedLines([1.0], -3.0)
+    with pytest.raises(ValueError, match="period_count"):
+        SimulatedLines([1.0], 3.0, 0)
+    with pytest.raises(WrongTypeError, match="simulated"):
+        compare_motions(Signal(np.zeros(40), RATE, "x", "m"), np.ones(3))
+    with pytest.raises(WrongTypeError, match="signal"):
+        compare_motions(np.zeros(40), SimulatedLines([1.0], 3.0))
 
 
 def test_doubts_of_resolution_depend_on_the_length_of_the_record() -> None:
