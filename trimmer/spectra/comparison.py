@@ -264,7 +264,7 @@ def _fit(signal: Signal, simulated: SimulatedLines, frequency: float) -> Harmoni
     rate, samples = signal.sample_rate, signal.values.size
     window = Window.HANN
     highest = min(0.5 * rate * (1.0 - window.half_width / samples), signal.trusted.highest)
-    count = min(simulated.displacement.size, math.floor(highest / step), (samples - 1) // 2)
+    count = min(simulated.displacement.size, math.floor(highest / step))
     if count < simulated.period_count:
         raise SignalError(
             f"the measurement is {signal.trusted.sentence}, and samples at {rate:g} Hz show no drive at "
