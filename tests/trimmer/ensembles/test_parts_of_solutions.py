@@ -18,13 +18,8 @@ from trimmer.ensembles.crossings import (
 )
 from trimmer.ensembles.grid import Grid, grid_at
 from trimmer.ensembles.limit_cycles import (
-    SampledLimitCycles,
     _check,
-    _Columns,
-    _found,
-    _in_rows,
     _near_poles,
-    sampled_limit_cycles,
 )
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import Solutions, polished
@@ -203,72 +198,3 @@ def test_roots_that_are_exact_stay() -> None:
     values, found = roots(np.array([[1.0, -3.0, 2.0]]), np.array([[1.0, 2.0]], complex))
     assert values.tolist() == [[1.0, 2.0]]
     assert found.all()
-
-
-def test_rows_are_filled_in_order_of_frequency() -> None:
-    one = _Columns(np.array([2, 0]), np.array([3.0, 1.0]), np.array([9.0, 8.0]), np.array([True, False]))
-    two = _Columns(np.array([2, 2]), np.array([5.0, 4.0]), np.array([7.0, 9.0]), np.array([False, False]))
-    again, undecided = np.array([False, True, False]), np.array([False, True, True])
-    found = _in_rows([one, two], again, undecided)
-    assert found.count.tolist() == [1, 0, 3]
-    assert np.nan_to_num(found.omega).tolist() == [[8.0, 0.0, 0.0], [0.0, 0.0, 0.0], [7.0, 9.0, 9.0]]
-    assert np.nan_to_num(found.amplitude).tolist() == [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [5.0, 3.0, 4.0]]
-    assert found.stable.tolist() == [[False] * 3, [False] * 3, [False, True, False]]
-    assert found.exists.tolist() == [False, False, True]
-    assert found.frequency[0, 0] == pytest.approx(4.0 / math.pi)
-    assert found.searched_again is again
-    assert found.undecided is undecided
-    assert "3 trimmers" in found.message
-    assert "For 2 nothing is certain" in found.message
-    assert "4 limit cycles of 3 trimmers" in repr(found)
-    table = found._table()
-    assert [list(row) for row in table.rows()] == [
-        [0, 1.0, 8.0, pytest.approx(4.0 / math.pi), False],
-        [2, 5.0, 7.0, pytest.approx(3.5 / math.pi), False],
-        [2, 3.0, 9.0, pytest.approx(4.5 / math.pi), True],
-        [2, 4.0, 9.0, pytest.approx(4.5 / math.pi), False],
-    ]
-    certain = SampledLimitCycles(*[*vars(found).values()][:5], undecided=np.zeros(3, bool))
-    assert "certain" not in certain.message.replace("certificate", "")
-
-
-def test_numbers_and_rows_mix_and_keep_their_places() -> None:
-    thesis = TrimmerParameters.thesis()
-    varied = sampled_limit_cycles({"m2": [thesis.m2, 1.1 * thesis.m2], "k1": thesis.k1}, gap=[4e-5, 8e-5])
-    plain = sampled_limit_cycles({}, gap=4e-5)
-    assert varied.omega[0] == pytest.approx(plain.omega[0], rel=1e-9)
-    assert varied.omega[1] != pytest.approx(plain.omega[0], rel=1e-4)
-    with pytest.raises(ValueError, match="rows of one length"):
-        sampled_limit_cycles({"m2": [[thesis.m2]]}, gap=4e-5)
-
-
-def test_a_trimmer_is_searched_again_where_the_curves_nearly_touch(monkeypatch: pytest.MonkeyPatch) -> None:
-    # K/((s + 0.3)(s + 1)) for two K.
-    loops = Responses(
-        np.array([[0.0, 9.0], [0.0, 20.0]]), np.array([[1.0, 1.3, 0.3]] * 2), np.array([1.0, 3.0])
-    )
-    gaps, near = np.array([2.0, 3.0]), np.array([-0.31, -1.05], complex)
-    angles = {"sine": np.sin(np.radians(90.0)), "found": True}
-
-    def pretended(responses: Responses, enclosures: object) -> Solutions:
-        solutions = polished(responses, enclosures)
-        first = enclosures.rows == 0
-        return solutions._replace(
-            sine=np.where(first, angles["sine"], 1.0), found=np.where(first, angles["found"], True)
-        )
-
-    plain = _found(loops, gaps, near)
-    assert plain.again.tolist() == [False, False]
-    assert set(plain.rows.tolist()) == {0, 1}
-    for row, amplitude, omega in zip(plain.rows, plain.amplitude, plain.omega, strict=True):
-        s = 1j * omega / loops.reference[row]
-        gain = complex(FrictionBacklash(gaps[row]).describing_function(amplitude))
-        assert gain == pytest.approx(-(s + 0.3) * (s + 1.0) / (9.0, 20.0)[row], rel=1e-9)
-    monkeypatch.setattr("trimmer.ensembles.limit_cycles.polished", pretended)
-    for degrees, again in ((2.1, False), (1.9, True), (-1.9, True), (-2.1, False)):
-        angles["sine"] = np.sin(np.radians(degrees))
-        found = _found(loops, gaps, near)
-        assert found.again.tolist() == [again, False]
-        assert not found.stable[found.rows == 0].any() or degrees > 0
-    angles.update(sine=1.0, found=False)
-    assert _found(loops, gaps, near).again.tolist() == [True, False]
