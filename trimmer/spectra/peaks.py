@@ -203,12 +203,12 @@ def _new_bins(spectrum: Spectrum, lines: _Lines, candidates: Places, left: Reals
     beside = np.abs(np.subtract.outer(at_candidates, lines.bins)).min(axis=1, initial=_SKIRT)
     at_candidates = at_candidates[beside > 1]
     hidden = _inside(spectrum, _near(lines.bins, _SKIRT).ravel())
-    lobe = spectrum.window.half_width + 1
     distance = np.abs(np.subtract.outer(hidden, lines.bins))
-    around = np.clip(_near(lines.bins, lobe - 1), 0, left.size - 1)
-    misfit = np.where(distance <= _SKIRT, left[around].max(axis=1, initial=0.0), 0.0).max(axis=1, initial=0.0)
-    hidden = hidden[(distance.min(axis=1, initial=_SKIRT) >= lobe) & (left[hidden] > misfit)]
-    bins = np.union1d(at_candidates, hidden)
+    # Within the lobe of a line nothing is larger than its misfit.
+    lobe = np.minimum(_near(lines.bins, spectrum.window.half_width), left.size - 1)
+    misfit = np.where(distance <= _SKIRT, left[lobe].max(axis=1, initial=0.0), 0.0).max(axis=1, initial=0.0)
+    hidden = hidden[left[hidden] > misfit]
+    bins = np.unique(np.concatenate([at_candidates, hidden]))
     return np.asarray(bins[_is_maximum(left, bins) & (left[bins] > threshold[bins])])
 
 

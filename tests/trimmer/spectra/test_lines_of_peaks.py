@@ -77,9 +77,18 @@ def test_hidden_lines_are_beside_a_line_and_larger_than_what_its_fit_leaves() ->
     assert _new_bins(given, lines, candidates, left, threshold).tolist() == [52, 114, 151, 305]
     assert _new_bins(given, NONE, candidates, left, threshold).tolist() == [52, 151]
     assert _new_bins(given, NONE, nothing, left, threshold).tolist() == []
+    left[[298, 302]] = 4.0  # smaller than the misfit of 5 at bin 301
+    assert _new_bins(given, lines, np.array([299]), left, threshold).tolist() == [52, 114, 298, 305]
     # With the Hann window the lobe has one bin more on either side, and bin 52 is a misfit.
     wide = spectrum(np.zeros(401), Window.HANN)
     assert _new_bins(wide, lines, nothing, left, threshold).tolist() == [305]
+    # The lobe of a line may reach beyond the last bin.
+    flat = spectrum(np.zeros(61), Window.FLAT_TOP)
+    beside = np.full(61, 0.1)
+    beside[[50, 60]] = 1.0, 0.9
+    assert _new_bins(flat, silent(57), nothing, beside, threshold[:61]).tolist() == [50]
+    beside[60] = 1.1
+    assert _new_bins(flat, silent(57), nothing, beside, threshold[:61]).tolist() == []
 
 
 @pytest.mark.parametrize(("window", "bandwidth"), [(Window.RECTANGULAR, 1.0), (Window.HANN, 1.5)])
@@ -91,11 +100,12 @@ def test_noise_is_the_median_of_every_third_bin_beside_the_lines(window: Window,
     scale = math.sqrt(given.samples / (4.0 * math.log(2.0) * bandwidth))
     here = 2 * NEIGHBOURHOOD
     bins = np.arange(here + -NEIGHBOURHOOD // 2, here + NEIGHBOURHOOD // 2, 3)
-    apart = bins[np.abs(bins - bins[7]) > window.half_width]
+    lines = silent(int(bins[7]), int(bins[90]))
+    apart = np.delete(bins, [7, 90])  # no other is within the lobe of either
     expected = scale * np.median(values[apart])
-    assert _noise(given, silent(int(bins[7])), here + 0.4) == pytest.approx(expected, rel=1e-12)
+    assert _noise(given, lines, here + 0.4) == pytest.approx(expected, rel=1e-12)
     grey = spectrum(values * np.maximum(np.arange(count), 1), window, 1)
-    assert _noise(grey, silent(int(bins[7])), here - 0.4) == pytest.approx(here * expected, rel=1e-12)
+    assert _noise(grey, lines, here - 0.4) == pytest.approx(here * expected, rel=1e-12)
 
 
 def test_noise_is_not_taken_from_the_ends_nor_from_beside_lines_if_there_is_else() -> None:
@@ -105,8 +115,17 @@ def test_noise_is_not_taken_from_the_ends_nor_from_beside_lines_if_there_is_else
     few = spectrum(values)
     assert _noise(few, silent(20), 2.0) == pytest.approx(scale, rel=1e-12)
     assert _noise(few, silent(20), 38.0) == pytest.approx(scale, rel=1e-12)
+    # Of bins 1, 2 and 4, not of 0.
+    tiny = spectrum(np.array([0.0, 10.0, 2.0, 0.0, 5.0, 0.0]))
+    assert _noise(tiny, silent(9), 2.0) == pytest.approx(5.0 * math.sqrt(10.0 / (4.0 * math.log(2.0))))
     everywhere = silent(*range(40))
     assert _noise(few, everywhere, 20.0) == pytest.approx(scale, rel=1e-12)
+
+
+def test_what_lines_show_is_no_noise() -> None:
+    given = amplitude_spectrum(sine(100.3, 2.0), 1000.0, Window.RECTANGULAR)
+    line = _Lines(np.array([100]), np.array([100.3]), np.array([2.0 * np.exp(0.3j)]))
+    assert _noise(given, line, 100.3) < 0.01 * _noise(given, silent(100), 100.3)
 
 
 def test_bins_within_a_reach_rise() -> None:
