@@ -229,3 +229,17 @@ def test_zero_frequency_and_infinite_amplitude_are_undecided_if_the_static_gain_
     assert region.amplitudes[0] > 1e5
     for static_gain in (-0.999, -1.001):
         assert harmonic_balance(static_gain / (s + 1) ** 2, FrictionBacklash(1.0)).certificate.complete
+
+
+def test_next_to_a_double_integrator_a_relay_with_hysteresis_has_its_limit_cycle() -> None:
+    """-1/G = w²/(0.01 (1 + j w)) is behind the axis by atan w, N of the relay by half of asin(1/A).
+
+    Both go to zero with the same phase, and N is behind as well: so the phase alone excludes nothing.
+    The solution below is that of SciPy's fsolve.
+    """
+    element = Relay(math.pi / 2.0, hysteresis=0.5, dead_zone=0.5)
+    balance = harmonic_balance(0.01 * (s + 1) / s**2, element)
+    (cycle,) = balance.limit_cycles
+    assert (cycle.amplitude, cycle.omega) == pytest.approx((12.5399045, 0.0399363), rel=1e-6)
+    assert balance.certificate.complete
+    assert balance.confirmed

@@ -131,6 +131,7 @@ def test_the_sine_of_a_crossing_is_that_of_the_angle() -> None:
     assert sine_of_crossing(3 + 0j, 2j) == 1.0
     assert sine_of_crossing(2j, 3 + 0j) == -1.0
     assert sine_of_crossing(1 + 2j, 3 + 1j) == pytest.approx((1.0 - 6.0) / math.sqrt(50.0))
+    assert sine_of_crossing(1 + 1j, 2 + 2j) == 0.0
     assert math.isnan(sine_of_crossing(0j, 1j))
 
 
@@ -171,6 +172,19 @@ def test_other_unstable_poles_are_those_above_the_axis_and_real_ones_of_the_mean
     found = other_unstable_poles(swinging, gains, amplitudes, np.array([3.0, 0.1]))
     # Near 3 rad/s the pair is that of the limit cycle itself.
     assert found.tolist() == [0, 1]
+    # Of two pairs, at 3 and at 30 rad/s, the slow one grows.
+    pairs = loop_equation(1 / ((s**2 - 0.2 * s + 9) * (s**2 + 2 * s + 900)), Relay(1.0))
+    found = other_unstable_poles(pairs, gains, amplitudes, np.array([3.0, 30.0]))
+    assert found.tolist() == [0, 1]
+    # A growth of a billionth is rounding, beside the size of the pole itself.
+    for growth, count in ((0.9e-9, 0), (1.1e-9, 1)):
+        for size in (1e3, 1e-3):
+            poles = np.array([-1.0, size * (growth + 1j), size * (growth - 1j)])
+            loop = LoopEquation(
+                InverseResponse(1.0, poles, np.empty(0, complex), 1.0), ElementCurve(Relay(1.0))
+            )
+            found = other_unstable_poles(loop, np.zeros(1, complex), np.ones(1), np.array([-1e9]))
+            assert found.tolist() == [count]
     drifting = InverseResponse.of(ZeroPoleGain.of(1 / ((s - 1) * (s + 3))))
     # (s - 1)(s + 3) + N: a positive real root up to N = 3.
     assert np.asarray(_drifting_poles(drifting, np.array([0.0, 2.9, 3.1, np.nan]))).tolist() == [1, 1, 0, 0]
