@@ -192,3 +192,41 @@ def test_other_unstable_poles_are_those_above_the_axis_and_real_ones_of_the_mean
     assert np.asarray(_drifting_poles(resting, np.array([-2.9, -3.1]))).tolist() == [0, 1]
     assert np.asarray(_drifting_poles(resting, np.array([5.0, -3.1]))).tolist() == [0, 1]
     assert np.asarray(_drifting_poles(resting, np.array([0.0, 5.0]))).tolist() == 0
+
+
+@pytest.mark.parametrize("size", [1e4, 1e-4])
+def test_a_double_real_pole_that_rounding_parts_counts_twice(size: float) -> None:
+    poles = size * np.array([1.0 + 0.5e-7j, 1.0 - 0.5e-7j, -2.0, 0.0])
+    given = InverseResponse(1.0, poles, np.empty(0, complex), 1.0)
+    assert np.asarray(_drifting_poles(given, np.array([0.0, np.nan]))).tolist() == [2, 0]
+    apart = InverseResponse(1.0, size * np.array([1.0 + 2e-7j, 1.0 - 2e-7j]), np.empty(0, complex), 1.0)
+    assert np.asarray(_drifting_poles(apart, np.zeros(1))).tolist() == 0
+
+
+def test_poles_of_the_mean_are_added_to_those_that_swing() -> None:
+    # (s - 1)(s + 3) + N has a root right of the axis up to N = 3; of the relay N is 1/A here.
+    loop = loop_equation(1 / ((s - 1) * (s + 3)), Relay(0.5 * math.pi))
+    found = other_unstable_poles(loop, np.array([4.0 + 0j, 4.0]), np.array([1.0, 0.2]), np.array([1.0, 1.0]))
+    assert found.tolist() == [1, 0]
+
+
+def test_an_index_is_one_where_loebs_criterion_holds_and_else_minus_one() -> None:
+    result = find_all(PROBLEM)
+    cycles = limit_cycles_at(LoopEquation(RESPONSE, CURVE), result.u, result.x)
+    assert sorted(cycle.index for cycle in cycles) == [-1, 1]
+    assert all(cycle.stable == (cycle.index == 1) for cycle in cycles)
+
+
+def test_the_crossing_angle_counts_how_n_changes_with_frequency() -> None:
+    carried = ViscousBacklash(1.0, 0.8)
+    loop = LoopEquation(RESPONSE, ElementCurve(carried))
+    (cycle,) = limit_cycles_at(loop, np.array([0.6]), np.array([0.3]))
+    step = 1e-6
+
+    def rest(amplitude: float, x: float) -> complex:
+        gain = complex(carried.describing_function(amplitude, math.exp(x)))
+        return gain + complex(RESPONSE.value(np.array([x]))[0])
+
+    A, x = cycle.amplitude, 0.3
+    by_a, by_x = rest(A + step, x) - rest(A - step, x), rest(A, x + step) - rest(A, x - step)
+    assert math.sin(cycle.crossing_angle) == pytest.approx(abs(math.sin(np.angle(by_x / by_a))), rel=1e-6)
