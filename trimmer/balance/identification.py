@@ -258,7 +258,7 @@ def _turning_points(
     """Yield the frequencies at which a value has an extremum between samples."""
     for place in range(1, len(values) - 1):
         before, here, after = values[place - 1 : place + 2]
-        sign = 1.0 if here < min(before, after) else -1.0 if here > max(before, after) else 0.0
+        sign = int(here < min(before, after)) - int(here > max(before, after))
         if sign:
             bounds = frequencies[place - 1], frequencies[place + 1]
             yield float(
@@ -309,14 +309,15 @@ def _time_constants(
 
 def _at_limit(element: ViscousBacklash, inverse: complex, omega: float) -> Reals:
     """Find u with N(u) + inverse = 0 to the tolerance, by the Gauss-Newton method from the nearest sample."""
-    curve, x = ElementCurve(element.at(omega)), np.zeros(1)  # N at one omega is the same at all x
-    samples = np.linspace(0.0, curve.edge(x).item(), _SAMPLES + 2)[1:-1]
-    u = samples[[np.argmin(np.abs(curve.value(samples, np.zeros_like(samples)) + inverse))]]
+    frozen = element.at(omega)
+    curve = ElementCurve(frozen)  # at one omega N is the same at all x, so that u will do for x
+    samples = float(frozen.domain()) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    u = samples[[np.argmin(np.abs(curve.value(samples, samples) + inverse))]]
     for _ in range(_STEPS):
-        gain, slope, _ = curve.expansion(u, x)
+        gain, slope, _ = curve.expansion(u, u)
         u = u - ((gain + inverse) * slope.conj()).real / np.abs(slope) ** 2
     with np.errstate(invalid="ignore"):
-        return u[np.abs(curve.value(u, x) / inverse + 1.0) <= LIMIT_TOLERANCE]
+        return u[np.abs(curve.value(u, u) / inverse + 1.0) <= LIMIT_TOLERANCE]
 
 
 def _identified(

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from trimmer.linear import crossings, extrema, modes
+from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.modes import Mode
 from trimmer.linear.time_response import SteadyState, TimeResponse
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
@@ -29,6 +30,25 @@ def test_gain_phase_and_slopes_of_a_few_roots() -> None:
     assert TWO_ROOTS.exponents.tolist() == [1.0, -1.0, -1.0, -1.0]
     # G(0) = -3 * 2 / (26 * -4).
     assert TWO_ROOTS.static_gain == pytest.approx(6 / 104)
+
+
+def test_phases_of_roots_on_either_side_and_of_a_negative_gain() -> None:
+    # The arrow from 2 to j points up and to the left, the one from -2 to the right.
+    half = math.atan(0.5)
+    assert float(ZeroPoleGain(1.0, (2.0 + 0j,), ()).phase(1.0)) == pytest.approx(math.pi - half)
+    assert float(ZeroPoleGain(1.0, (-2.0 + 0j,), ()).phase(1.0)) == pytest.approx(half)
+    assert float(ZeroPoleGain(-1.0, (), (2.0 + 0j,)).phase(1.0)) == pytest.approx(half)
+    assert ZeroPoleGain(1.0, (3j,), ()).phase([1.0, 4.0]).tolist() == [-math.pi / 2, math.pi / 2]
+
+
+def test_coefficients_that_are_no_numbers_are_named() -> None:
+    for system, name in (
+        (control.TransferFunction([1.0, math.inf], [1.0, 2.0]), "numerator"),
+        (control.TransferFunction([1.0], [1.0, math.nan]), "denominator"),
+        (control.ss([[-1.0]], [[math.nan]], [[1.0]], 0.0), "B"),
+    ):
+        with pytest.raises(UnsupportedSystemError, match=f"^{name} of the system holds"):
+            ZeroPoleGain.of(system)
 
 
 def test_a_root_at_the_frequency_itself_has_no_slope() -> None:
