@@ -38,7 +38,21 @@ def test_phases_of_roots_on_either_side_and_of_a_negative_gain() -> None:
     assert float(ZeroPoleGain(1.0, (2.0 + 0j,), ()).phase(1.0)) == pytest.approx(math.pi - half)
     assert float(ZeroPoleGain(1.0, (-2.0 + 0j,), ()).phase(1.0)) == pytest.approx(half)
     assert float(ZeroPoleGain(-1.0, (), (2.0 + 0j,)).phase(1.0)) == pytest.approx(half)
+    assert float(ZeroPoleGain(0.1, (-2.0 + 0j,), ()).phase(1.0)) == pytest.approx(half)
     assert ZeroPoleGain(1.0, (3j,), ()).phase([1.0, 4.0]).tolist() == [-math.pi / 2, math.pi / 2]
+
+
+def test_a_slow_pole_is_no_rounding() -> None:
+    assert ZeroPoleGain.of(control.tf([1.0], [1.0, 1e-20])).poles == (pytest.approx(-1e-20),)
+
+
+def test_a_markov_parameter_that_is_rounding_is_none() -> None:
+    """0.1 + 0.2 - 0.3 is 6e-17 in doubles; the next one is -0.1 - 0.4 + 0.9."""
+    found = ZeroPoleGain.of(control.ss(np.diag([-1.0, -2.0, -3.0]), [[0.1], [0.2], [-0.3]], [[1.0] * 3], 0.0))
+    assert found.gain == pytest.approx(0.4, rel=1e-12)
+    # 0.1 (s + 2)(s + 3) + 0.2 (s + 1)(s + 3) - 0.3 (s + 1)(s + 2) = 0.4 s + 0.6.
+    assert found.zeros == (pytest.approx(-1.5),)
+    assert ZeroPoleGain.of(control.ss([[-1.0]], [[1.0]], [[3.0]], -2.0)).gain == -2.0
 
 
 def test_coefficients_that_are_no_numbers_are_named() -> None:
