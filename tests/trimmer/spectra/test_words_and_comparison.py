@@ -31,7 +31,7 @@ from trimmer.spectra.comparison import (
     compare_motions,
     found_frequency,
 )
-from trimmer.spectra.doubts import aliasing_doubt, band_doubts, resolution_doubts
+from trimmer.spectra.doubts import _SAME, aliasing_doubt, band_doubts, resolution_doubts
 from trimmer.spectra.harmonics import fit_harmonics
 from trimmer.spectra.peaks import (
     Peak,
@@ -209,6 +209,10 @@ def test_doubts_of_resolution_depend_on_the_length_of_the_record() -> None:
     assert "at 100 Hz and natural mode 1 at 129 Hz are 2.9 bins apart" in near
     assert "0.1034 s or more" in near
     assert len(doubts(29.0, 100.0, 110.0, 120.0)) == 3
+    # Two that differ by rounding only are the same.
+    for size in (1e5, 1e-5):
+        assert doubts(None, size, size * (1.0 + 0.5 * _SAME)) == []
+        assert len(doubts(None, size, size * (1.0 + 2.0 * _SAME))) == 1
 
 
 def test_peaks_outside_the_band_are_named_up_to_five() -> None:
