@@ -13,6 +13,7 @@ from trimmer.signals.band import Band
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.analysis import analyse_signal
 from trimmer.spectra.classification import (
+    OPEN_LOOP,
     ClassifiedPeak,
     Harmonic,
     LimitCycleLine,
@@ -263,3 +264,18 @@ def test_an_analysis_is_told_in_a_table() -> None:
     with pytest.raises(ValueError, match="limit"):
         analyse_signal(Signal(values, RATE, "x", "m"), limit=0)
     assert len(peaks(analysis.spectrum, 1)) == 1
+
+
+def test_an_analysis_counts_what_is_explained_and_refuses_what_is_no_signal_or_drive() -> None:
+    times = np.arange(2000) / RATE
+    values = sum(np.cos(2 * np.pi * frequency * times) for frequency in (100.2, 433.0, 700.0))
+    signal = Signal(values, RATE, "x", "m")
+    assert "3 peaks, 1 explained" in repr(analyse_signal(signal, natural_frequencies=(100.0,)))
+    driven = analyse_signal(signal, 100.2, limit_cycle_frequencies=(433.0,))
+    assert driven.notes == (OPEN_LOOP,)
+    assert analyse_signal(signal, 100.2, limit_cycle_frequencies=(433.0,), closed_loop=True).notes == ()
+    with pytest.raises(WrongTypeError, match="signal"):
+        analyse_signal(values)
+    for drive in (0.0, -1.0, math.inf):
+        with pytest.raises(SignalError, match="the frequency of the drive must be positive and finite"):
+            analyse_signal(signal, drive)
