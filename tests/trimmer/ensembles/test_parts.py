@@ -146,6 +146,7 @@ def test_a_step_is_urgent_by_its_turn_if_both_its_ends_are_loud() -> None:
     lag = [0.1, 0.1, 0.8, 3.1, -3.1]
     assert _urgency(grid([0.9] * 5, lag))[0] == pytest.approx([0.0, 0.7, 2.3, 0.0])
     assert _urgency(grid([0.9] * 5, lag, [True, True, False, True, True]))[0].tolist() == [0.0] * 4
+    assert _urgency(grid([0.9] * 4, [0.8, 0.1, 0.1, -0.9]))[0] == pytest.approx([0.7, 0.0, 1.0])
     # A touch counts half a turn for either step.
     assert _urgency(grid([0.3, 0.01, 0.3], 0.4))[0] == pytest.approx([math.pi, math.pi])
     assert _urgency(grid([0.3, 0.01, 0.3], 0.4, [True, False, True]))[0].tolist() == [0.0, 0.0]

@@ -13,6 +13,7 @@ from tests.trimmer.ensembles.known_responses import THREE
 from trimmer.displacement import Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import (
+    Crossings,
     _enclosures,
     crossings,
 )
@@ -198,3 +199,52 @@ def test_roots_that_are_exact_stay() -> None:
     values, found = roots(np.array([[1.0, -3.0, 2.0]]), np.array([[1.0, 2.0]], complex))
     assert values.tolist() == [[1.0, 2.0]]
     assert found.all()
+
+
+def test_a_lag_is_certain_up_to_a_margin_at_either_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    # K/(s (s + 1)) needs the lag atan(1/omega).
+    gains = np.array([4.0, 9.0])
+    loops = Responses(np.stack([0.0 * gains, gains], axis=1), np.array([[1.0, 1.0, 0.0]] * 2), np.ones(2))
+    omegas = np.repeat(np.geomspace(0.01, 90.0, 300)[None], 2, axis=0)
+    found = crossings(loops, omegas)
+    lags = -np.angle(polished(loops.part(found.rows), found).gain)
+    to_end = np.minimum(lags, 0.5 * math.pi - lags)
+    nearest = np.array([to_end[found.rows == row].min() for row in range(2)])
+    assert (lags < 0.25 * math.pi).any()
+    assert (lags > 0.25 * math.pi).any()
+    assert not found.doubtful.any()
+    for margin in (*(nearest - 0.003), *(nearest + 0.003)):
+        monkeypatch.setattr("trimmer.ensembles.crossings.MARGIN", margin)
+        assert crossings(loops, omegas).doubtful.tolist() == (nearest < margin).tolist()
+
+
+def test_a_first_step_is_newtons_within_the_amplitudes_that_exist(monkeypatch: pytest.MonkeyPatch) -> None:
+    """N(u) = omega² - j omega, over 4; a step of u ends halfway to 0 or 2 at most, one of x within 0.1."""
+    one = THREE.part(np.zeros(1, int))
+    play = FrictionBacklash(1.0)
+    for u, omega in ((0.3, 1.0), (1.0, 0.3), (1.9, 1.2), (1.98, 0.35), (1.2, 1.25)):
+        start = Crossings(np.zeros(1, int), *(np.array([each]) for each in (omega, omega, u, False)))
+        gain, by_u, _ = play.expansion(np.array([1.0 / u]))
+        inverse, by_x = complex(omega**2, -omega) / 4.0, complex(2.0 * omega**2, -omega) / 4.0
+        rest = complex(gain[0]) - inverse
+        monkeypatch.setattr("trimmer.ensembles.polishing.STEPS", 0)
+        before = polished(one, start)
+        assert before.residual == pytest.approx([abs(rest) / abs(inverse)])
+        assert (before.u.tolist(), before.found.tolist()) == ([u], [False])
+        slope = complex(by_u[0])
+        step_u, step_x = np.linalg.solve(
+            [[slope.real, -by_x.real], [slope.imag, -by_x.imag]], [-rest.real, -rest.imag]
+        )
+        monkeypatch.setattr("trimmer.ensembles.polishing.STEPS", 1)
+        after = polished(one, start)
+        assert after.u == pytest.approx([min(max(u + step_u, 0.5 * u), 0.5 * (u + 2.0))])
+        assert np.log(after.omega / omega) == pytest.approx([min(max(step_x, -0.1), 0.1)])
+
+
+@pytest.mark.parametrize(("share", "found"), [(0.5e-6, True), (2e-6, False)])
+def test_a_solution_may_lie_beside_its_enclosure_by_a_millionth(share: float, found: bool) -> None:
+    u, omega = by_hand(4.0)
+    one = THREE.part(np.zeros(1, int))
+    for lower, upper in ((0.99, 1.0 - share), (1.0 + share, 1.01)):
+        ends = (np.array([each]) for each in (lower * omega, upper * omega, u, False))
+        assert polished(one, Crossings(np.zeros(1, int), *ends)).found.tolist() == [found]
