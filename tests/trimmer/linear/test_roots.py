@@ -27,6 +27,7 @@ def test_gain_phase_and_slopes_of_a_few_roots() -> None:
     turn = (TWO_ROOTS.phase(omega + step) - TWO_ROOTS.phase(omega - step)) / (2 * step)
     assert TWO_ROOTS.phase_slope_terms(omega).sum() == pytest.approx(turn, rel=1e-7)
     assert TWO_ROOTS.relative_degree == 2
+    assert repr(TWO_ROOTS) == "<ZeroPoleGain: gain -3, 1 zero and 3 poles>"
     assert TWO_ROOTS.exponents.tolist() == [1.0, -1.0, -1.0, -1.0]
     # G(0) = -3 * 2 / (26 * -4).
     assert TWO_ROOTS.static_gain == pytest.approx(6 / 104)
