@@ -102,6 +102,9 @@ def test_a_column_is_cut_until_the_inverse_changes_by_a_twentieth() -> None:
     assert columns.parts.tolist() == [7, 22, 2, 1, 32]
     narrow = _Columns(lower, lower + 1e-12, columns.enclosure, columns.block)
     assert narrow.parts.tolist() == [1, 1, 1, 1, 1]
+    for width, parts in ((1.9e-12, 1), (2.1e-12, 32)):
+        least = _Columns(zeros, zeros + width, columns.enclosure, columns.block)
+        assert least.parts.tolist()[4] == parts
 
 
 def test_too_many_columns_are_left_as_they_are() -> None:
