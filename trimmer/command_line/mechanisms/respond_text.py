@@ -70,7 +70,7 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
         largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
         per = "drive period" if motion.orbit.periods else "period"
         yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {largest:.6g}"
-    elif motion.window is not None:
+    else:
         yield f"  {motion.events_per_period:.4g} events per drive period; figures are those of the window"
 
 
