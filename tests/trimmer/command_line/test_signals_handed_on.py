@@ -217,6 +217,11 @@ def test_several_columns_have_one_time(monkeypatch: pytest.MonkeyPatch) -> None:
     arguments.measured = Path("-")
     with pytest.raises(OptionError, match="standard input"):
         fit._recordings(arguments, Made())
+    arguments.given = frozenset(["scale"])
+    with pytest.raises(OptionError, match="--scale has no effect without a single column"):
+        fit._recordings(arguments, Made())
+    monkeypatch.setattr(fit, "_columns", lambda *_: {"a": "1"})
+    assert list(fit._recordings(arguments, Made())) == ["a"]
     reading = fit._reading(arguments, "3")
     assert (reading.file, reading.column, reading.quantity) == (Path("-"), "3", None)
 
