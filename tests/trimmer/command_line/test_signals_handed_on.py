@@ -124,7 +124,9 @@ def test_the_output_that_was_measured_is_chosen() -> None:
     asked = Namespace(output=None, against="m.toml")
     assert overlay._output(asked, one) == "a"
     for mechanism, listed in ((two, "a, b"), (none, "none")):
-        with pytest.raises(OptionError, match=rf"choose the output that was measured \(--output\): {listed}$"):
+        with pytest.raises(
+            OptionError, match=rf"choose the output that was measured \(--output\): {listed}$"
+        ):
             overlay._output(asked, mechanism)
     asked.output = "b"
     assert overlay._output(asked, two) == "b"
