@@ -133,8 +133,7 @@ def _shown(balance: HarmonicBalance) -> Complexes:
     """Return what is to be seen: G, -1 and limit cycles; of a G that goes to infinity what is near them."""
     system = _loop(balance).system
     response, places = response_at(system, _omegas(balance)), _places(balance, -1.0)
-    factored = ZeroPoleGain.of(system)
-    if (factored.roots.real[factored.exponents < 0] == 0).any():
+    if (np.real(ZeroPoleGain.of(system).poles) == 0).any():
         response = response[abs(response) <= FAR * abs(places).max()]
     return np.concatenate([response, places])
 
