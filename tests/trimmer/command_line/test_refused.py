@@ -169,5 +169,5 @@ def test_limits_of_what_is_searched_and_varied() -> None:
         "frequency": [120.0, 60.0],
     }
     assert list(map_options.varied_values(twin, texts[1:])) == ["frequency"]
-    with pytest.raises(TrimmerError, match="did you mean plays.bridge.gap"):
+    with pytest.raises(TrimmerError, match=r"did you mean plays\.bridge\.gap"):
         map_options.varied_values(twin, ["plays.bridge.gpa=0:1:3"])
