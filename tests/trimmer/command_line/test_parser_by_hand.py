@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from trimmer.command_line import help_text
 from trimmer.command_line.file_options import _kind, add_overwrite_option
 from trimmer.command_line.output_options import write_picture
 from trimmer.command_line.parser import (
@@ -21,6 +22,7 @@ from trimmer.command_line.parser import (
     note,
     refuse_unused,
     require_positive,
+    tell,
 )
 from trimmer.command_line.patience import LINE, patience
 from trimmer.files import CSV, SVG
@@ -121,6 +123,25 @@ def test_notes_are_told_unless_nothing_is(capsys) -> None:
     with silenced():
         note("hear nothing")
     assert capsys.readouterr().err == "trimmer: hear\n"
+
+
+def test_what_is_told_is_there_at_once(monkeypatch) -> None:
+    class Slow(io.StringIO):
+        shown = ""
+
+        def flush(self) -> None:
+            self.shown = self.getvalue()
+
+    slow = Slow()
+    monkeypatch.setattr(sys, "stderr", slow)
+    tell("now")
+    assert slow.shown == "trimmer: now\n"
+
+
+def test_a_purpose_breaks_between_words() -> None:
+    assert help_text._told("word " * 14 + "a-bcdefghijkl").splitlines()[1] == "    a-bcdefghijkl"
+    typed = help_text._typed("trimmer " + "word " * 13 + "--bcdefghijkl c")
+    assert typed.splitlines()[1] == "      --bcdefghijkl c"
 
 
 def test_what_is_dropped_goes_nowhere(tmp_path: Path) -> None:
