@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import io
 import math
+import os
 import sys
 from argparse import Namespace
 from pathlib import Path
 
 import pytest
 
-from trimmer.command_line import help_text
-from trimmer.command_line.file_options import _kind, add_overwrite_option
+from trimmer.command_line import help_text, main
+from trimmer.command_line.command import Command
+from trimmer.command_line.file_options import _kind, add_overwrite_option, check_targets
 from trimmer.command_line.output_options import write_picture
 from trimmer.command_line.parser import (
     OptionError,
@@ -26,7 +28,7 @@ from trimmer.command_line.parser import (
 )
 from trimmer.command_line.patience import LINE, patience
 from trimmer.files import CSV, SVG
-from trimmer.progress import silenced
+from trimmer.progress import is_silenced, silenced
 
 
 @pytest.fixture
@@ -207,3 +209,32 @@ def test_a_picture_is_written_as_its_name_ends(tmp_path: Path, monkeypatch) -> N
     write_picture(Namespace(plot=path, overwrite=False), figure)  # type: ignore[arg-type]
     assert (asked, path.read_bytes()) == ([("figure", "png")], b"x")
     assert made.parse_args(["--overwrite"]).overwrite is True
+
+
+def test_two_files_may_both_go_nowhere() -> None:
+    nowhere = Path(os.devnull)
+    kinds = {"csv": {"": CSV}, "plot": {".svg": SVG}}
+    asked = Namespace(csv=nowhere, plot=nowhere, file=None, overwrite=False)
+    check_targets(asked, kinds, {"file": "the source"})
+    asked.csv = asked.plot = Path("a.svg")
+    with pytest.raises(OptionError, match=r"^--csv and --plot both write a\.svg: name two files$"):
+        check_targets(asked, kinds, {"file": "the source"})
+
+
+def test_each_run_prepares_its_streams_and_drawing(monkeypatch, capsys) -> None:
+    told = []
+    monkeypatch.setattr(main, "_prepare_streams", lambda: told.append("streams"))
+    monkeypatch.setattr(main, "_hush_drawing", lambda: told.append("drawing"))
+    monkeypatch.setattr(sys.stdout, "flush", lambda: told.append("flushed"))
+
+    def run(arguments: Namespace) -> int:
+        told.append((is_silenced(), arguments.size))
+        return 7
+
+    command = Command("other", "another", lambda parser: parser.add_argument("--size", type=int), run)
+    monkeypatch.setattr(main, "installed_commands", lambda: [command])
+    assert main.main(["other", "--size", "3"]) == 7
+    assert told == ["streams", "drawing", (False, 3), "flushed"]
+    assert main.main(["other", "--quiet"]) == 7
+    assert told[6] == (True, None)
+    assert capsys.readouterr() == ("", "")
