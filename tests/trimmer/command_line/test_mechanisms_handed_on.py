@@ -84,6 +84,13 @@ def test_follow_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path:
     assert written == ["figure"]
     settings = follow.keywords["settings"]
     assert (settings.most_points, settings.switches, settings.most_periods) == (2000, 1, 2000)
+    told = []
+    monkeypatch.setattr(
+        "trimmer.command_line.mechanisms.follow_text.as_text", lambda *given: told.append(given) or ""
+    )
+    assert main([*words, "--harmonics", "5"]) == 3
+    assert told == [(branch, 5)]
+    capsys.readouterr()
     follow.result = ValueError("no way")
     assert main(words) == 2
     assert "no way" in capsys.readouterr().err

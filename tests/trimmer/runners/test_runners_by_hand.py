@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import CancelledError, Future
@@ -246,6 +247,21 @@ def test_a_client_is_closed_if_no_worker_comes(monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(WorkerError, match="tcp:x has no worker"):
         runner._client()
     assert client.closed
+
+
+def test_a_scheduler_that_does_not_answer_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("distributed")
+    for error in (OSError("no"), TimeoutError(), ValueError("no")):
+
+        async def reach(address: str, patience: float, error: Exception = error) -> None:
+            raise error
+
+        monkeypatch.setattr(cluster, "_reach", reach)
+        with pytest.raises(WorkerError, match=r"^no Dask scheduler answers at tcp:x: begin one"):
+            cluster.ClusterRunner("tcp:x")._client()
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(WorkerError, match=r"^a cluster needs the package distributed"):
+        cluster.ClusterRunner("tcp:x")._client()
 
 
 def test_lines_are_on_the_disk_at_the_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
