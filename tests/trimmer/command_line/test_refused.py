@@ -91,6 +91,10 @@ def test_what_is_read_is_not_written(
         (["respond", TWIN, "--seed", "1"], "--seed has no effect without --starts"),
         (["respond", TWIN, "--starts", "2", "--seed", "-1"], "--seed -1: must not be negative"),
         (["follow", TWIN, "--vary", "a", "--from", "1", "--to", "2", "--points", "1"], "--points 1: give"),
+        (
+            ["follow", TWIN, "--vary", "frequency=3", "--from", "1", "--to", "2"],
+            "'frequency=3' is no place: write names with dots",
+        ),
         (["map", TWIN, *LINE, "--special", "1"], "--special follows points over two numbers"),
         (["map", TWIN, *LINE, "--seed", "1"], "--seed has no effect without --starts"),
         (["map", TWIN, *LINE, "--periods", "1"], "--periods 1: give a whole number from 2 on"),

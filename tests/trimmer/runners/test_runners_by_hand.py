@@ -20,6 +20,7 @@ from tqdm import TMonitor
 from trimmer.errors import WorkerError
 from trimmer.runners import cluster, processes, record_file
 from trimmer.runners.chunks import AHEAD
+from trimmer.runners.runner import SerialRunner
 
 
 def double(cell: int) -> int:
@@ -81,6 +82,10 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Made:
     monkeypatch.setattr(processes, "_context", lambda: found.context)
     monkeypatch.setattr(processes, "ProcessPoolExecutor", pool)
     return found
+
+
+def test_one_process_does_its_cells_in_their_order() -> None:
+    assert list(SerialRunner().results(double, iter([3, 1, 2]))) == [6, 2, 4]
 
 
 def test_processes_that_are_done_are_waited_for(made: Made) -> None:
