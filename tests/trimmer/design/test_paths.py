@@ -56,6 +56,11 @@ def test_a_special_point_at_either_orbit_counts_downwards_too(value: float) -> N
     assert lost.losing is SpecialKind.TORUS
 
 
+def test_a_special_point_at_the_first_unstable_orbit_counts_upwards() -> None:
+    lost = side([1.0, 1.2, 1.4], "ssu", special(SpecialKind.FOLD, 1.4))
+    assert (lost.reaches, lost.losing) == (1.4, SpecialKind.FOLD)
+
+
 def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
     points = [special(SpecialKind.GRAZING, each) for each in (0.9, 0.8, 0.75, 0.85)]
     lost = side([1.0, 0.8, 0.6], "ssu", *points)
