@@ -9,6 +9,7 @@ from types import SimpleNamespace as Made
 import numpy as np
 import pytest
 
+from tests.trimmer.command_line.test_told_of_signals import comparison as made_comparison
 from tests.trimmer.command_line.told import cells
 from trimmer.command_line.signals import overlay_text
 from trimmer.signals.recording import Recording
@@ -20,23 +21,14 @@ SIGNAL = Signal(np.sin(np.arange(500.0)), 250.0, "stroke", "m", notes=("as read"
 def comparison(**changes: object) -> Made:
     usual = {
         "signal": SIGNAL,
-        "frequency": 50.0,
         "simulated_frequency": 40.0,
-        "found": True,
-        "period_count": 2,
-        "shift": 0.005,
-        "residual": 0.25,
-        "inverted_residual": 0.125,
-        "opposite": False,
-        "rest": 0.0625,
-        "uncertainty": 0.125,
         "measured": np.array([3j, -0.5]),
         "simulated": np.array([-1.0, 4j]),
         "frequencies": np.array([25.0, 50.0]),
         "decibels": np.array([1.5, -2.5]),
         "phase_differences": np.array([0.25, -0.5]),
     }
-    return Made(**usual | changes)
+    return made_comparison(**usual | changes)
 
 
 def compared(**changes: object) -> overlay_text.Compared:
