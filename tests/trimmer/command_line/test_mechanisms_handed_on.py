@@ -162,6 +162,13 @@ def test_map_looks_for_more_if_asked(replaced, written, monkeypatch, tmp_path: P
     assert main([*MAP, "--special", "1", "--jobs", "2"]) == 0
     assert special.keywords["runner"] == ProcessRunner(2, 1)
     assert told[-1][1] == "all"
+    special.result = KeyboardInterrupt()
+    capsys.readouterr()
+    file = tmp_path / "cells.map"
+    for more, kept in (([], "is lost; name a file"), (["--output", str(file)], f"is in {file}; the same")):
+        assert main([*MAP, "--special", "1", *more]) == 130
+        told = capsys.readouterr()
+        assert (told.out, told.err.split("; the map ")[1][: len(kept)]) == ("", kept)
     for wrong in (["--periods", "1"], ["--starts", "0"], ["--starts", "2", "--seed", "-1"]):
         assert main([*MAP, *wrong]) == 2
     assert main([*MAP[:4], "--special", "1"]) == 2
