@@ -128,8 +128,11 @@ def test_the_output_that_was_measured_is_chosen() -> None:
             overlay._output(asked, mechanism)
     asked.output = "b"
     assert overlay._output(asked, two) == "b"
-    with pytest.raises(OptionError, match="there is no output 'b'"):
+    with pytest.raises(OptionError, match=r"^m\.toml: there is no output 'b'; there are a$"):
         overlay._output(asked, one)
+    asked.output = "strok"
+    with pytest.raises(OptionError, match=r"there is no output 'strok'; did you mean stroke\?$"):
+        overlay._output(asked, Made(outputs={"stroke": 1}))
 
 
 def test_lines_of_what_moves_by_itself_are_at_its_own_frequency(replaced) -> None:

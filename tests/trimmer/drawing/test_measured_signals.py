@@ -151,6 +151,14 @@ def test_peaks_are_marked_by_what_they_may_be_and_the_largest_written() -> None:
     assert len(axes.get_legend().get_texts()) == 4
 
 
+def test_frequencies_are_apart_by_a_share_of_what_is_shown() -> None:
+    axes = new_axes()
+    axes.set_xlim(50.0, 150.0)
+    peaks = [classified(frequency, 1.0, None) for frequency in (100.0, 106.5, 94.5, 112.0)]
+    spectrum._write_frequencies(axes, SimpleNamespace(peaks=peaks))
+    assert [text.get_text() for text in axes.texts] == ["100", "106.5"]
+
+
 def test_no_peaks_show_the_whole_spectrum() -> None:
     made = made_spectrum(np.full(200, 1e-3))
     told = SimpleNamespace(peaks=[], spectrum=made, signal=SimpleNamespace(unit="m"))
@@ -340,3 +348,6 @@ def test_each_output_of_a_fit_has_a_column() -> None:
     labels = [axes.get_ylabel() for axes in figure.axes]
     assert [label.split(",")[0] for label in labels[:4]] == ["first", "second", "left", "left"]
     assert figure.axes[0].get_gridspec().get_height_ratios() == (3, 1.4, 3)
+    alone = MadeFit(1e-3 * VALUES, DEVIATIONS)
+    alone.measured.outputs = ["first"]
+    assert len(of_fit.fit_figure(alone).axes) == 3
