@@ -52,6 +52,7 @@ def test_spectrum_hands_on_what_is_asked(
     assert (drive, cycles, window, limit, analyse.keywords) == (None, (), "hann", 20, {"closed_loop": False})
     assert max(natural) > 100
     (first,) = shown
+    assert (first.file, first.analysis, first.chosen.signal) == (recorded, analyse.result, signal)
     assert (first.averaged, first.wav, first.predictions.gap) == (None, None, None)
     assert first.predictions.source == "the thesis's trimmer"
     sound, table, picture = tmp_path / "a.wav", tmp_path / "a.csv", tmp_path / "a.svg"
@@ -156,8 +157,14 @@ def test_fit_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path: Pa
     fitted = replaced("trimmer.fitting.fit.fit_mechanism", result)
     figure = replaced("trimmer.drawing.signals.fit.fit_figure", "figure")
     as_words(monkeypatch, "signals.fit_text")
+    shown = []
+    monkeypatch.setattr(
+        "trimmer.command_line.signals.fit_text.as_text", lambda each: shown.append(each) or "told"
+    )
     words = ["fit", TWIN, str(file)]
     assert main(words) == 0
+    assert (shown[0].file, shown[0].measured, shown[0].output) == (Path(TWIN), file, None)
+    assert (list(shown[0].recordings), shown[0].fit) == (["stroke"], result)
     mechanism, signals, free = fitted.arguments
     assert (mechanism.title != "", list(signals), free) == (True, ["stroke"], [])
     settings = fitted.keywords["settings"]
