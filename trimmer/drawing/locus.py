@@ -53,7 +53,7 @@ def balance_figure(balance: HarmonicBalance) -> Figure:
     return figure
 
 
-def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool = False) -> Axes:
+def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool) -> Axes:
     """Draw G and -1/N, and mark the limit cycles; see ``HarmonicBalance.plot``.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
