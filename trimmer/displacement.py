@@ -113,7 +113,7 @@ def _meant(text: str) -> list[str]:
     if not 1 <= len(numbers) <= 2 or len(text) > _LONGEST:
         return []
     bodies = dict.fromkeys(int(digit) for number in numbers for digit in number)
-    if not bodies.keys() <= {body.value for body in Body} or len(bodies) > 2:
+    if bodies.keys() - {body.value for body in Body} or len(bodies) > 2:
         return []
     return ["-".join(f"q{number}" for number in bodies)]
 

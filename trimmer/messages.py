@@ -50,7 +50,7 @@ def near_words(word: str, known: Iterable[str]) -> tuple[str, ...]:
     found = (
         [each for each in by_folded if _letters(each) == _letters(folded) != ""]
         or [each for each in by_folded if sorted(each) == sorted(folded)]
-        or difflib.get_close_matches(folded, by_folded, n=1, cutoff=_LEAST_RATIO)
+        or difflib.get_close_matches(folded, by_folded, cutoff=_LEAST_RATIO)
         or _continued(folded, by_folded)
     )
     return tuple(by_folded[found[0]]) if found else ()

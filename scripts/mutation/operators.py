@@ -107,6 +107,7 @@ UNORDERED = frozenset(
     [
         *("range", "min", "max", "hypot", "isclose", "zip", "map", "next", "filter", "print"),
         *("minimum", "maximum", "fmin", "fmax", "allclose", "array_equal", "logical_and", "logical_or"),
+        "union1d",
     ]
 )
 """Functions whose arguments, when swapped, give the same or an error at once."""

@@ -27,6 +27,8 @@ def test_numbers_pass_as_floats() -> None:
 def test_limits_of_numbers() -> None:
     assert arguments.finite_number("x", -2.5) == -2.5
     assert arguments.positive_number("x", 5e-324) == 5e-324
+    for check in (arguments.finite_number, arguments.positive_number):
+        assert (check("x", np.float32(0.5)), type(check("x", 3))) == (0.5, float)
     for check, wrongs in (
         (arguments.finite_number, (math.inf, -math.inf, math.nan)),
         (arguments.positive_number, (0.0, -1.0, math.inf, math.nan)),
@@ -38,6 +40,7 @@ def test_limits_of_numbers() -> None:
 
 def test_limits_of_whole_numbers() -> None:
     assert arguments.whole_number("n", np.int8(-3)) == -3
+    assert type(arguments.whole_number("n", np.int8(3), 3)) is int
     assert arguments.whole_number("n", 2, 2) == 2
     assert arguments.whole_number("n", 2**62) == 2**62
     with pytest.raises(ValueError, match="at most"):

@@ -138,3 +138,27 @@ def test_a_syntax_error_is_reported_with_its_line(tmp_path: Path, text: str, pla
     message = message_for(written(tmp_path, text))
     assert "not valid TOML" in message
     assert place in message
+
+
+def test_the_template_parts_masses_stiffnesses_and_dampings() -> None:
+    head, *groups = TrimmerParameters.thesis().to_toml().split("\n\n")
+    masses = head.splitlines()
+    assert [line.startswith("#") for line in masses] == [True, True, False, False, False, False]
+    names = [[line.split(" = ")[0] for line in group] for group in (masses[2:], *map(str.splitlines, groups))]
+    assert names == [["m1", "m2", "m3", "m4"], ["k1", "k2", "k3", "k4", "k5"], ["c1", "c2", "c3", "c4"]]
+    assert masses[2] == "m1 = 0.035           # kg, mass of the motor"
+
+
+def test_a_mechanism_is_no_parameter_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    path.write_text("bodies.block = { mass = 1.0 }")
+    with pytest.raises(ParameterError, match="this is a mechanism"):
+        TrimmerParameters.from_toml(path)
+    path.write_text("[uncertainty]\nm1 = 3\n[other]\n")
+    with pytest.raises(ParameterError) as error:
+        TrimmerParameters.from_toml(path)
+    problems = str(error.value).splitlines()
+    assert problems[0].endswith("14 problems in the parameters:")
+    assert problems[1].startswith("  [other]: tables are not used")
+    assert problems[2].startswith("  m1: missing; add 'm1 = NUMBER' (kg, mass of the motor)")
+    assert len(problems) == 15

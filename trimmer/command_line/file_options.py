@@ -16,6 +16,7 @@ from trimmer.files import (
     STANDARD_INPUT,
     SVG,
     FileKind,
+    FileWriteError,
     check_replaceable,
     is_standard_output,
     is_stream,
@@ -82,6 +83,16 @@ def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: M
             check_replaceable(path, kinds[name])
 
 
+def keep(path: Path) -> None:
+    """Refuse a file to write that is there already, unless it is empty or standard output.
+
+    Raises:
+        FileWriteError: if it holds something.
+    """
+    if not is_standard_output(path) and _holds_something(path):
+        raise FileWriteError(f"{path} is there already: name another file, or remove it first")
+
+
 def show(text: str, *written: Path | None) -> None:
     """Print what a command has to tell.
 
@@ -99,6 +110,13 @@ def _kind(name: str, path: Path, kinds: Kinds) -> FileKind:
     if kind is None:
         raise OptionError(f"{as_option(name)} {path}: the name must end in {', '.join(kinds)}")
     return kind
+
+
+def _holds_something(path: Path) -> bool:
+    try:
+        return path.is_file() and path.stat().st_size > 0
+    except OSError:  # writing says why
+        return False
 
 
 def _same(path: Path, other: Path) -> bool:

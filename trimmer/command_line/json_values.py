@@ -1,8 +1,18 @@
-"""Infinite, missing and complex numbers in a form that JSON has."""
+"""JSON as commands print it, with infinite, missing and complex numbers in a form that it has."""
 
 from __future__ import annotations
 
+import json
 import math
+
+
+def document(content: object) -> str:
+    """Return what a command prints as JSON.
+
+    Raises:
+        ValueError: if a number is infinite or none, which JSON does not have.
+    """
+    return json.dumps(content, indent=2, allow_nan=False)
 
 
 def finite(value: float) -> float | None:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import file_to_write, show
+from trimmer.command_line.file_options import file_to_write, keep, show
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -19,25 +18,17 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.files import FileWriteError, is_standard_output, write_atomically
+    from trimmer.files import write_atomically
     from trimmer.parameters import TrimmerParameters
 
     template = TrimmerParameters.thesis().to_toml()
     if arguments.output is None:
         print(template, end="")
         return 0
-    if not is_standard_output(arguments.output) and _holds_something(arguments.output):
-        raise FileWriteError(f"{arguments.output} is there already: name another file, or remove it first")
+    keep(arguments.output)
     write_atomically(arguments.output, template)
     show(f"wrote {arguments.output}", arguments.output)
     return 0
-
-
-def _holds_something(path: Path) -> bool:
-    try:
-        return path.is_file() and path.stat().st_size > 0
-    except OSError:  # writing says why
-        return False
 
 
 COMMAND = Command(

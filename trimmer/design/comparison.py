@@ -86,7 +86,7 @@ def compared(before: Design, after: Design) -> Comparison:
 def _changes(first: Mechanism, second: Mechanism) -> tuple[Change, ...]:
     units = {**first.places, **second.places}
     pairs = [(place, unit, _number(first, place), _number(second, place)) for place, unit in units.items()]
-    return tuple(Change(*each) for each in pairs if _differ(each[2], each[3]))
+    return tuple(Change(*each) for each in pairs if _differ(*each[2:]))
 
 
 def _number(mechanism: Mechanism, place: str) -> float | None:
@@ -98,7 +98,7 @@ def _number(mechanism: Mechanism, place: str) -> float | None:
 def _differ(one: float | None, other: float | None) -> bool:
     if one is None or other is None:
         return (one or 0.0) != (other or 0.0)
-    return abs(one - other) > SAME * max(abs(one), abs(other))
+    return abs(one - other) > SAME * abs(one)
 
 
 def _others(first: Mechanism, second: Mechanism) -> tuple[str, ...]:

@@ -26,8 +26,8 @@ TRANSITION_QUALITY = 0.64
 HIGHEST = 3000.0
 """Frequency up to which lines are summed, Hz; there the weighting is below a thousandth."""
 MOST_LINES = 1500
-ACTION_VALUE, LIMIT_VALUE, DAY = 2.5, 5.0, 8.0
-"""Daily exposure action and limit values A(8), m/s², over 8 h: directive 2002/44/EC, article 3."""
+DAY = 8.0
+"""Hours to which a daily exposure A(8) is referred: directive 2002/44/EC, article 3."""
 
 
 def hand_arm_weighting(frequency: ArrayLike) -> Complexes:

@@ -42,13 +42,12 @@ class Keeper:
             depends: What it depends on beside what all do, as a thing whose ``repr`` says all.
             make: Makes it.
         """
-        kept = self.kept(stage, depends)
+        kept: Result | None = self.kept(stage, depends)
         if kept is None:
             kept = make()
             if self.store is not None:
                 self.store.keep(*self._place(stage, depends), kept)
-        result: Result = kept
-        return result
+        return kept
 
     def kept(self, stage: str, depends: object) -> Any | None:
         """Return what was kept of a stage; None if there is nothing."""

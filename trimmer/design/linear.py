@@ -109,7 +109,7 @@ def _link(contact: Contact) -> Link:
 def _state(mechanism: Mechanism, contacts: Contacts) -> LinearState:
     matrices = linear_matrices(mechanism, viscous=True)
     values, vectors = np.linalg.eig(_state_matrix(matrices))
-    size = abs(values).max(initial=0.0) or 1.0
+    size = abs(values).max()
     rigid = abs(values) <= RIGID * size
     swinging = np.flatnonzero((values.imag > RIGID * size) & ~rigid)
     bodies = len(mechanism.bodies)

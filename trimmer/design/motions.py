@@ -136,14 +136,15 @@ def with_neighbours(
 
 
 def _around(varied: Varied, count: int) -> tuple[float, ...]:
-    """Return values around that of the file, which is the middle one; those out of range are drawn in."""
+    """Return an odd number of values around that of the file, which is the middle one.
+
+    Those out of range are drawn in. In the middle the share is nothing beside 1, so that the value is exact.
+    """
     shares = np.linspace(-REACH, REACH, count)
-    shares[count // 2] = 0.0
     if varied.bounded:
         room = varied.highest / varied.value - 1
         shares = np.where(shares > 0, shares / REACH * min(room, REACH), shares)
-    values = np.where(shares == 0, varied.value, varied.value * (1 + shares))
-    return tuple(dict.fromkeys(values.tolist()))
+    return tuple(dict.fromkeys((varied.value * (1 + shares)).tolist()))
 
 
 def _new(mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions) -> Iterator[FoundMotion]:

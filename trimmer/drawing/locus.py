@@ -53,7 +53,7 @@ def balance_figure(balance: HarmonicBalance) -> Figure:
     return figure
 
 
-def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool = False) -> Axes:
+def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool) -> Axes:
     """Draw G and -1/N, and mark the limit cycles; see ``HarmonicBalance.plot``.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
@@ -133,8 +133,7 @@ def _shown(balance: HarmonicBalance) -> Complexes:
     """Return what is to be seen: G, -1 and limit cycles; of a G that goes to infinity what is near them."""
     system = _loop(balance).system
     response, places = response_at(system, _omegas(balance)), _places(balance, -1.0)
-    factored = ZeroPoleGain.of(system)
-    if (factored.roots.real[factored.exponents < 0] == 0).any():
+    if (np.real(ZeroPoleGain.of(system).poles) == 0).any():
         response = response[abs(response) <= FAR * abs(places).max()]
     return np.concatenate([response, places])
 

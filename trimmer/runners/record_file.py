@@ -49,7 +49,7 @@ class Records:
             raise MapFileError(f"{path} is a stream, with which no {self.many} can go on: name a file")
         if not overwrite and path.is_file():
             with path.open("rb") as file:
-                if self.kind.begins.match(file.read(64)):
+                if self.kind.begins.match(file.readline()):
                     raise MapFileError(
                         f"{path} is a {self.kind.name} already: go on with it (--resume), or replace it "
                         "(--overwrite)"

@@ -63,5 +63,9 @@ def arrays(**given: tuple[str, Any]) -> tuple[Column, ...]:
     return tuple(Column(name, unit, values.__getitem__) for name, (unit, values) in given.items())
 
 
-TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", itemgetter(1)))
+def _energy(term: tuple[str, float]) -> float:
+    return term[1]
+
+
+TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", _energy))
 """Columns of an energy balance, whose rows are names and energies."""

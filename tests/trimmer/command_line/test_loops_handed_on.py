@@ -99,9 +99,30 @@ def test_orbits_hand_on_their_search_and_say_when_they_were_interrupted(
     assert told.out == "data\n"
     assert "interrupted" in told.err
     assert not written
+    orbits.result = []
+    assert main(["orbits", *PLAY, "--simulate"]) == 0
+    assert capsys.readouterr() == ("told\n", "")
     orbits.result = ValueError("no way")
     assert main(["orbits", *PLAY]) == 2
     assert "no way" in capsys.readouterr().err
+
+
+def test_the_picture_of_orbits_may_go_to_standard_output(
+    replaced, written, monkeypatch, tmp_path: Path, capsys
+) -> None:
+    class Found(list[object]):
+        plot = Called()
+
+    replaced("trimmer.balance.solve.harmonic_balance", "predictions")
+    replaced("trimmer.orbits.periodic_orbits.periodic_orbits", Found([1]))
+    as_words(monkeypatch, "loops.orbits_text")
+    picture = tmp_path / "a.svg"
+    monkeypatch.setattr("trimmer.command_line.file_options.is_standard_output", lambda path: path == picture)
+    assert main(["orbits", *PLAY, "--plot", str(picture)]) == 0
+    assert capsys.readouterr() == ("", "told\n")
+    assert main(["orbits", *PLAY]) == 0
+    assert capsys.readouterr() == ("told\n", "")
+    assert len(written) == 1
 
 
 def test_linear_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path: Path, capsys) -> None:

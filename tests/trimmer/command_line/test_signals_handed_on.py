@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from argparse import Namespace
 from pathlib import Path
 from types import SimpleNamespace as Made
@@ -12,7 +11,6 @@ import pytest
 
 import trimmer
 from tests.trimmer.command_line.handed_on import Called, as_words
-from trimmer.command_line.loops import loop_options
 from trimmer.command_line.main import main
 from trimmer.command_line.parser import OptionError
 from trimmer.command_line.signals import fit, overlay, signal_options
@@ -54,6 +52,7 @@ def test_spectrum_hands_on_what_is_asked(
     assert (drive, cycles, window, limit, analyse.keywords) == (None, (), "hann", 20, {"closed_loop": False})
     assert max(natural) > 100
     (first,) = shown
+    assert (first.file, first.analysis, first.chosen.signal) == (recorded, analyse.result, signal)
     assert (first.averaged, first.wav, first.predictions.gap) == (None, None, None)
     assert first.predictions.source == "the thesis's trimmer"
     sound, table, picture = tmp_path / "a.wav", tmp_path / "a.csv", tmp_path / "a.svg"
@@ -123,13 +122,18 @@ def test_the_output_that_was_measured_is_chosen() -> None:
     one, two, none = (Made(outputs=dict.fromkeys(names)) for names in ("a", "ab", ""))
     asked = Namespace(output=None, against="m.toml")
     assert overlay._output(asked, one) == "a"
-    for mechanism in (two, none):
-        with pytest.raises(OptionError, match="choose the output"):
+    for mechanism, listed in ((two, "a, b"), (none, "none")):
+        with pytest.raises(
+            OptionError, match=rf"choose the output that was measured \(--output\): {listed}$"
+        ):
             overlay._output(asked, mechanism)
     asked.output = "b"
     assert overlay._output(asked, two) == "b"
-    with pytest.raises(OptionError, match="there is no output 'b'"):
+    with pytest.raises(OptionError, match=r"^m\.toml: there is no output 'b'; there are a$"):
         overlay._output(asked, one)
+    asked.output = "strok"
+    with pytest.raises(OptionError, match=r"there is no output 'strok'; did you mean stroke\?$"):
+        overlay._output(asked, Made(outputs={"stroke": 1}))
 
 
 def test_lines_of_what_moves_by_itself_are_at_its_own_frequency(replaced) -> None:
@@ -153,8 +157,14 @@ def test_fit_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path: Pa
     fitted = replaced("trimmer.fitting.fit.fit_mechanism", result)
     figure = replaced("trimmer.drawing.signals.fit.fit_figure", "figure")
     as_words(monkeypatch, "signals.fit_text")
+    shown = []
+    monkeypatch.setattr(
+        "trimmer.command_line.signals.fit_text.as_text", lambda each: shown.append(each) or "told"
+    )
     words = ["fit", TWIN, str(file)]
     assert main(words) == 0
+    assert (shown[0].file, shown[0].measured, shown[0].output) == (Path(TWIN), file, None)
+    assert (list(shown[0].recordings), shown[0].fit) == (["stroke"], result)
     mechanism, signals, free = fitted.arguments
     assert (mechanism.title != "", list(signals), free) == (True, ["stroke"], [])
     settings = fitted.keywords["settings"]
@@ -217,6 +227,11 @@ def test_several_columns_have_one_time(monkeypatch: pytest.MonkeyPatch) -> None:
     arguments.measured = Path("-")
     with pytest.raises(OptionError, match="standard input"):
         fit._recordings(arguments, Made())
+    arguments.given = frozenset(["scale"])
+    with pytest.raises(OptionError, match="--scale has no effect without a single column"):
+        fit._recordings(arguments, Made())
+    monkeypatch.setattr(fit, "_columns", lambda *_: {"a": "1"})
+    assert list(fit._recordings(arguments, Made())) == ["a"]
     reading = fit._reading(arguments, "3")
     assert (reading.file, reading.column, reading.quantity) == (Path("-"), "3", None)
 
@@ -265,48 +280,3 @@ def test_stretches_that_are_too_short_are_left_out() -> None:
         assert each.notes[-1].endswith("left out: 1")
     (alone,) = signal_options._converted(asked, trimmer.Recording((long,)))
     assert not any("left out" in note for note in alone.notes)
-
-
-def test_elements_get_their_options_in_order() -> None:
-    def chosen(**options: object) -> trimmer.Element:
-        names = dict.fromkeys(loop_options.ELEMENT_OPTIONS)
-        return loop_options.chosen_element(Namespace(**names | options, given=frozenset(options)))
-
-    assert chosen(element="friction", gap=4e-5) == trimmer.FrictionBacklash(4e-5)
-    assert chosen(element="inertia", gap=4e-5) == trimmer.InertiaBacklash(4e-5)
-    assert chosen(element="viscous", gap=4e-5, time_constant=0.0) == trimmer.ViscousBacklash(4e-5, 0.0)
-    assert chosen(element="viscous", gap=4e-5, time_constant=math.inf).time_constant == math.inf
-    assert chosen(element="coulomb", force=2.0) == trimmer.CoulombFriction(2.0)
-    assert chosen(element="relay", force=2.0) == trimmer.Relay(2.0, 0.0, 0.0)
-    assert chosen(element="relay", force=2.0, hysteresis=3e-6) == trimmer.Relay(2.0, 3e-6, 0.0)
-    assert chosen(element="relay", force=2.0, dead_zone=5e-6, hysteresis=0.0) == trimmer.Relay(2.0, 0.0, 5e-6)
-    assert chosen(element="saturation", threshold=3e-6) == trimmer.Saturation(3e-6, 1.0)
-    assert chosen(element="saturation", threshold=3e-6, slope=0.5) == trimmer.Saturation(3e-6, 0.5)
-    assert chosen(element="dead-zone", threshold=3e-6, slope=0.5) == trimmer.DeadZone(3e-6, 0.5)
-    assert chosen(element="dead-zone", threshold=3e-6) == trimmer.DeadZone(3e-6, 1.0)
-    assert chosen(element="preload", force=3.0) == trimmer.Preload(3.0, 1.0)
-    assert chosen(element="preload", force=3.0, slope=2.0) == trimmer.Preload(3.0, 2.0)
-    for wrong in (
-        {"element": "friction"},
-        {"element": "friction", "gap": 4e-5, "force": 1.0},
-        {"element": "friction", "gap": 0.0},
-        {"element": "viscous", "gap": 4e-5, "time_constant": -1.0},
-        {"element": "viscous", "gap": 4e-5, "time_constant": math.nan},
-        {"element": "relay", "force": 2.0, "hysteresis": math.inf},
-        {"element": "relay", "force": 2.0, "slope": 1.0},
-        {"element": "saturation", "threshold": 3e-6, "slope": 0.0},
-    ):
-        with pytest.raises(OptionError):
-            chosen(**wrong)
-
-
-def test_a_loop_that_cannot_be_followed_gets_advice() -> None:
-    from trimmer.errors import IllPosedLoopError
-
-    asked = Namespace(element="coulomb", channels="both")
-    advice = str(loop_options.unusable(asked, IllPosedLoopError("x")))
-    assert "--channels displacement" in advice
-    assert str(loop_options.unusable(asked, ValueError("x"))) == "x"
-    for name, other in (("element", "relay"), ("channels", "displacement")):
-        asked = Namespace(**{"element": "coulomb", "channels": "both", name: other})
-        assert str(loop_options.unusable(asked, IllPosedLoopError("x"))) == "x"

@@ -56,3 +56,6 @@ def test_what_was_assumed_is_told_once() -> None:
     lines = recording_text.wrapped("word " * 60, "1 ", "22 ")
     assert lines[0].startswith("1 word") and lines[1].startswith("22 word")
     assert max(map(len, lines)) <= 110
+    long = "x" * 120
+    assert recording_text.wrapped(f"a {long}", "", "  ") == ["a", f"  {long}"]
+    assert recording_text.wrapped("word " * 21 + "a-bcdefghijkl", "", "")[1] == "a-bcdefghijkl"

@@ -87,12 +87,12 @@ def test_a_peak_is_described_for_json() -> None:
 
 
 def test_candidates_are_listed() -> None:
-    predictions = spectrum_text.Predictions("some", (0.0, 50.0, 70.5), 4e-5, (740.0,))
+    predictions = spectrum_text.Predictions("some", (0.0, 0.5, 70.5), 4e-5, (740.0,))
     analysis = Made(harmonics=FIT, notes=("a note",))
     lines = list(spectrum_text._candidates(analysis, predictions))
     assert lines[1:4] == [
         "  harmonics of 110 Hz",
-        "  natural modes of some: 50 Hz, 70.5 Hz",
+        "  natural modes of some: 0.5 Hz, 70.5 Hz",
         "  stable limit cycles with a gap of 4e-05 m (harmonic balance): 740 Hz",
     ]
     assert "within 1 bin" in lines[4] and "or 1 %" in " ".join(lines[4:])

@@ -31,7 +31,14 @@ def moving(size: float, **changes: Any) -> FoundMotion:
 def test_a_change_is_relative_to_what_was_before() -> None:
     assert Difference(STROKE, 4.0, 5.0).change == pytest.approx(0.25)
     assert Difference(STROKE, 4.0, 3.0).change == pytest.approx(-0.25)
-    for before, after in ((None, 1.0), (1.0, None), (0.0, 1.0), (1.0, float("inf")), (float("inf"), 1.0)):
+    for before, after in (
+        (None, 1.0),
+        (1.0, None),
+        (0.0, 1.0),
+        (1.0, float("inf")),
+        (float("inf"), 1.0),
+        (1.0, -float("inf")),
+    ):
         assert Difference(STROKE, before, after).change is None
     assert Difference(STROKE, 4.0, 0.0).change == -1.0
 
@@ -41,6 +48,10 @@ def test_numbers_differ_by_more_than_rounding() -> None:
     assert _differ(1.0, 1.0 + 5e-12)
     assert _differ(1.0 + 5e-12, 1.0)
     assert _differ(-2.0, 2.0)
+    assert not _differ(-2.0, -2.0)
+    assert not _differ(-2.0, -2.0 - 1e-12)
+    assert _differ(1e-300, 0.0)
+    assert _differ(0.0, 1e-300)
     assert not _differ(0.0, 0.0)
     assert not _differ(None, 0.0)
     assert not _differ(0.0, None)

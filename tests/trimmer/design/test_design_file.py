@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
 from trimmer import Mechanism, MechanismError
-from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design.design_file import DesignFile, design_file_of_text, read_design_file
 from trimmer.design.targets import Measure
 from trimmer.examples import example_text
 
@@ -159,3 +160,25 @@ def test_the_line_of_a_place_is_its_own_or_that_of_what_holds_it() -> None:
     assert file.line(("frequency",)) == 2
     assert file.line(("stops", "wall")) == 0
     assert file.line(()) == 0
+
+
+def test_a_file_is_read_with_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(TEXT, "utf-8")
+    file = read_design_file(path)
+    assert (file.name, file.mechanism.value("plays.bridge.gap")) == (str(path), 40e-6)
+    assert (file.line(("held",)), file.line(("plays", "bridge", "gap"))) == (3, 16)
+
+
+def test_what_is_unknown_is_assumed_from_the_middle_of_what_is_open() -> None:
+    text = TEXT.replace('mass = "3 g"', 'mass = "2 g..4 g"').replace("force = 0.5", 'force = "unknown"')
+    mass, force = design_file_of_text(text, "mine.toml").ranges
+    assert (mass.lowest, mass.highest, mass.assumed) == (2e-3, 4e-3, False)
+    assert force.highest == pytest.approx(3e-3 * (2 * math.pi * 110) ** 2 * 1.5e-3)
+
+
+def test_a_range_that_cannot_be_read_is_the_only_problem() -> None:
+    with pytest.raises(MechanismError) as error:
+        read('mass = "35 g"', 'mass = "1 N..2 N"')
+    assert "nothing in the file says" not in str(error.value)
+    assert "'N' does not measure what kg does" in str(error.value)

@@ -21,6 +21,7 @@ from tests.trimmer.design.made import (
 from trimmer import Mechanism, MotionKind, forced_orbit, respond
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
+from trimmer.design import found_motion
 from trimmer.design import hand_arm as module
 from trimmer.design.found_motion import _spans, of_orbit, of_settled
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples, hand_arm_weighting
@@ -72,6 +73,8 @@ def test_times_that_touch_are_one() -> None:
     assert _spans(made, on, 3.0) == ((0.0, 2.5),)
     assert _spans(made, np.zeros(7, bool), 7.0) == ()
     assert _spans(made, np.ones(7, bool), 7.0) == ((0.0, 7.0),)
+    later = np.array([True, False, True, True, True, True, False])
+    assert _spans(course([0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0], 7.0), later, 7.0) == ((0.0, 1.0), (2.0, 4.0))
     three = np.array([False, True, True, False, False, False, True])
     assert _spans(made, three, 7.0) == ((1.0, 1.5), (6.0, 1.0))
 
@@ -133,6 +136,21 @@ def test_a_motion_that_does_not_repeat_is_measured_over_a_window() -> None:
     assert (felt.lines, felt.highest) == (0, pytest.approx(128 * 20.0))
     assert math.isnan(felt.left_out)
     assert felt.weighted == pytest.approx(felt.rms * abs(hand_arm_weighting(20.0)), rel=1e-3)
+
+
+def test_what_moves_by_itself_is_measured_over_one_period(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(found_motion, "_made", lambda *given: given)
+    for periods, measured in ((0, 1), (1, 1), (3, 3)):
+        orbit: Any = SimpleNamespace(flow="flow", course="course", periods=periods)
+        assert of_orbit(orbit) == ("flow", "course", None, orbit, measured)
+
+
+def test_what_a_hand_feels_has_the_frequency_of_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("hand_arm_of_orbit", "hand_arm_of_samples"):
+        monkeypatch.setattr(found_motion, name, lambda *given: given)
+    made, rms = course([0.0], 0.25), {"a": 2.0}
+    assert found_motion._hand_arm(made, "orbit", rms, 3) == (made, pytest.approx(8 * np.pi), rms)
+    assert found_motion._hand_arm(made, None, rms, 3) == (made, rms, 256 * 12.0)
 
 
 def test_what_breaks_off_is_not_measured() -> None:

@@ -28,6 +28,15 @@ def test_the_published_factors_come_out_to_every_printed_digit(nominal: float, f
     assert float(f"{found:.3g}") == factor
 
 
+def test_it_lags_at_the_frequency_of_its_transition_as_its_formula_says() -> None:
+    # There s = j w3, so that the transition is (1 + j)/(1 + j/Q - 1) = Q (1 - j), Q = 0.64.
+    s = 100j
+    first, second = 2 * np.pi * 10**0.8, 2 * np.pi * 10**3.1
+    band = s**2 * second**2 / (s**2 + first * s * np.sqrt(2) + first**2)
+    band /= s**2 + second * s * np.sqrt(2) + second**2
+    assert hand_arm_weighting(50 / np.pi) == pytest.approx(0.64 * (1 - 1j) * band, rel=1e-12)
+
+
 def test_far_below_its_band_it_falls_with_the_square_of_the_frequency() -> None:
     low = np.array([0.01, 0.1])
     assert abs(hand_arm_weighting(low)) == pytest.approx((low / 10**0.8) ** 2, rel=0.01)

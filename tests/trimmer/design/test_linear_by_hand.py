@@ -9,6 +9,7 @@ import pytest
 
 from trimmer import Mechanism
 from trimmer.design.linear import Contacts, driving, linear_states
+from trimmer.mechanism.parts import ContactLaw
 
 THREE = Mechanism.from_toml_text("""
     frequency = 7.0
@@ -133,9 +134,23 @@ def test_motions_that_do_not_swing_are_counted() -> None:
     assert counts(one(light)) == (1, 0, 0)
 
 
+def test_what_floats_is_rigid_although_its_eigenvalues_are_rounded() -> None:
+    floating = Mechanism.from_toml_text("""
+        bodies = { a = { mass = 0.3 }, b = { mass = 0.7 }, c = { mass = 1.1 } }
+        links.join = { between = ["a", "b"], stiffness = 413.0, damping = 0.3 }
+        links.last = { between = ["b", "c"], stiffness = 97.0, damping = 0.7 }
+        outputs.a = { a = 1 }
+    """)
+    (state,) = linear_states(floating)
+    assert (len(state.modes), state.rigid, state.decaying) == (2, 1, 0)
+
+
 def test_a_contact_that_exerts_nothing_has_no_closed_state() -> None:
     air = replace(THREE, plays={"play": replace(THREE.plays["play"], stiffness=0.0, damping=0.0)})
     (state,) = linear_states(air)
     assert state.contacts is Contacts.CLOSED
+    for changes in ({"stiffness": 0.0, "law": ContactLaw.TRUNCATED}, {"damping": 0.0}):
+        half = replace(THREE, plays={"play": replace(THREE.plays["play"], **changes)})
+        assert [each.contacts for each in linear_states(half)] == [Contacts.CLOSED, Contacts.OPEN]
     opened = linear_states(THREE)[1]
     assert [mode.frequency for mode in state.modes] == pytest.approx([m.frequency for m in opened.modes])

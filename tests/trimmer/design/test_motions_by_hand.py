@@ -32,6 +32,7 @@ def moving(size: float, mean: float = 0.0, **changes: Any) -> FoundMotion:
 def test_neighbours_lie_evenly_around_the_number_of_the_file() -> None:
     assert _around(SPEED, 7) == pytest.approx((14.0, 16.0, 18.0, 20.0, 22.0, 24.0, 26.0))
     assert _around(SPEED, 7)[3] == 20.0
+    assert all(_around(SPEED, count)[count // 2] == 20.0 for count in range(3, 99, 2))
     assert _around(FORCE, 3) == pytest.approx((0.35, 0.5, 0.65))
 
 
@@ -103,6 +104,13 @@ def test_only_orbits_that_are_not_known_are_new(orbits: Callable[..., None]) -> 
     ]
 
 
+def test_an_orbit_is_known_within_a_millionth_of_its_own_size(orbits: Callable[..., None]) -> None:
+    orbits({1.0: moving(1.0 + 1.0000005e-6), 2.0: moving(1.0 - 1.0000005e-6)})
+    known = Motions((moving(1.0),), 3, 0, 0, "", False)
+    assert not list(_new(oscillator(), tuple(cell(1.0)), known))
+    assert len(list(_new(oscillator(), tuple(cell(2.0)), known))) == 1
+
+
 @pytest.mark.parametrize(
     ("properties", "count"),
     [
@@ -134,7 +142,7 @@ def test_the_cell_of_the_file_is_the_one_that_is_looked_at(
 
     def coexisting(result: Any, **options: Any) -> Any:
         asked.append(options)
-        return SimpleNamespace(result=result, tried=31, rounds=4, complete=True)
+        return SimpleNamespace(result=result, tried=31, rounds=4, complete=False)
 
     monkeypatch.setattr(module, "motion_map", made)
     monkeypatch.setattr(module, "coexisting_motions", coexisting)
@@ -158,7 +166,7 @@ def test_the_cell_of_the_file_is_the_one_that_is_looked_at(
     assert near is not None
     assert near.places == ("frictions.blade.force", "frequency")
     assert (near.cells, near.reach, near.tried, near.rounds) == (15, 0.3, 31, 4)
-    assert (near.complete, near.found) == (True, 1)
+    assert (near.complete, near.found) == (False, 1)
 
 
 def test_without_two_sizes_no_neighbours_are_looked_at() -> None:

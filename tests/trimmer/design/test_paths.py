@@ -10,6 +10,7 @@ import pytest
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.design import paths
 from trimmer.design.paths import Side, Special, _side, path_through
 from trimmer.design.varied_places import Role, Varied
 
@@ -53,6 +54,11 @@ def test_a_special_point_at_either_orbit_counts_downwards_too(value: float) -> N
     lost = side([1.0, 0.8, 0.6, 0.5], "ssuu", *points)
     assert lost.reaches == value
     assert lost.losing is SpecialKind.TORUS
+
+
+def test_a_special_point_at_the_first_unstable_orbit_counts_upwards() -> None:
+    lost = side([1.0, 1.2, 1.4], "ssu", special(SpecialKind.FOLD, 1.4))
+    assert (lost.reaches, lost.losing) == (1.4, SpecialKind.FOLD)
 
 
 def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
@@ -109,6 +115,27 @@ def test_a_motion_of_several_periods_is_followed_as_such() -> None:
     assert path.periods == 3
     alone = motion(period_count=None, state=np.zeros(2))
     assert path_through(oscillator(), over_frequency(19.9, 20.1), alone, 2).periods == 1
+
+
+def test_each_side_is_followed_silently_within_its_range(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+
+    def followed(*given: object, **keywords: object) -> str:
+        asked.append((given, keywords))
+        return "branch"
+
+    monkeypatch.setattr(paths, "follow", followed)
+    monkeypatch.setattr(paths, "_side", lambda branch, end: (branch, end))
+    begun, varied = motion(period_count=3, state=np.zeros(2)), over_frequency(19.0, 20.5)
+    path = path_through(oscillator(), varied, begun, 77)
+    assert (path.down, path.up) == (("branch", 19.0), ("branch", 20.5))
+    for (given, keywords), end in zip(asked, (19.0, 20.5), strict=True):
+        assert given[1:] == ("frequency", 20.0, end)
+        settings = keywords["settings"]
+        assert (keywords["periods"], keywords["state"]) == (3, begun.state)
+        assert (settings.most_points, settings.switches, settings.quiet) == (77, 0, True)
+        assert settings.bounds == (min(20.0, end), max(20.0, end))
+        assert settings.largest_step == paths.LARGEST_STEP
 
 
 def test_special_points_keep_what_the_outputs_do_there() -> None:

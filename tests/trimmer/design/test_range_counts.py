@@ -40,6 +40,8 @@ def test_one_range_is_looked_at_from_end_to_end_and_several_by_sobol() -> None:
     # 2^3 is the first power of two with five points, and one more power for a second range.
     expected = qmc.Sobol(2, scramble=False).random_base2(4) + 1 / 32
     np.testing.assert_allclose(two, expected)
+    odd = _points(2, DesignSettings(range_points=4))
+    np.testing.assert_allclose(odd, qmc.Sobol(2, scramble=False).random_base2(3) + 1 / 16)
     assert [len(_points(count, DesignSettings(range_points=4))) for count in (2, 3, 4)] == [8, 16, 16]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -128,3 +129,21 @@ def test_what_no_mechanism_can_have_has_no_measures() -> None:
     assert sensitivity._measures(oscillator(), "bodies.block.mass", -0.5, motion(), (STROKE,)) is None
     below_zero = sensitivity._slopes(oscillator(), "bodies.block.mass", 0.5, motion(), (STROKE,), 1.5)
     assert below_zero is None
+
+
+def test_measures_are_those_of_the_orbit_of_the_changed_mechanism(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[object] = []
+
+    def solved(mechanism: Mechanism, period_count: int, state: object) -> SimpleNamespace:
+        asked.append((mechanism.value("bodies.block.mass"), period_count, state))
+        return SimpleNamespace(success=len(asked) < 3, measures="measures", period_count=5)
+
+    monkeypatch.setattr(sensitivity, "mechanism_orbit", solved)
+    monkeypatch.setattr(sensitivity, "measured", lambda *given: given)
+    found = motion(period_count=3)
+    of = sensitivity._measures(oscillator(), "bodies.block.mass", 2.5, found, (STROKE,))
+    assert of == {STROKE: ("measures", STROKE, 5)}
+    free = motion(period_count=None)
+    assert sensitivity._measures(oscillator(), "bodies.block.mass", 2.5, free, (STROKE,))
+    assert asked == [(2.5, 3, found.state), (2.5, 1, free.state)]
+    assert sensitivity._measures(oscillator(), "bodies.block.mass", 2.5, found, (STROKE,)) is None

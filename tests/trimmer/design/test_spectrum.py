@@ -9,7 +9,7 @@ import pytest
 
 from tests.trimmer.design.made import motion, output
 from trimmer.design.linear import Contacts, LinearMode, LinearState
-from trimmer.design.spectrum import LineKind, OutputSpectrum, spectra
+from trimmer.design.spectrum import LineKind, OutputSpectrum, _mode_beside, spectra
 
 
 def state(contacts: Contacts, *modes: tuple[float, float]) -> LinearState:
@@ -86,3 +86,17 @@ def test_a_motion_by_itself_has_the_lines_of_its_own_period() -> None:
     ]
     assert spectra(motion(period=None), None, ()) == {}
     assert spectra(motion(period=None), 110.0, ())["stroke"].lines == ()
+
+
+def test_of_several_modes_the_nearest_is_named() -> None:
+    far, near = (105.0, 0.5), (98.0, 0.5)
+    found = [
+        _mode_beside(100.0, (state(Contacts.CLOSED, *first), state(Contacts.OPEN, *second)))
+        for first, second in (([far, near], []), ([near], [far]), ([far], [near]))
+    ]
+    assert [(mode.frequency, contacts) for mode, contacts in found if mode is not None] == [
+        (98.0, Contacts.CLOSED),
+        (98.0, Contacts.CLOSED),
+        (98.0, Contacts.OPEN),
+    ]
+    assert _mode_beside(100.0, (state(Contacts.OPEN, (0.0, 0.5), (90.0, 0.1)),)) == (None, None)

@@ -162,7 +162,8 @@ def test_maps_are_over_the_first_number_and_each_other(varied: Any, pairs: Any) 
     assert [each[2:4] for each in found] == pairs
     assert study(mechanism=free()).maps(varied) == ()
     for each in found:
-        assert each[4:6] == (SETTINGS, "runner")
+        assert each[1] is made.file.mechanism
+        assert each[4:7] == (SETTINGS, "runner", made.keeper)
         each[-1](3, 24)
         assert made.keeper.told[-1] == (Stage.MAP, f"{each[2].place} x {each[3].place}", 3, 24)
 

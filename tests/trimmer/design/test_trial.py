@@ -116,10 +116,12 @@ def test_a_motion_that_breaks_off_has_failed() -> None:
     flow = ExactFlow(oscillator())
     work = TrialWork(oscillator(), (), (STROKE,), 2)
     broken = Settled(MotionKind.UNDECIDED, 1, flow.rest(), ending=Ending.CHATTERING)
-    assert work._measured((1.0,), flow, broken).kind is None
+    failed = work._measured((1.0,), flow, broken)
+    assert (failed.values, failed.kind, failed.period_count) == ((1.0,), None, None)
     cut: Any = SimpleNamespace(course=lambda begin, periods: SimpleNamespace(ending=Ending.STEP_LIMIT))
     going = Settled(MotionKind.CHAOTIC, 1, flow.rest())
-    assert work._measured((1.0,), cut, going).kind is None
+    failed = work._measured((2.0,), cut, going)
+    assert (failed.values, failed.kind, failed.period_count) == ((2.0,), None, None)
 
 
 def test_made_outputs_have_the_measures_that_tests_rely_on() -> None:

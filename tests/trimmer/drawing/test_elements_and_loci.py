@@ -179,6 +179,8 @@ def test_what_goes_to_infinity_is_cut(balance: HarmonicBalance) -> None:
         certificate=SimpleNamespace(omegas=(1e-3, 10.0)),
     )
     assert 3.9 < abs(locus._shown(wide)).max() <= 4.0  # four times -1
+    wide.loop = SimpleNamespace(system=4 * balance.loop.system)
+    assert 7.8 < abs(locus._shown(wide)).max() <= 8.0  # four times -2, where the limit cycle is
     axes = balance.plot(new_axes(), near=True)
     assert axes.get_xlim() == pytest.approx((-1.04, -0.46))
     axes = balance.plot(new_axes())

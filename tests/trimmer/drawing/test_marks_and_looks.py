@@ -85,6 +85,14 @@ def test_a_legend_stands_beside_axes_from_four_inches_on(width: float, beside: b
     assert anchored(axes) == pytest.approx([1.02, 1.0] if beside else [0.0, under])
 
 
+def test_a_legend_may_belong_to_a_part_of_a_figure() -> None:
+    part = Figure(figsize=(10.0, 4.0)).subfigures(1, 2)[0]
+    axes = part.add_axes((0.0, 0.25, 1.0, 0.5))  # five inches of ten
+    axes.plot([1, 2], label="a")
+    add_legend(axes)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["a"]
+
+
 def test_a_legend_shows_the_handles_that_it_is_given() -> None:
     axes = new_axes()
     first, second = (axes.plot([1, 2], label=label)[0] for label in "ab")
@@ -158,6 +166,9 @@ def test_strips_have_room_of_their_own() -> None:
     assert lower.get_offset_transform() is not None
     shares = [(text.xy, text.xyann) for text in axes.texts]
     assert shares == [((1.0, pytest.approx(0.03)), (5, 0)), ((1.0, pytest.approx(0.09)), (5, 0))]
+    assert [(text.get_parse_math(), text.get_annotation_clip()) for text in axes.texts] == 2 * [
+        (False, False)
+    ]
 
 
 def test_strips_leave_the_limits_of_time() -> None:

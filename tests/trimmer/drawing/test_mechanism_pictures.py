@@ -222,6 +222,23 @@ def test_a_section_that_is_nearly_a_point_has_the_frame_of_the_phase_plane() -> 
         assert (section.get_xlim() == (0.0, 1.0)) == same
         assert (section.get_ylim() == (-5.0, 5.0)) == same
         assert section.get_xlabel() == ("x, mm" if same else "")
+        own = plane.xaxis.get_major_formatter()
+        assert (section.xaxis.get_major_formatter() is own) == same
+    section, plane = new_axes(), new_axes()
+    plane.set(xlim=(1.0, 0.0), ylim=(-5.0, 5.0))
+    section.plot([0.5, 0.51], [0.0, 0.1])
+    response._frame(section, plane)
+    assert section.get_xlim() == (1.0, 0.0)  # whichever way the axis runs
+
+
+def test_a_simulated_motion_is_drawn_over_its_phase_plane(without_output) -> None:
+    motion = Made(flow=MadeFlow(), course=COURSE, mechanism=Made(title="title"))
+    figure = response.motion_figure(motion)
+    above, below = figure.axes
+    assert (tuple(figure.get_size_inches()), figure.get_suptitle()) == ((7.6, 7.2), "title")
+    assert above.get_gridspec().get_height_ratios() == [4, 5]
+    assert (above.get_xlabel(), below.get_xlabel()) == ("time, s", "mass, m")
+    assert below.get_legend() is not None
 
 
 def test_some_periods_are_shown_of_what_does_not_repeat() -> None:

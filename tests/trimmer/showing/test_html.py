@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field
 from decimal import Decimal
 from enum import Enum
@@ -10,9 +11,10 @@ import numpy as np
 import pytest
 
 from trimmer.displacement import Body
+from trimmer.errors import MissingPackageError
 from trimmer.showing import html
 from trimmer.showing.frame import to_frame
-from trimmer.showing.shown import LONGEST, Record, Tabular, counted
+from trimmer.showing.shown import LONGEST, Record, Shown, Tabular, counted
 from trimmer.showing.table import TERMS, Column, Table, arrays, attributes
 
 
@@ -83,7 +85,8 @@ def test_long_lines_are_cut_at_a_word() -> None:
     assert repr(Made("x" * (LONGEST + 1))) == f"<Made: {'x' * (LONGEST - 1)}…>"
     assert repr(Made("x" * (LONGEST - 2) + " " + "y" * 9)) == f"<Made: {'x' * (LONGEST - 2)}…>"
     assert Made("told")._repr_html_() == html.of_table("Made", "told", made_table(3))
-    assert Small(2.5)._repr_html_().count("<tr>") == 1
+    row = '<tr><th scope="row">value</th><td>2.5</td></tr>'
+    assert Small(2.5)._repr_html_() == f"<table><caption>Small</caption><tbody>{row}</tbody></table>"
 
 
 def test_a_frame_has_words_and_units() -> None:
@@ -94,12 +97,26 @@ def test_a_frame_has_words_and_units() -> None:
     assert worded["body"].tolist() == ["q2"]
 
 
+def test_what_is_told_is_said_by_each_kind_of_result() -> None:
+    for ask in (Shown()._told, Tabular()._told, Tabular()._table):
+        with pytest.raises(NotImplementedError):
+            ask()
+
+
+def test_a_frame_needs_pandas(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(MissingPackageError, match="pip install pandas"):
+        Made("told").to_dataframe()
+
+
 def test_columns_take_attributes_and_rows() -> None:
     table = Table("t", [1 + 2j, 3 - 4j], attributes(real="m", imag=""))
     assert list(table.rows()) == [(1.0, 2.0), (3.0, -4.0)]
     assert list(table.rows(1)) == [(1.0, 2.0)]
     assert table.units == {"real": "m", "imag": ""}
     assert list(Table("t", range(2), arrays(x=("m", [5, 6]))).rows()) == [(5,), (6,)]
+    (column,) = arrays(x=("m", [5, 6]))
+    assert (column.name, column.unit) == ("x", "m")
     assert list(Table("t", [("work", 2.0)], TERMS).rows()) == [("work", 2.0)]
 
 

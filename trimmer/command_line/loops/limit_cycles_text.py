@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
-from trimmer.command_line.json_values import finite
+from trimmer.command_line.json_values import document, finite
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 
@@ -54,7 +53,7 @@ def as_json(loop: ClosedLoop, balance: HarmonicBalance) -> str:
         ],
         "certificate": certificate_as_json(balance.certificate),
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def identified_as_text(identified: Identification) -> str:
@@ -101,7 +100,7 @@ def identified_as_json(identified: Identification) -> str:
         ],
         "nearest": None if nearest is None else _time_constant(nearest),
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _table_of(found: Sequence[IdentifiedTimeConstant]) -> list[str]:

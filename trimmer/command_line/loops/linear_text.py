@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
-from trimmer.command_line.json_values import finite, pair
+from trimmer.command_line.json_values import document, finite, pair
+from trimmer.command_line.table import table
 from trimmer.displacement import Body
 from trimmer.linear.model import InputChannels
 from trimmer.linear.modes import Mode
@@ -85,7 +85,7 @@ def as_json(summary: LinearSummary) -> str:
         "roll_off": summary.roll_off,
         "encirclements": summary.encirclements,
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _mode_rows(modes: Sequence[Mode]) -> Rows:
@@ -125,12 +125,7 @@ def _extremum_rows(summary: LinearSummary) -> Rows:
 
 
 def _table(title: str, heads: tuple[str, ...], rows: Rows) -> list[str]:
-    listed = [heads, *rows]
-    if len(listed) == 1:
-        return [title, "  none"]
-    widths = [max(len(row[column]) for row in listed) for column in range(len(heads))]
-    lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in listed)
-    return [title, *(f"  {line}" for line in lines)]
+    return [title, *table(heads, list(rows))]
 
 
 def _frequencies(omegas: Sequence[float]) -> str:

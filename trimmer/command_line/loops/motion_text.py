@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import SHARE, amplitudes, last_times, summary_lines
 from trimmer.motion.switched_component import EventKind
 
@@ -42,7 +42,7 @@ def as_json(motion: Motion) -> str:
         "last_amplitudes": _ranges(motion),
         "last_frequency": _frequency(motion),
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def displacements(motion: Motion, times: Reals) -> dict[str, Reals]:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.json_values import finite, pair
+from trimmer.command_line.json_values import document, finite, pair
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 
@@ -49,7 +48,7 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
         "search": orbits.search.sentence,
         "success": orbits.success,
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:

@@ -62,7 +62,7 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--switches",
         type=int,
-        choices=(0, 1, 2, 3, 4),
+        choices=range(5),
         default=1,
         help="how many times one after another to go over to a branch that parts (default: 1)",
     )

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import itertools
-import json
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.json_values import pair
+from trimmer.command_line.json_values import document, pair
 from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
@@ -26,7 +25,7 @@ def as_text(branch: FollowedBranch, harmonics: int | None) -> str:
 
 def as_json(branch: FollowedBranch, harmonics: int | None) -> str:
     """Return a branch as JSON; arguments are those of ``as_text``."""
-    return json.dumps(_content(branch, harmonics), indent=2, allow_nan=False)
+    return document(_content(branch, harmonics))
 
 
 def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[str]:

@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import file_to_write, show
+from trimmer.command_line.file_options import file_to_write, keep, show
 from trimmer.examples import USUAL, examples
 
 FILE = Path("trimmer.toml")
@@ -31,11 +31,10 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.examples import example_text
-    from trimmer.files import FileWriteError, is_standard_output, write_atomically
+    from trimmer.files import write_atomically
 
     target: Path = arguments.file
-    if not is_standard_output(target) and target.is_file() and target.stat().st_size > 0:
-        raise FileWriteError(f"{target} is there already: name another file, or remove it first")
+    keep(target)
     write_atomically(target, example_text(arguments.example))
     show(f"wrote {target}; change it, then: trimmer design {target}", target)
     return 0

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 FORM = "PLACE=A:B:N"
 EXAMPLE = "plays.bridge.gap=0um:500um:50"
 MOST_VALUES = 100_000
+_DIGITS = 9
+"""As many digits as are looked at: a number of thousands of them is too large at once."""
 
 
 def varied_values(mechanism: Mechanism, texts: Sequence[str]) -> dict[str, list[float]]:
@@ -56,7 +58,7 @@ def _varied(mechanism: Mechanism, text: str) -> tuple[str, list[float]]:
 
 
 def _count(text: str, part: str) -> int:
-    if not (part.isascii() and part.isdecimal()) or not 2 <= int(part[:9]) <= MOST_VALUES:
+    if not (part.isascii() and part.isdecimal()) or not 2 <= int(part[:_DIGITS]) <= MOST_VALUES:
         raise OptionError(
             f"--vary {text}: {part or 'nothing'} is no number of values; give a whole number from 2 to "
             f"{MOST_VALUES}, or set a single value with --set"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
 from trimmer.maps.cells import described
 
@@ -105,7 +105,7 @@ def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = No
         "searched": searched,
         "special": None if special is None else _special(special),
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _special(special: SpecialCurves) -> dict[str, Any]:

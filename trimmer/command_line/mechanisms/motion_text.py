@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
 
@@ -43,7 +43,7 @@ def as_json(motion: MechanismMotion) -> str:
             "residual": energy.residual,
         },
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def displacements(motion: MechanismMotion, times: Reals) -> dict[str, Reals]:

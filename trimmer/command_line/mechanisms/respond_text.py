@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
 from trimmer.response.response_json import response_json
 
@@ -36,7 +36,7 @@ def as_text(response: Response) -> str:
 
 def as_json(response: Response) -> str:
     """Return what a mechanism settles to as JSON: full precision, SI units."""
-    return json.dumps(response_json(response), indent=2, allow_nan=False)
+    return document(response_json(response))
 
 
 def _box(response: Response) -> str:
@@ -70,7 +70,7 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
         largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
         per = "drive period" if motion.orbit.periods else "period"
         yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {largest:.6g}"
-    elif motion.window is not None:
+    else:
         yield f"  {motion.events_per_period:.4g} events per drive period; figures are those of the window"
 
 

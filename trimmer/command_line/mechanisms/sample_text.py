@@ -33,7 +33,7 @@ def as_text(study: Study) -> str:
     lines += [f"  {kind:<12} {share_text(share_of(count, total))}" for kind, count in samples.kinds.items()]
     lines += ["", "how measures scatter (in brackets: 95 % interval of a quantile)"]
     heads = ("", "mean", "deviation", "5 %", "50 %", "95 %", "unit")
-    lines += table(heads, [row for row in _measure_rows(samples) if row])
+    lines += table(heads, list(_measure_rows(samples)))
     for quantity, indices in study.indices.items():
         lines += ["", f"what matters for {quantity.name}", *index_lines(indices)]
     if study.balanced is not None:

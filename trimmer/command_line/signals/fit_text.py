@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
 
@@ -132,7 +132,7 @@ def as_json(shown: ShownFit) -> str:
         },
         "notes": shown.notes,
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _output_json(shown: ShownFit, name: str) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
 
@@ -72,7 +72,7 @@ def as_json(compared: Compared) -> str:
         "lines": [_line_json(comparison, place) for place in range(comparison.measured.size)],
         "notes": _notes(compared),
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _line_json(comparison: Comparison, place: int) -> dict[str, Any]:

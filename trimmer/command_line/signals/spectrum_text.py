@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.command_line.json_values import document
 from trimmer.command_line.signals.averaged_text import averaged_json, averaged_text
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
@@ -109,7 +109,7 @@ def as_json(shown: Shown) -> str:
         "notes": [*notes_of(shown.chosen, analysis.signal, analysis.doubts), *analysis.notes],
         "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},
     }
-    return json.dumps(content, indent=2, allow_nan=False)
+    return document(content)
 
 
 def _head(shown: Shown) -> Iterator[str]:
