@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from trimmer.motion.switched_component import Component
 
 
-ORDERS = (1, 3, 5, 7, 9, 11, 13, 15)
+ORDERS = range(1, 17, 2)
 """Harmonics that are balanced, one after the other."""
-HARMONICS = 63
-"""Highest harmonic of the element's output that moves the linear system."""
+HARMONICS = 32
+"""Number of odd harmonics of the element's output that move the linear system."""
 SLOWING = 3
 """Number of states of a load that slows down: position, velocity, and the share of it that remains."""
 
@@ -49,7 +49,7 @@ def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterato
     balanced = _highest(loop, amplitude, omega)
     if balanced is None:
         return
-    coefficients = np.zeros((HARMONICS + 1) // 2, dtype=complex)
+    coefficients = np.zeros(HARMONICS, dtype=complex)
     coefficients[: len(balanced.harmonics)] = balanced.harmonics
     given = OddPolynomial(coefficients)
     output = steady_response(loop.element, given, balanced.omega)

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from trimmer.orbits.trigonometric import OddPolynomial
 
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
+NODE_COUNT = 80
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(NODE_COUNT)
 """Gauss-Legendre quadrature; each piece of an output is smooth, so it is exact to rounding."""
 
 
@@ -97,9 +98,8 @@ def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) 
             return start + velocity * elapsed
         return start - velocity * gamma * np.expm1(-elapsed / gamma)
 
-    meet = falls_through_zero(
-        lambda phase: given(phase) + half_gap - position(phase), leave + 1e-9, leave + math.pi
-    )
+    # The distance to the lower side is the whole gap at first.
+    meet = falls_through_zero(lambda phase: given(phase) + half_gap - position(phase), leave, leave + math.pi)
     return None if meet is None else Flight(leave, meet, position)
 
 
