@@ -32,6 +32,10 @@ HARMONICS = 32
 """Number of odd harmonics of the element's output that move the linear system."""
 SLOWING = 3
 """Number of states of a load that slows down: position, velocity, and the share of it that remains."""
+DIFFERENCE = 1e-5
+"""Of phases, rad, for the velocity of a load."""
+NO_STATES = np.array([])
+"""Those of a component without memory, or with one that its mode is."""
 
 
 def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterator[tuple[Start, float]]:
@@ -127,10 +131,10 @@ def _on(component: Component, given: OddPolynomial, omega: float, phase: float) 
             return mode, states[: component.state_count]
         case RelayComponent():
             positive = float(given(phase, 1 if component.of_rate else 0)) > 0
-            return (PLUS if positive else MINUS), np.zeros(component.state_count)
+            return (PLUS if positive else MINUS), NO_STATES
         case CornerComponent() | ThresholdComponent():
-            return mode_on(component, given, phase), np.zeros(component.state_count)
-    return 0, np.zeros(component.state_count)
+            return mode_on(component, given, phase), NO_STATES
+    return 0, NO_STATES
 
 
 def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -> tuple[int, Reals]:
@@ -139,9 +143,8 @@ def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -
     mirrored = turns % 2 == 1
     if flight.leave + since >= flight.meet:
         return (UPPER if mirrored else LOWER), np.array([0.0, 0.0, 1.0])
-    step = 1e-4 * (flight.meet - flight.leave)
-    around = flight.position(flight.leave + since + step * np.array([-1.0, 0.0, 1.0]))
+    around = flight.position(flight.leave + since + DIFFERENCE * np.array([-1.0, 0.0, 1.0]))
     sign = -1.0 if mirrored else 1.0
-    velocity = omega * (around[2] - around[0]) / (2.0 * step)
+    velocity = omega * (around[2] - around[0]) / (2.0 * DIFFERENCE)
     share = math.exp(-since / (omega * time_constant)) if time_constant > 0 else 0.0
     return FREE, np.array([sign * around[1], sign * velocity, share])

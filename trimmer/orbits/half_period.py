@@ -184,7 +184,7 @@ def _tanh(matrices: Reals) -> Reals:
     Unlike exponentials it stays bounded where the system is unstable.
     """
     norm = float(abs(matrices).sum(axis=1).max())
-    doublings = max(0, math.ceil(math.log2(norm / SMALL))) if norm > 0 else 0
+    doublings = int(norm / SMALL).bit_length()
     small = matrices * 2.0**-doublings
     one, square = np.eye(matrices.shape[-1]), small @ small
     odd = ((square + 378.0 * one) @ square + 17325.0 * one) @ square + 135135.0 * one

@@ -134,8 +134,7 @@ def _solve(
 
     def unpacked(unknowns: Reals) -> tuple[OddPolynomial, float]:
         first, ratio = unknowns[:2]
-        coefficients = np.empty(len(unknowns) // 2, dtype=np.complex128)
-        coefficients[0], coefficients[1:] = first, unknowns[2::2] + 1j * unknowns[3::2]
+        coefficients = np.append(first, unknowns[2:].view(np.complex128))
         return OddPolynomial(amplitude * coefficients), ratio * omega
 
     def imbalance(unknowns: Reals) -> Reals:
@@ -145,10 +144,9 @@ def _solve(
             return np.full(len(unknowns), 1e3)
         gains = np.atleast_1d(system(1j * trial * given.numbers))
         residuals = (given.coefficients + gains * output) / amplitude
-        return np.column_stack([residuals.real, residuals.imag]).ravel()
+        return np.asarray(residuals.view(np.float64))
 
-    rest = np.column_stack([harmonics[1:].real, harmonics[1:].imag]).ravel() / amplitude
-    start = np.concatenate([[1.0, 1.0], rest])
+    start = np.append([1.0, 1.0], harmonics[1:].view(np.float64) / amplitude)
     found = scipy.optimize.root(imbalance, start, method="hybr", options={"xtol": 1e-14})
     residual = float(abs(imbalance(found.x)).max())
     if residual > BALANCED:

@@ -9,9 +9,11 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import ClosedLoop, FrictionBacklash, Relay, ViscousBacklash
+from trimmer import ClosedLoop, CoulombFriction, FrictionBacklash, Relay, ViscousBacklash
 from trimmer.errors import OrbitNotFoundError, UnsupportedMotionError
 from trimmer.motion.backlash_component import FREE
+from trimmer.motion.components_of_elements import components_of
+from trimmer.motion.relay_component import MINUS, PLUS
 from trimmer.orbits import balanced_start
 from trimmer.orbits.balanced_start import _highest, _on, _quiet_phases, _start, balanced_starts
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics
@@ -113,3 +115,14 @@ def test_an_element_without_motion_has_no_steady_response(monkeypatch: pytest.Mo
     )
     with pytest.raises(UnsupportedMotionError, match="has no steady response to a periodic input"):
         steady_response(Relay(1.0), OddPolynomial(np.array([1.0 + 0j])), 1.0)
+
+
+def test_a_relay_is_positive_where_its_input_or_the_rate_of_that_is() -> None:
+    given = OddPolynomial(np.array([2.0, 0.0]))
+    for element, modes in ((Relay(1.0), [PLUS, PLUS, MINUS]), (CoulombFriction(1.0), [PLUS, MINUS, PLUS])):
+        ((component, _),) = components_of(element)
+        found = [_on(component, given, 7.0, phase) for phase in (0.2, 3.0, 6.0)]
+        assert [mode for mode, _ in found] == modes
+        assert all(states.size == 0 for _, states in found)
+    ((relay, _),) = components_of(Relay(1.0))
+    assert _on(relay, given, 7.0, 0.0)[0] == MINUS

@@ -60,7 +60,7 @@ def test_tanh_of_matrices_is_that_of_scipy() -> None:
     assert not _tanh(matrices[1:]).any()
     large = np.array([[[3.0, -20.0, 1.0], [7.0, 0.5, 0.0], [2.0, -1.0, -9.0]]])
     np.testing.assert_allclose(_tanh(large)[0], scipy.linalg.tanhm(large[0]), rtol=1e-10)
-    for x in (0.24, 1.7, 300.0):
+    for x in (0.24, 0.25, 1.7, 300.0, -0.26, -300.0):
         assert _tanh(np.array([[[x]]]))[0, 0, 0] == pytest.approx(math.tanh(x), rel=4e-15)
 
 

@@ -155,7 +155,9 @@ def test_newtons_method_begins_at_the_first_harmonic_and_then_at_balanced_ones(
 ) -> None:
     trials: list = []
     starts = [SimpleNamespace(name="second"), SimpleNamespace(name="third")]
-    monkeypatch.setattr(module, "balanced_starts", lambda *given: trials.append(given) or zip(starts, (8, 9)))
+    monkeypatch.setattr(
+        module, "balanced_starts", lambda *given: trials.append(given) or zip(starts, (8, 9), strict=True)
+    )
     monkeypatch.setattr(module, "starting_point", lambda *given: SimpleNamespace(name=given[1:]))
     monkeypatch.setattr(module, "orbit_of", lambda *given: given)
 

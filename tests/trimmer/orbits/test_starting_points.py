@@ -295,7 +295,8 @@ def test_initial_states_are_responses_to_what_was_drawn(monkeypatch, share: floa
     gap = 4e-5
     loop = ClosedLoop(PLANT, FrictionBacklash(gap))
     monkeypatch.setattr(np.random, "default_rng", lambda seed: AlwaysTheSame(share))
-    (mode, in_box), (_, in_swing) = initial_states(loop, 2, 3)
+    (mode, in_box), (_, in_swing), *others = initial_states(loop, 4, 3)
+    np.testing.assert_array_equal([state for _, state in others], [in_box, in_swing])
     A, B, C = (np.asarray(each) for each in (loop.model.A, loop.model.B, loop.model.C))
     moduli = abs(np.concatenate([np.linalg.eigvals(A), np.linalg.eigvals(A - B @ C)]))
     omega = (moduli.min() / 3) ** (1 - share) * (3 * moduli.max()) ** share
