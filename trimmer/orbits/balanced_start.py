@@ -15,8 +15,8 @@ from trimmer.motion.threshold_component import ThresholdComponent
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 from trimmer.orbits.pieces import mode_on, switching_phases
-from trimmer.orbits.steady_response import Flight, flight_of, steady_response
-from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
+from trimmer.orbits.steady_response import Flight, flight_of, steady_response, switch_of
+from trimmer.orbits.trigonometric import OddPolynomial
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -103,22 +103,12 @@ def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[
         middles = [0.5 * (flight.leave + flight.meet), 0.5 * (flight.meet + end)]
         return middles if flight.meet - flight.leave > end - flight.meet else middles[::-1]
     for relay in (each for each in components if isinstance(each, RelayComponent)):
-        switch = _after_switch(given, 1 if relay.of_rate else 0)
-        return [] if switch is None else [switch]
+        switch = switch_of(relay, given)
+        return [] if switch is None else [switch + 0.5 * math.pi]
     for switched in (each for each in components if isinstance(each, ThresholdComponent)):
         switches = switching_phases(switched, given)
         return [] if switches is None else [0.5 * sum(switches)]
     return []
-
-
-def _after_switch(given: OddPolynomial, derivative: int) -> float | None:
-    """Return a quarter of a period after the input of a relay, or its rate, falls through zero."""
-
-    def switching(phase: Reals) -> Reals:
-        return given(phase, derivative)
-
-    switch = falls_through_zero(switching, -0.5, 6.5)
-    return None if switch is None else switch + 0.5 * math.pi
 
 
 def _on(component: Component, given: OddPolynomial, omega: float, phase: float) -> tuple[int, Reals]:
@@ -130,7 +120,7 @@ def _on(component: Component, given: OddPolynomial, omega: float, phase: float) 
             mode, states = _of_load(flight, omega, phase, component.time_constant)
             return mode, states[: component.state_count]
         case RelayComponent():
-            positive = float(given(phase, 1 if component.of_rate else 0)) > 0
+            positive = float(given(phase, int(component.of_rate))) > 0
             return (PLUS if positive else MINUS), NO_STATES
         case CornerComponent() | ThresholdComponent():
             return mode_on(component, given, phase), NO_STATES

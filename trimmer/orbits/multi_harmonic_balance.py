@@ -134,7 +134,7 @@ def _solve(
 
     def unpacked(unknowns: Reals) -> tuple[OddPolynomial, float]:
         first, ratio = unknowns[:2]
-        coefficients = np.append(first, unknowns[2:].view(np.complex128))
+        coefficients = np.array([first, *unknowns[2:].view(np.complex128)], dtype=np.complex128)
         return OddPolynomial(amplitude * coefficients), ratio * omega
 
     def imbalance(unknowns: Reals) -> Reals:

@@ -103,6 +103,17 @@ def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) 
     return None if meet is None else Flight(leave, meet, position)
 
 
+def switch_of(component: RelayComponent, given: OddPolynomial) -> float | None:
+    """Return the phase at which the output of a relay becomes negative, rad; None if it never does.
+
+    Args:
+        component: The relay.
+        given: Its input, in its unit.
+    """
+    derivative = int(component.of_rate)
+    return falls_through_zero(lambda phase: given(phase, derivative), *_period_around(given))
+
+
 def _of_component(component: Component, given: OddPolynomial, omega: float) -> Complexes | None:
     match component:
         case ViscousComponent():
@@ -122,8 +133,7 @@ def _of_component(component: Component, given: OddPolynomial, omega: float) -> C
 
 
 def _relay(component: RelayComponent, given: OddPolynomial) -> Complexes | None:
-    derivative = 1 if component.of_rate else 0
-    switch = falls_through_zero(lambda phase: given(phase, derivative), *_period_around(given))
+    switch = switch_of(component, given)
     if switch is None:
         return None
     return _harmonics(
@@ -144,7 +154,7 @@ def _backlash(component: BacklashComponent, given: OddPolynomial, omega: float) 
 def _period_around(given: OddPolynomial) -> tuple[float, float]:
     """Return a period that begins where the first harmonic rises through zero."""
     begin = -float(np.angle(given.coefficients[0])) - 0.25 * math.pi
-    return begin, begin + 2.0 * math.pi
+    return begin, begin + math.tau
 
 
 def _harmonics(

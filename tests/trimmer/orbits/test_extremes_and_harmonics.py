@@ -9,7 +9,7 @@ import pytest
 from trimmer import ClosedLoop, Relay, periodic_orbits
 from trimmer.motion.taylor import DEGREE
 from trimmer.orbits.measures import _candidates, _extremes_of, extremes, extremes_of, harmonics
-from trimmer.orbits.orbit_measures import harmonics_by_quadrature
+from trimmer.orbits.orbit_measures import _pieces, harmonics_by_quadrature
 from trimmer.orbits.return_map import Arc, arcs, follow
 
 LAG = ClosedLoop(control.ss([[-0.5]], [[4.0]], [[0.5]], [[0.0]]), Relay(1.5, 0.9))
@@ -83,3 +83,23 @@ def test_the_harmonics_of_a_relay_and_a_lag_are_known() -> None:
     state = np.append(orbit.motion.state(later), np.ones(modes.layout.size - 1))
     turned = harmonics(modes, arcs(modes, follow(modes, last.mode, state, orbit.period), orbit.period))
     np.testing.assert_allclose(turned, expected * np.exp(2j * np.pi * 0.3 * numbers), atol=1e-10)
+
+
+def test_a_motion_is_integrated_over_the_steps_of_its_arcs() -> None:
+    (orbit,) = periodic_orbits(LAG)
+    pieces = list(_pieces(orbit.motion))
+    chain, step = arcs(LAG.modes, orbit.motion.log, orbit.period), LAG.modes.tables.step
+    assert [len(times) for times, _ in pieces] == [
+        48 * int(np.ceil(arc.duration / step[arc.mode])) for arc in chain
+    ]
+    ends = np.cumsum([arc.duration for arc in chain])
+    for (times, weights), end, arc in zip(pieces, ends, chain, strict=True):
+        assert end - arc.duration < times.min() < times.max() < end
+        assert weights.sum() == pytest.approx(arc.duration, rel=1e-13)
+        assert weights @ times**5 == pytest.approx((end**6 - (end - arc.duration) ** 6) / 6, rel=1e-12)
+    table = orbit._table()
+    rows = np.array([list(row) for row in table.rows()], dtype=float)
+    np.testing.assert_allclose(rows[:, 0], np.arange(1, 16))
+    np.testing.assert_allclose(rows[:, 1], orbit.frequency * np.arange(1, 16))
+    np.testing.assert_allclose(rows[:, 2], abs(orbit.harmonics))
+    np.testing.assert_allclose(rows[:, 3], np.angle(orbit.harmonics))

@@ -27,10 +27,10 @@ from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.corner_component import ABOVE, BELOW, BETWEEN
 from trimmer.motion.relay_component import MINUS, PLUS
 from trimmer.motion.threshold_component import NEGATIVE, POSITIVE, SILENT
-from trimmer.orbits.balanced_start import _after_switch, _of_load, _quiet_phases, _start, balanced_starts
+from trimmer.orbits.balanced_start import _of_load, _quiet_phases, _start, balanced_starts
 from trimmer.orbits.guess import _events, _farthest_from_events, _leaves, _mode, _quiet_phase, starting_point
 from trimmer.orbits.initial_states import _rates, _scales, initial_states, quiet_time
-from trimmer.orbits.steady_response import Flight, flight_of, steady_response
+from trimmer.orbits.steady_response import Flight, flight_of, steady_response, switch_of
 from trimmer.orbits.trigonometric import OddPolynomial
 
 PI = math.pi
@@ -155,11 +155,12 @@ def test_a_flight_gives_place_velocity_and_what_is_left_of_it() -> None:
     assert _of_load(flight, 691.0, 1.6, math.inf)[1][2] == 1.0
 
 
-def test_a_relay_is_begun_a_quarter_of_a_period_after_it_switches() -> None:
+def test_a_relay_switches_where_its_input_or_the_rate_of_that_falls_through_zero() -> None:
     given = OddPolynomial(np.array([2.0 * np.exp(0.4j)]))
-    assert _after_switch(given, 0) == pytest.approx(PI - 0.4 + PI / 2)
-    assert _after_switch(given, 1) == pytest.approx(PI / 2 - 0.4 + PI / 2)
-    assert _after_switch(OddPolynomial(np.zeros(1, dtype=complex)), 0) is None
+    relay, friction = (components_of(each)[0][0] for each in (Relay(1.0), CoulombFriction(1.0)))
+    assert switch_of(relay, given) == pytest.approx(PI - 0.4)
+    assert switch_of(friction, given) == pytest.approx(PI / 2 - 0.4)
+    assert switch_of(relay, OddPolynomial(np.zeros(1, dtype=complex))) is None
 
 
 def test_quiet_phases_lie_in_the_middle_of_what_lasts() -> None:
@@ -170,10 +171,10 @@ def test_quiet_phases_lie_in_the_middle_of_what_lasts() -> None:
         flown, contact = (flight.leave + flight.meet) / 2, (flight.meet + flight.leave + PI) / 2
         expected = [flown, contact] if flies_longer else [contact, flown]
         assert _quiet_phases(loop, given, OMEGA) == pytest.approx(expected)
-    for element, derivative in ((Relay(1.0), 0), (CoulombFriction(1.0), 1)):
-        plant = control.tf([1.0], [1.0, 2.0, 5.0, 1.0])
-        loop = ClosedLoop(plant, element)
-        assert _quiet_phases(loop, given, OMEGA) == [_after_switch(given, derivative)]
+    for element, switch in ((Relay(1.0), PI), (CoulombFriction(1.0), PI / 2)):
+        loop = ClosedLoop(control.tf([1.0], [1.0, 2.0, 5.0, 1.0]), element)
+        assert _quiet_phases(loop, given, OMEGA) == pytest.approx([switch + PI / 2])
+        assert _quiet_phases(loop, OddPolynomial(np.zeros(1, dtype=complex)), OMEGA) == []
     loop = ClosedLoop(PLANT, Relay(1.0, 0.3, 1.7))
     (phase,) = _quiet_phases(loop, given, OMEGA)
     middle = 0.5 * (math.asin(2.0 / 3) + PI - math.asin(1.4 / 3))

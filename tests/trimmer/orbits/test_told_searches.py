@@ -126,6 +126,7 @@ def test_the_multiplier_nearest_to_one_is_trivial_without_a_drive() -> None:
     assert free.nontrivial_multipliers.tolist() == [-0.99, 0.5, 1e-3]
     assert free.largest_multiplier == 0.99
     assert free.stable
+    assert orbit([1.8, 1.0 - 1e-9, 0.5]).nontrivial_multipliers.tolist() == [1.8, 0.5]
     driven = orbit([1.0 + 1e-9, -0.99], driven=True)
     assert driven.nontrivial_multipliers.tolist() == [1.0 + 1e-9, -0.99]
     assert not driven.stable
