@@ -103,6 +103,13 @@ def test_terms_add_up_with_their_signs() -> None:
     # 2 + 4 stored, 9 put in, 4.5 lost: 1.5 too much, of 7 at most.
     assert (energy.work, energy.loss) == (9.0, 4.5)
     assert energy.residual == pytest.approx(1.5 / 7)
+    rows = list(energy._table().rows())
+    assert rows[:4] == [
+        ("kinetic, start", 1.0), ("kinetic, end", 3.0), ("stored, start", 0.5), ("stored, end", 4.5)
+    ]  # fmt: skip
+    assert rows[4:7] == [("pins.a", 7.0), ("pins.b", -2.0), ("forces.c", 4.0)]
+    assert [name for name, _ in rows[7:]] == ["dampers.d", "contacts.e", "frictions.f", "frictions.g"]
+    assert energy._told() == "work 9 J, loss 4.5 J; it closes to 2.1e-01 of its largest term"
     still = MechanismEnergy((0.0, 0.0), (0.0, 0.0), {}, {}, {}, {}, {})
     assert (still.residual, still.work, still.loss) == (0.0, 0.0, 0.0)
 
