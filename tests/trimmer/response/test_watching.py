@@ -177,6 +177,8 @@ def test_a_neighbour_leaves_where_its_distance_grows_a_thousandfold(growth: floa
     def at(state: np.ndarray, phase: float, like: object) -> SimpleNamespace:
         assert (phase, like) == (0.25, begin)
         assert np.linalg.norm(state / sizes) == pytest.approx(1e-9)
+        direction = np.random.default_rng(2).normal(size=2)
+        assert state / sizes @ direction == pytest.approx(1e-9 * np.linalg.norm(direction))
         return SimpleNamespace(state=state)
 
     begin = SimpleNamespace(state=np.zeros(2), phase=0.25)
