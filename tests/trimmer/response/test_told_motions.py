@@ -52,7 +52,9 @@ def test_json_holds_all_that_is_known_of_an_orbit() -> None:
     assert list(content["frictions"]) == ["floor"]
     assert (content["spectrum"], content["window_periods"], content["events_per_period"]) == (None, None, 3.5)
     mechanism = SimpleNamespace(title="it", outputs={"x": None})
-    response = Response(mechanism, (periodic(), replace(periodic(), mirrored=True)), 4, {"one": (1.0, 2.0)}, 9)
+    response = Response(
+        mechanism, (periodic(), replace(periodic(), mirrored=True)), 4, {"one": (1.0, 2.0)}, 9
+    )
     told = response_json(response)
     assert (told["starts"], told["box"], told["seed"]) == (4, {"one": [1.0, 2.0]}, 9)
     assert [(each["share"], each["mirrored"]) for each in told["motions"]] == [(0.75, False), (0.75, True)]

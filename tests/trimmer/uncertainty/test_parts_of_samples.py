@@ -1,0 +1,147 @@
+"""What is asked, told and left out of samples, with work that is given."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import json
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.trimmer.design.made import oscillator
+from trimmer import TrimmerParameters
+from trimmer.errors import UncertaintyError
+from trimmer.uncertainty import loop_samples, study
+from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.indices import Indices, _salib, indices_of, saltelli_points
+from trimmer.uncertainty.kept import NOWHERE, Keeping, header
+from trimmer.uncertainty.loop_samples import LoopFile, LoopNumbers, LoopSamples, sample_loop
+from trimmer.uncertainty.points import EDGE, Plan, within_cube
+from trimmer.uncertainty.sample_file import SampleFile
+from trimmer.uncertainty.samples import SampleInputs, SampleSettings, trials_of
+from trimmer.uncertainty.statistics import share_of
+from trimmer.uncertainty.study import study_samples, warm_up
+
+SCATTERS = (
+    Scatter("bodies.block.mass", "kg", Uniform(0.4, 0.6)),
+    Scatter("links.spring.stiffness", "N/m", Normal(9e3, 100.0)),
+)
+TOGETHER = Joint(("bodies.block.mass", "links.spring.stiffness"), ((0.01, 1.0), (1.0, 1e4)))
+
+
+def test_numbers_that_scatter_together_are_no_base_of_indices() -> None:
+    uncertainty = Uncertainty(SCATTERS, (TOGETHER,))
+    assert not uncertainty.independent
+    assert Uncertainty(SCATTERS, (Joint(TOGETHER.places, ((0.01, 0.0), (0.0, 1e4))),)).independent
+    file = SampleFile(oscillator(), (), uncertainty)
+    with pytest.raises(UncertaintyError, match="independent numbers"):
+        study_samples(file, SampleSettings(count=4), indices=True, quiet=True)
+    loop = LoopFile(LoopNumbers(TrimmerParameters.thesis(), 4e-5), uncertainty)
+    with pytest.raises(UncertaintyError, match="independent numbers"):
+        sample_loop(loop, SampleSettings(count=4), indices=True)
+
+
+def test_values_have_a_column_for_each_number() -> None:
+    shares = np.array([[0.5, 0.5], [0.25, 0.8413447460685429], [0.75, 0.15865525393145707]])
+    values = Uncertainty(SCATTERS).values(shares)
+    np.testing.assert_allclose(values, [[0.5, 9e3], [0.45, 9.1e3], [0.55, 8.9e3]])
+    both = Uncertainty(SCATTERS, (TOGETHER,)).values(np.array([[0.5, 0.5], [0.9, 0.2]]))
+    np.testing.assert_allclose(both[0], [0.5, 9e3])
+    nothing = Uncertainty(())
+    given = np.zeros((3, 0))
+    assert nothing.values(given).shape == (3, 0)
+    assert nothing.values(given) is not given
+
+
+def test_the_same_negative_value_everywhere_has_no_indices() -> None:
+    for values, used in ((np.full(8, -1.0), 2), (np.full(8, -1.0) + 1e-13 * np.arange(8), 2)):
+        assert indices_of(values, ("a", "b"), 0) == Indices((), used, 2)
+    assert indices_of(np.full(8, np.nan), ("a", "b"), 0) == Indices((), 0, 2)
+
+
+def test_without_salib_it_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(name: str) -> None:
+        assert name == "SALib.sample.sobol"
+        raise ImportError(name)
+
+    monkeypatch.setattr(importlib, "import_module", missing)
+    with pytest.raises(UncertaintyError, match=r"pip install 'trimmer\[sensitivity\]'"):
+        _salib("sample")
+    with pytest.raises(UncertaintyError, match="SALib"):
+        saltelli_points(2, 8, 0)
+
+
+def inputs(values: np.ndarray, possible: list[bool]) -> SampleInputs:
+    return SampleInputs(oscillator(), Uncertainty(SCATTERS), SampleSettings(), values, np.array(possible))
+
+
+def test_the_digest_is_that_of_what_the_header_says_and_of_the_values() -> None:
+    values = np.array([[0.45, 9e3], [0.55, 9.1e3]])
+    found = header(inputs(values, [True, True]))
+    kept = {key: found[key] for key in ("mechanism", "places", "settings", "asked")}
+    told = json.dumps(kept, sort_keys=True).encode() + values.tobytes()
+    assert found["inputs"] == hashlib.sha256(told).hexdigest()
+    assert kept["mechanism"] == oscillator().to_toml()
+    assert Keeping(None, False, False) == NOWHERE
+
+
+def test_where_nothing_is_left_nobody_is_asked() -> None:
+    runner: Any = SimpleNamespace()
+    assert trials_of(inputs(np.ones((2, 2)), [False, False]), runner) == ()
+
+
+def test_a_share_of_nothing_may_be_anything() -> None:
+    found = share_of(0, 0)
+    assert (found.count, found.total, found.lowest, found.highest) == (0, 0, 0.0, 1.0)
+
+
+def test_points_keep_off_the_faces_of_the_cube() -> None:
+    edge = 2.0**-40
+    assert edge == EDGE
+    assert within_cube(np.array([0.0, 0.3, 1.0])).tolist() == [edge, 0.3, 1.0 - edge]
+    assert [Plan.SOBOL.count(each) for each in (1, 2, 3, 512, 513)] == [1, 2, 4, 512, 1024]
+    assert Plan.LATIN_HYPERCUBE.count(513) == 513
+
+
+def test_a_motion_is_followed_before_the_clock_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    done: list = []
+    file = SampleFile(oscillator(), (), Uncertainty(SCATTERS))
+    monkeypatch.setattr(study, "TrialWork", lambda *given: lambda values: done.append((*given, values)))
+    warm_up(file)
+    assert done == [(file.mechanism, (), (), 2, ())]
+    clock = iter([10.0, 14.0])
+    monkeypatch.setattr(study, "warm_up", lambda file: done.append("warm"))
+    monkeypatch.setattr(study.time, "perf_counter", lambda: done.append("clock") or next(clock))
+    samples = SimpleNamespace(trials=(1, 2, 3))
+    monkeypatch.setattr(study, "sample_mechanism", lambda *given, **options: samples)
+    monkeypatch.setattr(study, "balanced_samples", lambda samples, count: (samples, count))
+    found = study_samples(file, SampleSettings(count=4), balanced=7)
+    assert done[1:] == ["warm", "clock", "clock"]
+    assert (found.per_second, found.balanced) == (0.75, (samples, 7))
+
+
+def test_a_loop_tells_how_many_samples_it_did_in_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = iter([10.0, 14.0])
+    monkeypatch.setattr(loop_samples.time, "perf_counter", lambda: next(clock))
+    cycles = SimpleNamespace(count=np.zeros(6), message="Told.")
+    asked: list = []
+    monkeypatch.setattr(
+        loop_samples,
+        "_limit_cycles",
+        lambda file, values, *given: asked.append((len(values), *given)) or cycles,
+    )
+    scatters = (Scatter("k2", "N/m", Normal(1e4, 1.0)), Scatter("gap", "m", Normal(4e-5, 1e-6)))
+    file = LoopFile(LoopNumbers(TrimmerParameters.thesis(), 4e-5), Uncertainty(scatters))
+    found = sample_loop(file, SampleSettings(count=6, seed=3), output="out", channels="in")
+    assert asked == [(6, "out", "in")]
+    assert (found.per_second, found.found, found.indices) == (1.5, cycles, {})
+    assert (found.values.shape, found.possible.all()) == ((6, 2), True)
+    np.testing.assert_array_equal(found.values, file.uncertainty.values(Plan.LATIN_HYPERCUBE.points(6, 2, 3)))
+    assert found.message == "6 samples (latin-hypercube, seed 3). Told."
+    some = LoopSamples(file, found.settings, found.values, np.arange(6) > 1, cycles, {}, 1.5)
+    assert some.message == (
+        "6 samples (latin-hypercube, seed 3). 2 samples that no trimmer can have were left out. Told."
+    )
