@@ -68,7 +68,7 @@ def test_the_first_unstable_motion_will_do_unless_it_has_to_settle(monkeypatch: 
     flow = Searched(monkeypatch, found())
     assert self_excited_orbit(flow, BEGIN).name == "a"
     assert [duration for *_, duration in flow.asked] == [10.0, 40.0, 160.0, 640.0]
-    told = "within 850 s it settles to nothing that repeats; it passes an unstable motion with a period of 3.2"
+    told = "within 850 s it settles to nothing that repeats; it passes an unstable motion with a period of 3"
     with pytest.raises(OrbitNotFoundError, match=told):
         self_excited_orbit(Searched(monkeypatch, found()), BEGIN, settled=True)
     with pytest.raises(OrbitNotFoundError, match="nothing repeats within 850 s; another start may settle"):
