@@ -9,8 +9,9 @@ import pytest
 
 from trimmer import ContactLaw, forced_orbit, simulate
 from trimmer.contact.flow import ExactFlow
+from trimmer.contact.statuses import RELAXING
 from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pin, Play, Stop
-from trimmer.response.energy import MechanismEnergy
+from trimmer.response.energy import MechanismEnergy, _Balance
 from trimmer.response.extremes import extremes
 from trimmer.response.measures import Measures, OutputMeasures
 from trimmer.response.motion import MechanismMotion
@@ -94,6 +95,19 @@ def test_each_part_does_the_work_that_its_force_does(motion, times) -> None:
         assert energy.kinetic[each] == pytest.approx(float(kinetic), rel=1e-9)
     assert energy.residual < 1e-12
     assert min(energy.contacts.values()) > 0
+
+
+def test_a_spring_that_relaxes_stores_what_its_own_state_says(motion) -> None:
+    balance, course = _Balance(motion.mechanism, motion.course), motion.course
+    assert len(motion.flow.names) == 5
+    statuses = course.modes.tables.statuses[course.log.mode, 0]
+    rows = np.flatnonzero(statuses == RELAXING)
+    assert len(rows)
+    for row in rows:
+        found = balance.stretch(0)(int(course.log.mode[row]))
+        np.testing.assert_array_equal(found, np.eye(course.modes.layout.size)[4])
+        springs = balance.stored(np.eye(course.modes.layout.size)[4], int(row))
+        assert springs == pytest.approx(0.5 * 6000.0)
 
 
 def test_terms_add_up_with_their_signs() -> None:

@@ -124,3 +124,13 @@ def test_returns_are_those_of_the_state_of_a_period_that_is_nearest() -> None:
         assert settles_to(found, shifted)
         assert not settles_to(found, np.where(abs(shifted - parts[2]) < 1e-9, 1.3 * parts[2], shifted))
     assert not settles_to(found, np.array([[each] for each in states])[:9])
+
+
+def test_the_nearest_state_is_that_whose_largest_distance_is_smallest() -> None:
+    """Of two states a period one is at the orbit in its first entry, but far from it in its second."""
+    found = orbit(np.array([[0.5, 0.0], [0.0, 0.25]]))
+    found.periods, found.sizes, found.instant.state = 2, np.ones(2), np.zeros(2)
+    near = [np.array([0.08 * 0.5**k, 0.04 * 0.25**k]) for k in range(4)]
+    states = [each for part in near for each in (part, np.array([0.0, 0.9]))]
+    assert settles_to(found, np.array(states[:7]))
+    assert settles_to(found, np.array(states))

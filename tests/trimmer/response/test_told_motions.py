@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from trimmer import MotionKind
+from trimmer import MotionKind, OrbitNotFoundError
 from trimmer.response import respond
 from trimmer.response.measures import ContactMeasures, FrictionMeasures, OutputMeasures
 from trimmer.response.respond import _Search
@@ -106,6 +106,28 @@ def test_a_motion_is_held_against_those_that_were_found_before(monkeypatch: pyte
         ("twins", "c", "a"),
         ("twins", "c", "b"),
     ]
+
+
+def test_what_moves_by_itself_has_waited_for_no_drive(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list = []
+
+    def excited(flow, instant, *, settled):
+        asked.append((flow, instant, settled))
+        if instant == "rest":
+            raise OrbitNotFoundError("it comes to rest")
+        return SimpleNamespace(message="a stable motion")
+
+    monkeypatch.setattr(respond, "self_excited_orbit", excited)
+    flow = SimpleNamespace(period=0.0)
+    search = _Search(flow, 10, [])
+    found = search.motion("moving")
+    assert (found.drive_periods, found.neighbour_agrees, found.starts, found.share) == (0, None, 1, 1.0)
+    assert (found.kind, found.window, found.mirrored) == (MotionKind.PERIODIC, None, False)
+    assert found.message == "It settles to a stable motion."
+    still = search.motion("rest")
+    assert (still.drive_periods, still.neighbour_agrees, still.starts, still.share) == (0, None, 1, 1.0)
+    assert (still.kind, still.orbit, still.message) == (MotionKind.UNDECIDED, None, "It comes to rest.")
+    assert asked == [(flow, "moving", True), (flow, "rest", True)]
 
 
 def test_pictures_are_given_what_they_draw(monkeypatch: pytest.MonkeyPatch) -> None:
