@@ -16,16 +16,16 @@ FIGURE = "robustness"
 TITLE = "Corrected predictions with other parameters"
 
 
-def robustness(known: Evidence) -> Robustness:
+def robustness(known: Evidence, samples: int = SAMPLES) -> Robustness:
     """Vary the parameters of the thesis, and return what follows for the corrected results."""
-    found = vary(known.numbers.parameters)
+    found = vary(known.numbers.parameters, samples)
     return Robustness(
         percent=round(100 * SHARE),
-        samples=SAMPLES,
+        samples=samples,
         left_out=found.left_out,
         digits=tuple(_digits()),
         effects=tuple(_row(each) for each in found.sensitivities),
-        survivals=tuple(_survival(each) for each in survivals(found.samples)),
+        survivals=tuple(_survival(each, samples) for each in survivals(found.samples)),
         figure=_figure(found),
     )
 
@@ -59,11 +59,11 @@ def _row(sensitivity: Sensitivity) -> EffectRow:
     )
 
 
-def _survival(survival: Survival) -> SurvivalRow:
+def _survival(survival: Survival, samples: int) -> SurvivalRow:
     if survival.holds is None:
         return SurvivalRow(survival.claim, survival.finding, "proven", survival.because)
-    share = {SAMPLES: "all", 0: "none"}.get(survival.holds, str(survival.holds))
-    return SurvivalRow(survival.claim, survival.finding, f"{share} of {SAMPLES}", survival.because)
+    share = {samples: "all", 0: "none"}.get(survival.holds, str(survival.holds))
+    return SurvivalRow(survival.claim, survival.finding, f"{share} of {samples}", survival.because)
 
 
 def _figure(found: Variation) -> Figure:

@@ -57,8 +57,8 @@ class Variation:
     left_out: int
 
 
-def vary(parameters: TrimmerParameters) -> Variation:
-    """Vary each parameter by itself, and all of them at random.
+def vary(parameters: TrimmerParameters, samples: int = SAMPLES) -> Variation:
+    """Vary each parameter by itself, and all of them at random, a number of times.
 
     Raises:
         ValueError: if a loop loses its stable limit cycle when one parameter changes.
@@ -68,12 +68,12 @@ def vary(parameters: TrimmerParameters) -> Variation:
         name: tuple(_predicted(_scaled(parameters, {name: factor})) for factor in (1 - SHARE, 1 + SHARE))
         for name in asdict(parameters)
     }
-    drawn = [predict(each) for each in random_parameters(parameters, SAMPLES)]
-    samples = tuple(each for each in drawn if each is not None)
+    drawn = [predict(each) for each in random_parameters(parameters, samples)]
+    predicted = tuple(each for each in drawn if each is not None)
     return Variation(
-        tuple(_sensitivity(quantity, nominal, ends, samples) for quantity in QUANTITIES),
-        samples,
-        len(drawn) - len(samples),
+        tuple(_sensitivity(quantity, nominal, ends, predicted) for quantity in QUANTITIES),
+        predicted,
+        len(drawn) - len(predicted),
     )
 
 

@@ -57,8 +57,8 @@ def test_twenty_digits_of_event_times_do_not_depend_on_the_working_precision(law
 def times(law: ContactLaw, working_digits: int) -> list[mpf]:
     with mp.workdps(working_digits):
         driven = Oscillator(1.0, 0.25, 4.0, 3.0, mpf(3))
-        stopped = with_stop(driven, (50.0, 2.0, 0.25), law, (0, 0), mpf(12))
-        rubbed = with_friction(replace_amplitude(driven), 1.0, 1.25, (0, 0.5), mpf(12))
+        stopped = with_stop(driven, (50.0, 2.0, 0.25), law, (0, 0), mpf(7))
+        rubbed = with_friction(replace_amplitude(driven), 1.0, 1.25, (0, 0.5), mpf(7))
         return [*stopped.made, *stopped.broken, *rubbed.begun, *rubbed.ended]
 
 

@@ -27,6 +27,7 @@ def test_committed_module_is_the_derived_one(sources):
     assert GENERATED.read_text(encoding="utf-8") == sources.module, "run `make derive` and commit the result"
 
 
+@pytest.mark.slow
 def test_sources_do_not_depend_on_the_hash_seed(sources):
     code = (
         "from trimmer.code_generation import derive_sources\n"
