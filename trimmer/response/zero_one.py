@@ -28,7 +28,7 @@ def growth_of_walk(series: Reals) -> float:
         return 0.0
     angles = np.random.default_rng(SEED).uniform(np.pi / 5, 4 * np.pi / 5, ANGLES)
     steps = np.arange(1, count + 1)
-    walks = np.cumsum(apart * np.exp(1j * angles[:, None] * steps), axis=1)
+    walks = np.cumsum(np.exp(1j * angles[:, None] * steps) * apart, axis=1)
     lags = np.arange(1, longest + 1)
     squares = np.array(
         [
