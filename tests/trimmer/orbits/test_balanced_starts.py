@@ -9,11 +9,21 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import ClosedLoop, CoulombFriction, FrictionBacklash, Relay, ViscousBacklash
+from trimmer import (
+    ClosedLoop,
+    CoulombFriction,
+    FrictionBacklash,
+    Relay,
+    Saturation,
+    ViscousBacklash,
+    ViscousFriction,
+)
 from trimmer.errors import OrbitNotFoundError, UnsupportedMotionError
 from trimmer.motion.backlash_component import FREE
 from trimmer.motion.components_of_elements import components_of
+from trimmer.motion.corner_component import ABOVE, BELOW, BETWEEN
 from trimmer.motion.relay_component import MINUS, PLUS
+from trimmer.motion.threshold_component import NEGATIVE, POSITIVE, SILENT
 from trimmer.orbits import balanced_start
 from trimmer.orbits.balanced_start import _highest, _on, _quiet_phases, _start, balanced_starts
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics
@@ -126,3 +136,19 @@ def test_a_relay_is_positive_where_its_input_or_the_rate_of_that_is() -> None:
         assert all(states.size == 0 for _, states in found)
     ((relay, _),) = components_of(Relay(1.0))
     assert _on(relay, given, 7.0, 0.0)[0] == MINUS
+
+
+@pytest.mark.parametrize(
+    ("element", "modes"),
+    [
+        (Saturation(1.0, 3.0), [BETWEEN, ABOVE, BELOW]),
+        (Relay(1.0, 0.3, 0.9), [SILENT, POSITIVE, NEGATIVE]),
+        (ViscousFriction(2.0), [0, 0, 0]),
+    ],
+)
+def test_what_has_no_states_of_its_own_has_a_mode_alone(element, modes: list[int]) -> None:
+    ((component, _),) = components_of(element)
+    given = OddPolynomial(np.array([2.0, 0.0]))
+    found = [_on(component, given, 7.0, phase) for phase in (0.2, math.pi / 2, -math.pi / 2)]
+    assert [mode for mode, _ in found] == modes
+    assert all(states.size == 0 for _, states in found)
