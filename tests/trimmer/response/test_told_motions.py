@@ -130,6 +130,40 @@ def test_what_moves_by_itself_has_waited_for_no_drive(monkeypatch: pytest.Monkey
     assert asked == [(flow, "moving", True), (flow, "rest", True)]
 
 
+@pytest.mark.parametrize(("periods", "waits"), [(150, 250), (900, 1000), (901, 1001)])
+def test_a_neighbouring_start_has_other_places_and_velocities_but_no_other_stretches(
+    monkeypatch: pytest.MonkeyPatch, periods: int, waits: int
+) -> None:
+    begun: list = []
+
+    class Settled:
+        def __init__(self, flow, instant, known):
+            begun.append((instant.tolist(), known))
+
+        def until_settled(self, most):
+            begun.append(most)
+            return "other"
+
+    monkeypatch.setattr(respond, "Settling", Settled)
+    monkeypatch.setattr(respond, "sizes_of", lambda course: np.array([1.0, 2.0, 3.0, 4.0, 5.0, 6.0]))
+    monkeypatch.setattr(respond, "same_orbit", lambda orbit, other: (orbit, other) == ("orbit", "other"))
+    layout = SimpleNamespace(bodies=("one", "two"))
+    flow = SimpleNamespace(
+        modes=SimpleNamespace(layout=layout),
+        course=lambda instant, count: (instant, count),
+        at=lambda state, like: state,
+    )
+    start = SimpleNamespace(state=np.arange(6.0))
+    search = _Search(flow, max(waits - 1, 250) if periods == 901 else waits, ["known"])
+    assert search._agrees(start, "orbit", periods)
+    states, known = begun[0]
+    assert states == pytest.approx([1e-6, 1 + 2e-6, 2 + 3e-6, 3 + 4e-6, 4.0, 5.0], rel=1e-14)
+    assert known == ["known"]
+    assert begun[1] == waits
+    assert start.state.tolist() == list(range(6))
+    assert not search._agrees(start, "another", periods)
+
+
 def test_pictures_are_given_what_they_draw(monkeypatch: pytest.MonkeyPatch) -> None:
     drawn: list = []
     monkeypatch.setattr(
