@@ -9,12 +9,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import scipy.linalg
+from numpy.polynomial import chebyshev
 
 from trimmer.orbits import half_period, unequal_switches
 from trimmer.orbits.half_period import (
     HalfPeriodEquation,
+    Piece,
     _first_pieces,
     _joined,
+    _on_piece,
     _tanh,
     _without_repetition,
     interval_of,
@@ -199,3 +202,66 @@ def test_slopes_that_are_singular_leave_the_values_as_steps(monkeypatch: pytest.
     assert solved(monkeypatch, lambda u, v: (u + v, u + v), start) == [pytest.approx([0.3, -0.3])]
     # No step is longer than 0.3: eight of them lead no farther than the farthest.
     assert solved(monkeypatch, lambda u, v: (u + v - 9.0, u + v - 9.0), start) == []
+
+
+def on_piece(values, level: float = 0.0, others=None) -> list[float] | Piece:
+    """Zeros from 3 to 7 of a function of x = (T - 5)/2, as the only state of an equation, or less another."""
+
+    def states(halves: np.ndarray) -> np.ndarray:
+        x = (halves - 5.0) / 2.0
+        return np.column_stack(
+            [values(x) + (0.0 if others is None else others), np.full(len(x), others or 0.0)]
+        )
+
+    return _on_piece(SimpleNamespace(states=states, row=np.array([1.0, -1.0]), level=level), 3.0, 7.0)
+
+
+def test_zeros_on_a_piece_are_roots_of_its_polynomial() -> None:
+    assert on_piece(lambda x: 2.0 + 2.1 * x) == pytest.approx([5 - 2 * 2 / 2.1], rel=1e-13)
+    assert on_piece(lambda x: x, level=0.25) == pytest.approx([5.5], rel=1e-13)
+    assert on_piece(lambda x: 0.5 + chebyshev.Chebyshev([0, 0, 1])(x)) == pytest.approx([4.0, 6.0], rel=1e-12)
+    found = on_piece(lambda x: (x + 0.5) * (x - 0.2) * (x - 0.9))
+    assert sorted(found) == pytest.approx([4.0, 5.4, 6.8], rel=1e-12)
+    # A little beyond the ends counts; a pair that is nearly real counts as two that have merged.
+    for end in (1.0, -1.0):
+        found = on_piece(lambda x, end=end: (x - 0.1) * (x - end * (1 + 5e-6)))
+        assert sorted(found) == pytest.approx(sorted([5.2, 5.0 + 2 * end * (1 + 5e-6)]), rel=1e-12)
+    assert on_piece(lambda x: (x - 0.1) * (x - 1 - 2e-5)) == pytest.approx([5.2], rel=1e-12)
+    assert on_piece(lambda x: (x - 0.3) ** 2 + 2.5e-11) == pytest.approx([5.6, 5.6], abs=1e-4)
+    assert on_piece(lambda x: (x - 0.3) ** 2 + 1e-8) == []
+
+
+def test_where_the_mean_outweighs_the_rest_no_roots_are_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list = []
+    monkeypatch.setattr(chebyshev, "chebroots", lambda given: asked.append(len(given)) or np.array([]))
+    for sign in (1.0, -1.0):
+        assert on_piece(lambda x, sign=sign: sign * (2.0 - 1.9 * x)) == []
+        assert on_piece(lambda x, sign=sign: sign * (2.0 - x) + 0.9 * (2 * x * x - 1)) == []
+    assert asked == []
+    on_piece(lambda x: 2.0 - 1.2 * x + 0.9 * (2 * x * x - 1))
+    assert len(asked) == 1
+
+
+def test_a_piece_is_halved_where_its_last_coefficients_count() -> None:
+    def with_wave(order: int, size: float):
+        return lambda x: x + size * np.cos(order * np.arccos(x))
+
+    for order in (28, 29, 31):
+        assert on_piece(with_wave(order, 2e-11)) is Piece.UNRESOLVED
+        assert on_piece(with_wave(order, -2e-11)) is Piece.UNRESOLVED
+        assert on_piece(with_wave(order, 5e-12)) == pytest.approx([5.0], abs=1e-10)
+    assert on_piece(with_wave(27, 1e-3)) == pytest.approx([5.0], abs=1e-10)
+    assert on_piece(lambda x: np.where(x > 0.9, np.nan, x)) is Piece.UNRESOLVED
+
+
+def test_what_is_rounding_everywhere_is_undecided() -> None:
+    assert on_piece(lambda x: 1e-7 * x, others=1e6) is Piece.UNDECIDED
+    assert on_piece(lambda x: 1e-4 * x, others=1e6) == pytest.approx([5.0], abs=1e-4)
+    assert on_piece(lambda x: 0.0 * x) is Piece.UNDECIDED
+    assert on_piece(lambda x: 3.0 + 1e-12 * x, level=3.0) is Piece.UNDECIDED
+
+    def singular(halves: np.ndarray) -> np.ndarray:
+        raise np.linalg.LinAlgError
+
+    equation = SimpleNamespace(states=singular, row=np.ones(1), level=0.0)
+    assert _on_piece(equation, 3.0, 7.0) is Piece.UNRESOLVED
