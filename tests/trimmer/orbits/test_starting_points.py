@@ -109,6 +109,11 @@ def test_the_quiet_phase_is_the_middle_of_the_first_contact() -> None:
     middle = 0.5 * (math.asin(-0.6) + PI / 2)
     step = 2 * PI / 719
     assert _quiet_phase([Relay(1.0), backlash], 3.0, 5.0) == pytest.approx(middle, abs=step)
+    # Of an even number of phases in contact it is the first after the middle.
+    grid = np.linspace(-PI, PI, 720)
+    inside = grid[(grid > math.asin(-0.19)) & (grid < PI / 2)]
+    assert len(inside) % 2 == 0
+    assert _quiet_phase([FrictionBacklash(2.43)], 3.0, 5.0) == inside[len(inside) // 2]
     assert _quiet_phase([Relay(1.0)], 3.0, 5.0) == PI / 4
     assert _quiet_phase([Saturation(1.5, 1.0)], 3.0, 5.0) in (
         pytest.approx(PI / 2),
