@@ -106,6 +106,7 @@ class Zeros:
 
 def zeros(equation: HalfPeriodEquation, interval: Interval) -> Zeros:
     """Find all zeros of the half-period equation on an interval of half periods, s."""
+    # From the first piece to the last, halves in their order.
     pending, found, undecided = _first_pieces(interval), [], []
     examined = 0
     while pending:
@@ -120,7 +121,7 @@ def zeros(equation: HalfPeriodEquation, interval: Interval) -> Zeros:
         else:
             middle = 0.5 * (begin + end)
             pending += [(middle, end), (begin, middle)]
-    return Zeros(_without_repetition(sorted(found)), _joined(sorted(undecided)))
+    return Zeros(_without_repetition(sorted(found)), _joined(undecided))
 
 
 def interval_of(equation: HalfPeriodEquation) -> Interval:

@@ -13,6 +13,8 @@ from numpy.polynomial import chebyshev
 
 from trimmer.orbits import half_period, unequal_switches
 from trimmer.orbits.half_period import (
+    POINTS,
+    TO_COEFFICIENTS,
     HalfPeriodEquation,
     Piece,
     _first_pieces,
@@ -216,8 +218,14 @@ def on_piece(values, level: float = 0.0, others=None) -> list[float] | Piece:
     return _on_piece(SimpleNamespace(states=states, row=np.array([1.0, -1.0]), level=level), 3.0, 7.0)
 
 
+def test_values_in_chebyshev_points_give_coefficients() -> None:
+    given = np.random.default_rng(1).normal(size=32)
+    np.testing.assert_allclose(TO_COEFFICIENTS @ chebyshev.chebval(POINTS, given), given, atol=1e-12)
+
+
 def test_zeros_on_a_piece_are_roots_of_its_polynomial() -> None:
     assert on_piece(lambda x: 2.0 + 2.1 * x) == pytest.approx([5 - 2 * 2 / 2.1], rel=1e-13)
+    assert on_piece(lambda x: -2.0 - 2.1 * x) == pytest.approx([5 - 2 * 2 / 2.1], rel=1e-13)
     assert on_piece(lambda x: x, level=0.25) == pytest.approx([5.5], rel=1e-13)
     assert on_piece(lambda x: 0.5 + chebyshev.Chebyshev([0, 0, 1])(x)) == pytest.approx([4.0, 6.0], rel=1e-12)
     found = on_piece(lambda x: (x + 0.5) * (x - 0.2) * (x - 0.9))

@@ -238,6 +238,9 @@ def test_rates_are_the_moduli_of_poles_alone_and_in_a_rigid_loop() -> None:
     assert quiet_time(loop) == pytest.approx(50 * PI)
     integrator = ClosedLoop(control.ss([[0.0]], [[3.0]], [[4.0]], [[0.0]]), Relay(1.0))
     assert _rates(integrator) == pytest.approx((12.0, 12.0))
+    for slow, rates in ((1e-9, (50.0, 50.0)), (1e-7, (1e-7, 50.0))):
+        plant = control.ss(np.diag([-slow, -50.0]), [[1.0], [1.0]], [[0.0, 0.0]], [[0.0]])
+        assert _rates(ClosedLoop(plant, Relay(1.0))) == pytest.approx(rates)
     still = ClosedLoop(control.ss([[0.0]], [[0.0]], [[4.0]], [[0.0]]), Relay(1.0))
     assert _rates(still) == (1.0, 1.0)
 
