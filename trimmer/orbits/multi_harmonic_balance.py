@@ -119,7 +119,7 @@ def solutions(
     Raises:
         OrbitNotFoundError: if there is no solution near the one before.
     """
-    harmonics, omega = np.array([guess[0] + 0j]), guess[1]
+    harmonics, omega = np.array([guess[0]], dtype=np.complex128), guess[1]
     for order in orders:
         harmonics = np.append(harmonics, np.zeros((order + 1) // 2 - len(harmonics)))
         solution = _solve(system, element, order, harmonics, omega)

@@ -118,6 +118,12 @@ def test_the_first_rise_from_the_lowest_value_counts() -> None:
         assert early[1] - early[0] == pytest.approx(top - rise, rel=1e-9)
 
 
+def test_a_relay_without_hysteresis_falls_where_the_input_does_however_slowly() -> None:
+    rise, fall = switching_phases(ThresholdComponent(3.0, 1.2e-5, 1.2e-5), polynomial(2e-5))
+    assert math.remainder(rise - math.asin(0.6), 2 * PI) == pytest.approx(0.0, abs=1e-12)
+    assert fall - rise == pytest.approx(PI - 2 * math.asin(0.6), rel=1e-12)
+
+
 def test_a_peak_between_two_points_switches_nothing() -> None:
     component = ThresholdComponent(3.0, 1.2, 0.4)
     assert switching_phases(component, polynomial(1.2 * (1 + 1e-9) * np.exp(0.004j))) is None

@@ -194,7 +194,7 @@ def test_a_motion_is_looked_at_ever_more_rarely_until_it_is_given_up(monkeypatch
 
     monkeypatch.setattr(settling, "_integrate", integrated)
     monkeypatch.setattr(settling, "_last_turn", lambda loop, log: None)
-    monkeypatch.setattr(settling, "MOST_EVENTS", 450)
+    monkeypatch.setattr(settling, "MOST_EVENTS", 321)
     assert _follow(LOOP, mode, state, 200_000, []) is Ending.LEFT
     assert [events for _, events, _ in asked] == [128, 192, 288]
     assert {duration for duration, _, _ in asked} == {quiet_time(LOOP)}

@@ -98,6 +98,8 @@ def test_orbits_are_a_sequence_with_a_search() -> None:
     single = PeriodicOrbits((one,), OrbitSearched(2, False, 1, None, None))
     assert not single.success
     assert single.message.startswith("1 periodic orbit found; 1 guess led to no orbit; searched: ")
+    assert orbits._told() == "2 periodic orbits; the search went to its end"
+    assert single._told() == "1 periodic orbit; 1 guess led to no orbit"
     interrupt = OrbitSearchInterrupted(single)
     assert interrupt.orbits is single
     assert str(interrupt) == single.message
