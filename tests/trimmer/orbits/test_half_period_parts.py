@@ -273,3 +273,26 @@ def test_what_is_rounding_everywhere_is_undecided() -> None:
 
     equation = SimpleNamespace(states=singular, row=np.ones(1), level=0.0)
     assert _on_piece(equation, 3.0, 7.0) is Piece.UNRESOLVED
+
+
+def test_newtons_method_begins_in_the_middle_of_each_cell(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun: list = []
+    durations = np.geomspace(0.01, 2.0, 48)
+    monkeypatch.setattr(unequal_switches, "_cells", lambda values: [(20, 7), (47 - 1, 0)])
+    monkeypatch.setattr(
+        unequal_switches, "_solved", lambda equation, starts: begun.extend(starts.tolist()) or []
+    )
+    assert unequal_switches.unequal_switches(UNEQUAL, (0.01, 2.0)) == []
+    places = [(20, 7), (46, 0)]
+    middles = np.sqrt(durations[:-1] * durations[1:])
+    np.testing.assert_allclose(np.exp(begun), [[middles[i], middles[j]] for i, j in places])
+    monkeypatch.setattr(unequal_switches, "_cells", lambda values: [])
+    assert unequal_switches.unequal_switches(UNEQUAL, (0.01, 2.0)) == []
+    assert len(begun) == 2
+
+
+def test_where_there_is_no_value_shorter_durations_are_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    def functions(u, v):
+        return np.where(u > -0.2, np.nan, u + 0.5), v - 0.2
+
+    assert solved(monkeypatch, functions) == [pytest.approx([-0.5, 0.2], abs=1e-9)]

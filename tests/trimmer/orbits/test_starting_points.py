@@ -166,6 +166,10 @@ def test_a_relay_switches_where_its_input_or_the_rate_of_that_falls_through_zero
     assert switch_of(relay, given) == pytest.approx(PI - 0.4)
     assert switch_of(friction, given) == pytest.approx(PI / 2 - 0.4)
     assert switch_of(relay, OddPolynomial(np.zeros(1, dtype=complex))) is None
+    # Of several falls in a period it is the first from an eighth before the first harmonic rises.
+    for turn in (0.0, 1.0, -2.5):
+        twice = OddPolynomial(np.array([np.exp(1j * turn), -0.9 * np.exp(3j * turn)]))
+        assert switch_of(relay, twice) == pytest.approx(-turn, abs=1e-12)
 
 
 def test_quiet_phases_lie_in_the_middle_of_what_lasts() -> None:
