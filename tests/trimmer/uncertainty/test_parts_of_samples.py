@@ -13,11 +13,11 @@ import pytest
 
 from tests.trimmer.design.made import oscillator
 from trimmer import TrimmerParameters
-from trimmer.errors import UncertaintyError
-from trimmer.uncertainty import loop_samples, study
+from trimmer.errors import MapFileError, UncertaintyError
+from trimmer.uncertainty import loop_samples, samples, study
 from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.indices import Indices, _salib, indices_of, saltelli_points
-from trimmer.uncertainty.kept import NOWHERE, Keeping, header
+from trimmer.uncertainty.kept import NOWHERE, Keeping, begin, header, resumed
 from trimmer.uncertainty.loop_samples import LoopFile, LoopNumbers, LoopSamples, sample_loop
 from trimmer.uncertainty.points import EDGE, Plan, within_cube
 from trimmer.uncertainty.sample_file import SampleFile
@@ -115,12 +115,12 @@ def test_a_motion_is_followed_before_the_clock_runs(monkeypatch: pytest.MonkeyPa
     clock = iter([10.0, 14.0])
     monkeypatch.setattr(study, "warm_up", lambda file: done.append("warm"))
     monkeypatch.setattr(study.time, "perf_counter", lambda: done.append("clock") or next(clock))
-    samples = SimpleNamespace(trials=(1, 2, 3))
-    monkeypatch.setattr(study, "sample_mechanism", lambda *given, **options: samples)
+    done_samples = SimpleNamespace(trials=(1, 2, 3))
+    monkeypatch.setattr(study, "sample_mechanism", lambda *given, **options: done_samples)
     monkeypatch.setattr(study, "balanced_samples", lambda samples, count: (samples, count))
     found = study_samples(file, SampleSettings(count=4), balanced=7)
     assert done[1:] == ["warm", "clock", "clock"]
-    assert (found.per_second, found.balanced) == (0.75, (samples, 7))
+    assert (found.per_second, found.balanced) == (0.75, (done_samples, 7))
 
 
 def test_a_loop_tells_how_many_samples_it_did_in_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -145,3 +145,75 @@ def test_a_loop_tells_how_many_samples_it_did_in_a_second(monkeypatch: pytest.Mo
     assert some.message == (
         "6 samples (latin-hypercube, seed 3). 2 samples that no trimmer can have were left out. Told."
     )
+
+
+def test_one_block_of_samples_is_a_power_of_two_and_small_values_have_indices(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list = []
+
+    def sample(problem: dict[str, Any], blocks: int, **options: Any) -> np.ndarray:
+        asked.append((problem["num_vars"], blocks, options))
+        return np.full((blocks * 4, 2), 0.5)
+
+    def analyze(problem: dict[str, Any], values: np.ndarray, **options: Any) -> dict[str, list[float]]:
+        return {key: [0.1, 0.2] for key in ("S1", "ST", "S1_conf", "ST_conf")}
+
+    salib = SimpleNamespace(sample=sample, analyze=analyze)
+    monkeypatch.setattr("trimmer.uncertainty.indices._salib", lambda part: salib)
+    for blocks in (1, 2, 8):
+        assert saltelli_points(2, blocks, 5).shape == (4 * blocks, 2)
+        assert asked[-1] == (2, blocks, {"calc_second_order": False, "seed": 5})
+    for blocks in (3, 5, 6, 7, 9, 12):
+        with pytest.raises(UncertaintyError, match=f"{blocks} blocks of samples"):
+            saltelli_points(2, blocks, 5)
+    for spread, count in ((5e-15, 2), (5e-16, 0)):
+        found = indices_of(1e-3 + spread * np.arange(8) / 7, ("a", "b"), 0)
+        assert len(found.indices) == count
+
+
+def test_a_file_is_begun_once_and_a_damaged_one_is_not_gone_on_with(tmp_path) -> None:
+    made, path = inputs(np.array([[0.45, 9e3], [0.55, 9.1e3]]), [True, True]), tmp_path / "samples.jsonl"
+    begin(path, made)
+    with pytest.raises(MapFileError, match="is a file of samples already"):
+        begin(path, made)
+    begin(path, made, overwrite=True)
+    line = {"number": 1, "kind": "periodic", "period_count": 1, "measures": []}
+    with path.open("a") as file:
+        file.write(json.dumps(line) + "\n")
+    found = resumed(path, made, ())
+    assert list(found) == [1]
+    assert (found[1].values, found[1].period_count) == ((0.55, 9.1e3), 1)
+    for change in (
+        {"number": 2},
+        {"number": "a"},
+        {"kind": "nonsense"},
+        {"measures": [1.0]},
+        {"measures": 3},
+    ):
+        begin(path, made, overwrite=True)
+        with path.open("a") as file:
+            file.write(json.dumps(line | change) + "\n" + json.dumps(line) + "\n")
+        with pytest.raises(MapFileError, match="line 2"):
+            resumed(path, made, ())
+
+
+def test_samples_are_512_with_a_progress_bar_unless_it_is_said_otherwise(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list = []
+    file = SampleFile(oscillator(), (), Uncertainty(SCATTERS))
+
+    def trials(made: SampleInputs, runner: object, keeping: Keeping, *, quiet: bool) -> tuple:
+        asked.append((len(made.values), made.settings, runner, keeping, quiet))
+        return ()
+
+    monkeypatch.setattr(samples, "trials_of", trials)
+    monkeypatch.setattr(samples, "_reason_against", lambda *given: "")
+    found = samples.sample_mechanism(file)
+    assert (found.trials, found.targets) == ((), ())
+    plan = SampleSettings(512, Plan.LATIN_HYPERCUBE, 0, 300)
+    assert asked == [(512, plan, None, NOWHERE, False)]
+    keeping = Keeping(overwrite=True)
+    samples.sample_mechanism(file, SampleSettings(4), runner="runner", keeping=keeping, quiet=True)
+    assert asked[1] == (4, SampleSettings(4), "runner", keeping, True)
