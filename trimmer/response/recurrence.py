@@ -33,8 +33,6 @@ def candidates(states: Reals, sizes: Reals, most: int) -> list[int]:
         most: The largest number.
     """
     longest = min(most, (len(states) - 1) // 2)
-    if longest < 1:
-        return []
     last = states[-1]
     apart = abs((states[-2 : -2 - longest : -1] - last) / sizes).max(axis=1)
     near = np.flatnonzero(apart < NEAR)

@@ -123,7 +123,7 @@ class Window:
         _, density = welch(self.samples, rate, nperseg=length, axis=0)
         outputs = self.flow.mechanism.outputs
         # Those of ``welch``, which gives none without outputs.
-        frequencies = rate * np.fft.rfftfreq(length)
+        frequencies = np.asarray(rate * np.fft.rfftfreq(length), dtype=np.float64)
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 

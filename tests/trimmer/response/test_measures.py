@@ -237,3 +237,16 @@ def test_a_constant_force_does_force_times_way() -> None:
     way = float(motion.displacement("body", 0.9) - motion.displacement("body", 0.0))
     assert motion.energy.forces["weight"] == pytest.approx(3.0 * way, rel=1e-12)
     assert motion.energy.residual < 1e-13
+
+
+def test_a_pin_works_against_the_friction_that_it_rubs() -> None:
+    mechanism = Mechanism(
+        {"body": Body(2.0)},
+        frequency=3.0,
+        pins={"belt": Pin("ground", amplitude=0.05)},
+        links={"spring": Link(("ground", "body"), 400.0, 1.0)},
+        frictions={"rub": Friction(("belt", "body"), 1.5, viscous=0.7)},
+    )
+    energy = simulate(mechanism, 1.1).energy
+    assert energy.residual < 1e-11
+    assert energy.pins["belt"] == energy.work > energy.frictions["rub"] > 0.1

@@ -48,6 +48,8 @@ def test_it_has_returned_after_three_returns_to_rounding() -> None:
         for by in (1e-9, -1e-9):
             moved[place] = states[place] + by * SIZES
             assert not has_returned(moved, SIZES, 3)
+            moved[place] = states[place] + 0.09 * by * SIZES
+            assert has_returned(moved, SIZES, 3)
 
 
 def orbit(monodromy: np.ndarray, growth: float = 1.0) -> SimpleNamespace:

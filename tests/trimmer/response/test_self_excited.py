@@ -176,11 +176,12 @@ def resting(states: list, end: list, flow: list, unit: float) -> bool:
     return at_rest(course, unit)
 
 
-def test_rates_at_rest_are_small_beside_what_was_moved() -> None:
-    """Two bodies that reached 4 and 200 m, and a stretch of 1e-3 m; the last column is the forcing of 1/2."""
-    states, end = [[4.0, -200.0, 0.0, 0.0, 1e-3, 9.0]], [0.0] * 5
-    fastest = 2 * np.pi * 200.0 / 20.0
-    allowed = 1e-9 * np.array([200.0, 200.0, fastest, fastest, 1e-3]) / 20.0
+@pytest.mark.parametrize("reach", [200.0, 2e-4])
+def test_rates_at_rest_are_small_beside_what_was_moved(reach: float) -> None:
+    """Of two bodies one reached fifty times less; the last column of the flow is the forcing of 1/2."""
+    states, end = [[0.02 * reach, -reach, 0.0, 0.0, 1e-3, 9.0]], [0.0] * 5
+    fastest = 2 * np.pi * reach / 20.0
+    allowed = 1e-9 * np.array([reach, reach, fastest, fastest, 1e-3]) / 20.0
     for place in range(5):
         for share, rests in ((0.99, True), (1.01, False)):
             for sign in (1.0, -1.0):
@@ -201,4 +202,5 @@ def test_modes_that_hardly_move_have_no_period() -> None:
     assert time_scale(flow([-2.0, 50.0, 0.5]), instant) == pytest.approx(4 * np.pi)
     assert time_scale(flow([-2.0, 50.0, 1e-9]), instant) == pytest.approx(np.pi)
     assert time_scale(flow([-2e-7, 50.0, 0.0]), instant) == pytest.approx(1e7 * np.pi)
+    assert time_scale(flow([-5e-10, -2e-10]), instant) == pytest.approx(1e10 * np.pi)
     assert time_scale(flow([0.0, 0.0]), instant) == 1.0
