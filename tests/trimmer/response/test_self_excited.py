@@ -10,7 +10,7 @@ import pytest
 
 from trimmer import OrbitNotFoundError
 from trimmer.contact.advance import Ending
-from trimmer.contact.statuses import CONTACT_MADE, NOTHING
+from trimmer.contact.statuses import CONTACT_BROKEN, CONTACT_MADE, NOTHING
 from trimmer.response import self_excited as module
 from trimmer.response.self_excited import _recurrences, _recurring, at_rest, self_excited_orbit, time_scale
 
@@ -154,6 +154,8 @@ def test_recurrences_are_of_the_same_event_in_the_same_mode_and_lasting() -> Non
         state=np.ones((7, 1)),
     )  # fmt: skip
     course = SimpleNamespace(log=log)
+    broken = SimpleNamespace(**{**vars(log), "kind": np.where(np.arange(7) == 1, CONTACT_BROKEN, kind)})
+    assert _recurrences(SimpleNamespace(log=broken), np.ones(1)) == []
     # Not of the last row, of rows in which nothing happens, or of the other mode.
     assert _recurrences(course, np.ones(1)) == [(1, 3)]
     many = SimpleNamespace(

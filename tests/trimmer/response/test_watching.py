@@ -161,6 +161,9 @@ def test_a_motion_is_watched_until_it_is_known_what_it_is(monkeypatch: pytest.Mo
     assert len(begun) == 1
     found, begun = seen_by(monkeypatch, [unknown, None, unknown])
     assert (found.window.periods, len(begun)) == (24, 2)
+    longer = window(growth=unknown.growth, events=np.array([9.0, 8.0, 7.0]))
+    found, _ = seen_by(monkeypatch, [unknown, longer, None])
+    assert found.window.events.tolist() == [1.0, 2.0, 6.0, 9.0, 8.0, 7.0]
     assert seen_by(monkeypatch, [None])[0] is None
     assert not found.leaves
 
