@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 BALANCED = 1e-9
 """Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""
+NO_OUTPUT = 1e3
+"""Imbalance where the element has no steady output."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -141,7 +143,7 @@ def _solve(
         given, trial = unpacked(unknowns)
         output = steady_response(element, given, trial) if trial > 0 else None
         if output is None:
-            return np.full(len(unknowns), 1e3)
+            return np.full(len(unknowns), NO_OUTPUT)
         gains = np.atleast_1d(system(1j * trial * given.numbers))
         residuals = (given.coefficients + gains * output) / amplitude
         return np.asarray(residuals.view(np.float64))

@@ -100,6 +100,20 @@ def test_what_is_left_after_many_pieces_is_undecided(monkeypatch: pytest.MonkeyP
     assert (begin, end) == pytest.approx((0.1 * 100 ** (2 / 12), 10.0))
 
 
+@pytest.mark.parametrize("place", [120.0, 0.0021])
+def test_a_piece_is_halved_until_it_is_narrow(monkeypatch: pytest.MonkeyPatch, place: float) -> None:
+    def on_piece(equation, begin, end):
+        return Piece.UNRESOLVED if begin <= place < end else [begin]
+
+    monkeypatch.setattr(half_period, "_on_piece", on_piece)
+    found = zeros(equation_of([[-1]], [1], [0]), (0.7 * place, 1.3 * place))
+    ((begin, end),) = found.undecided
+    assert begin <= place < end
+    assert 0.49e-5 * place < end - begin <= 1e-5 * end
+    assert found.halves[0] == pytest.approx(0.7 * place)
+    assert list(found.halves) == sorted(found.halves)
+
+
 def test_pieces_cover_the_interval_in_a_fixed_ratio() -> None:
     pieces = _first_pieces((2.0, 2.0 * 1.4**3))
     ends = [2.0, 2.8, 3.92, 5.488]
