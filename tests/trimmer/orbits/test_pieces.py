@@ -190,6 +190,7 @@ def test_the_response_to_a_sine_is_that_of_describing_functions(name: str) -> No
 def test_where_there_is_no_steady_output_there_is_no_response() -> None:
     assert steady_response(Relay(1.0), polynomial(0.0), 1.0) is None
     assert steady_response(FrictionBacklash(1.0), polynomial(0.3), 1.0) is None
+    assert steady_response(Relay(1.0, 0.3, 0.9), polynomial(1.1), 1.0) is None
     assert flight_of(BacklashComponent(0.5, 0.0), polynomial(0.0), 3.0) is None
 
 
