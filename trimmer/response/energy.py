@@ -258,7 +258,7 @@ def dry_force(modes: Modes, number: int) -> Signal:
         statuses, found = modes[mode].statuses, np.zeros(modes.layout.size)
         status = statuses[contacts + number]
         if status != STICK:
-            found[-1] = machine.kinetic[number] * (1.0 if status == FORWARD else -1.0)
+            found[-1] = machine.kinetic[number] if status == FORWARD else -machine.kinetic[number]
             return found
         sticking = [i for i, each in enumerate(statuses[contacts:]) if each == STICK]
         held = (modes[mode].flow - flow_without_stick(machine, statuses))[bodies : 2 * bodies]
