@@ -30,8 +30,6 @@ ORDERS = range(1, 17, 2)
 """Harmonics that are balanced, one after the other."""
 HARMONICS = 32
 """Number of odd harmonics of the element's output that move the linear system."""
-SLOWING = 3
-"""Number of states of a load that slows down: position, velocity, and the share of it that remains."""
 DIFFERENCE = 1e-5
 """Of phases, rad, for the velocity of a load."""
 NO_STATES = np.array([])
@@ -70,13 +68,12 @@ def _start(loop: ClosedLoop, given: OddPolynomial, output: Complexes, omega: flo
     state[: model.nstates] = (np.exp(1j * phase * given.numbers) @ responses).imag
     sizes[: model.nstates] = abs(responses).sum(axis=0)
     state[-1] = 1.0
-    chosen = []
+    chosen, largest = [], given.largest()
+    # Of a load position, velocity, and if it slows down the share of it that remains.
     for first, component in zip(layout.first_states, loop.modes.system.components, strict=True):
         own = slice(first, first + component.state_count)
         mode, state[own] = _on(component, given, omega, phase)
-        sizes[own] = np.array([1.0, omega, 0.0])[: component.state_count] * given.largest()
-        if component.state_count == SLOWING:
-            sizes[own.stop - 1] = 1.0
+        sizes[own] = np.array([largest, omega * largest, 1.0])[: component.state_count]
         chosen.append(mode)
     return Start(loop.modes.number(tuple(chosen)), state, sizes)
 

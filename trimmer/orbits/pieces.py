@@ -62,8 +62,6 @@ def switching_phases(component: ThresholdComponent, given: OddPolynomial) -> tup
 
     Where the input passes ``on`` several times before it passes ``off``, the first one counts.
     """
-    if given.largest() <= component.on:
-        return None
     phases = np.linspace(0.0, 2.0 * math.pi, POINTS)
     lowest = float(phases[np.argmin(given(phases))])
     # From there on the input first rises through a limit that is above it.

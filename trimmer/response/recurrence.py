@@ -49,7 +49,7 @@ def has_returned(states: Reals, sizes: Reals, periods: int) -> bool:
     if len(states) <= 3 * periods:
         return False
     last = states[-1 : -2 - 3 * periods : -periods]
-    return bool((abs((last[1:] - last[0]) / sizes) < RETURNED).all())
+    return bool((abs((last - last[0]) / sizes) < RETURNED).all())
 
 
 def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:

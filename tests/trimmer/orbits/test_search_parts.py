@@ -173,7 +173,8 @@ def test_newtons_method_begins_at_the_first_harmonic_and_then_at_balanced_ones(
     assert trials[-2:] == [("third", 8), ("third", 9)]
 
 
-def test_where_the_element_is_not_reached_there_is_nothing_to_follow() -> None:
+def test_where_the_element_is_not_reached_there_is_nothing_to_follow(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "starting_point", None)
     loop = ClosedLoop(control.tf([1.0], [1.0, 1.0, 1.0]), FrictionBacklash(1.0))
     assert np.isnan(loop.element.describing_function(0.4, 1.0))
     assert _near(loop, 0.4, 1.0, None) is None

@@ -179,12 +179,13 @@ def test_a_neighbour_leaves_where_its_distance_grows_a_thousandfold(growth: floa
 
     def at(state: np.ndarray, phase: float, like: object) -> SimpleNamespace:
         assert (phase, like) == (0.25, begin)
-        assert np.linalg.norm(state / sizes) == pytest.approx(1e-9)
+        moved = (state - begin.state) / sizes
+        assert np.linalg.norm(moved) == pytest.approx(1e-9)
         direction = np.random.default_rng(2).normal(size=2)
-        assert state / sizes @ direction == pytest.approx(1e-9 * np.linalg.norm(direction))
+        assert moved @ direction == pytest.approx(1e-9 * np.linalg.norm(direction))
         return SimpleNamespace(state=state)
 
-    begin = SimpleNamespace(state=np.zeros(2), phase=0.25)
+    begin = SimpleNamespace(state=np.array([1e-3, -50.0]), phase=0.25)
     flow = SimpleNamespace(size=2, strobe=strobe, at=at)
     assert _neighbour_leaves(flow, SimpleNamespace(begin=begin, sizes=sizes)) is leaves
 
