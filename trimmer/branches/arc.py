@@ -87,21 +87,27 @@ class Arc:
             LostError: if an orbit between them is not found.
         """
         known = {self.distance(left): left, self.distance(right): right}
-        values = {distance: function(place) for distance, place in known.items()}
 
-        def at(distance: float) -> float:
+        def at(distance: float) -> Place:
             if distance not in known:
                 before = max(each for each in known if each < distance)
                 after = min(each for each in known if each > distance)
                 known[distance] = self.smooth(distance, known[before], known[after])
-                values[distance] = function(known[distance])
-            return values[distance]
+            return known[distance]
 
-        first, last = sorted(known)
-        root = scipy.optimize.brentq(at, first, last, xtol=self.narrowest, rtol=ROUNDING, disp=False)
-        at(root)
+        first, last = known
+        root = at(
+            scipy.optimize.brentq(
+                lambda distance: function(at(distance)),
+                first,
+                last,
+                xtol=self.narrowest,
+                rtol=ROUNDING,
+                disp=False,
+            )
+        )
         self._check_joined([known[each] for each in sorted(known)])
-        return known[root]
+        return root
 
     def _check_joined(self, places: list[Place]) -> None:
         """Check that neighbours among places on a smooth curve are no farther apart than their distances say.

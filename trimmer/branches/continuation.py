@@ -101,7 +101,7 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
         return None
     problem = Problem(map, interval.span, scales(place, None))
     place = problem.adopted(place)
-    tangent = place.tangent(math.copysign(1.0, interval.stop - interval.start) * across)
+    tangent = place.tangent((interval.stop - interval.start) * across)
     if tangent is None:
         return BranchEnd.NOT_ISOLATED
     return begun(problem, place, tangent)

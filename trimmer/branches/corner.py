@@ -8,7 +8,7 @@ from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc
 from trimmer.branches.borders import Border, special_points
 from trimmer.branches.orbit import Place
-from trimmer.branches.step import Front, Step, fold_at
+from trimmer.branches.step import Front, Step, angle, fold_at
 
 REACHES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)
 """Distances beyond the last orbit at which the other side of the border is looked for."""
@@ -68,5 +68,4 @@ def _step(front: Front, place: Place, reference: Reals) -> Step | None:
     special = special_points(arc, Border(front.place, place))
     if special and tangent[-1] * front.tangent[-1] < 0.0:
         special.append(fold_at(special))
-    bend = float(np.arccos(np.clip(tangent @ front.tangent, -1.0, 1.0)))
-    return Step(front.moved(place, tangent), tuple(special), (), bend)
+    return Step(front.moved(place, tangent), tuple(special), (), angle(front.tangent, tangent))

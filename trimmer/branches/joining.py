@@ -81,13 +81,16 @@ def _located(arc: Arc, place: Place) -> Place:
     """
     places = [place]
 
-    def test(value: float) -> float:
+    def orbit(value: float) -> Place:
         nearest = min(places, key=lambda each: abs(arc.distance(each) - value))
         found = arc.at(value, arc.predicted(nearest, value))
         if found is None:
             raise LostError
         places.append(found)
-        return float(np.prod(found.multipliers + 1.0).real)
+        return found
+
+    def test(value: float) -> float:
+        return float(np.prod(orbit(value).multipliers + 1.0).real)
 
     begin = arc.distance(place)
     _, result = scipy.optimize.newton(
@@ -101,8 +104,7 @@ def _located(arc: Arc, place: Place) -> Place:
     )
     if not result.converged:
         raise LostError
-    test(float(result.root))
-    return places[-1]
+    return orbit(float(result.root))
 
 
 def front_beyond(bifurcation: Bifurcation, sign: float) -> Front | None:

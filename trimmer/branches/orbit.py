@@ -163,15 +163,17 @@ class Problem:
     def correct(self, guess: Reals, normal: Reals, offset: float) -> Place | None:
         """Solve for the orbit on the plane normal · position = offset; None if Newton's method fails."""
         place = self.place(guess)
+        if place is None:
+            return None
         for _ in range(MOST_ITERATIONS):
-            if place is None or place.error <= EXACT:
+            if place.error <= EXACT:
                 return place
             following = self._improved(place, normal, offset)
             if following is None or following.error > 0.5 * place.error < 0.5 * CLOSED:
                 best = place if following is None or place.error < following.error else following
                 return best if best.error <= CLOSED else None
             place = following
-        return place if place is not None and place.error <= CLOSED else None
+        return place if place.error <= CLOSED else None
 
     def _improved(self, place: Place, normal: Reals, offset: float) -> Place | None:
         """Take Newton's step, shortened as long as it does not bring the miss down; None if nothing does."""

@@ -105,9 +105,8 @@ def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool
     end = _end_passed(predicted, start, stop)
     if end is None:
         far = arc.at(float(front.direction @ (predicted - front.place.position)), predicted)
-        end = None if far is None else _end_passed(far.position, start, stop)
-        if far is not None and end is not None:
-            predicted = far.position
+        if far is not None:
+            predicted, end = far.position, _end_passed(far.position, start, stop)
     if end is not None:
         far = _at_end(front, predicted, end)
     if far is None or _astray(front, far):
@@ -197,8 +196,15 @@ def _examined(front: Front, arc: Arc, far: Place, smooth: bool) -> Step | None:
     tangent = far.tangent(arc.direction)
     if tangent is None:
         return None
-    bend = float(np.arccos(np.clip(tangent @ front.tangent, -1.0, 1.0)))
-    return Step(front.moved(far, tangent), tuple(special), tuple(switches), bend)
+    return Step(front.moved(far, tangent), tuple(special), tuple(switches), angle(front.tangent, tangent))
+
+
+def angle(first: Reals, second: Reals) -> float:
+    """Return the angle between two unit vectors, rad.
+
+    Kahan, How futile are mindless assessments of roundoff, 2006, section 12: no rounding is enlarged.
+    """
+    return 2.0 * float(np.arctan2(np.linalg.norm(first - second), np.linalg.norm(first + second)))
 
 
 def _passes(arc: Arc, border: Border) -> bool:

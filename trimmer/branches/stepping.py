@@ -109,7 +109,7 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     """Return the front in the scale of its orbit, and the largest sizes so far."""
     front = _restarted(front)
     sizes = scales(front.place, largest)
-    largest = np.maximum(largest, abs(front.place.passage.sizes))
+    largest = np.maximum(largest, front.place.passage.sizes)
     problem = replace(front.problem, sizes=sizes)
     tangent = front.tangent.copy()
     tangent[:-1] *= front.problem.sizes / sizes
@@ -176,7 +176,7 @@ def _passed(position: Reals, before: Front, after: Front) -> bool:
 
 def scales(place: Place, before: Reals | None) -> Reals:
     """Return the scale of the states near an orbit; an entry that never moves has the scale 1."""
-    sizes = abs(place.passage.sizes)
+    sizes = place.passage.sizes
     if before is not None:
         sizes = np.maximum(sizes, LEAST_SIZE * before)
     return np.where(sizes > 0.0, sizes, 1.0)

@@ -35,8 +35,7 @@ def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:
 def _critical(place: Place, multiplier: float) -> Reals:
     """Return the unit direction, shape (n + 1,), of the eigenvector of the multiplier nearest to a number."""
     matrix = place.monodromy - multiplier * np.eye(len(place.miss))
-    vector = np.linalg.svd(matrix)[2][-1]
-    return np.append(vector / np.linalg.norm(vector), 0.0)
+    return np.append(np.linalg.svd(matrix)[2][-1], 0.0)
 
 
 def _first(problem: Problem, origin: Reals, direction: Reals) -> Front | None:

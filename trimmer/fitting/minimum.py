@@ -43,11 +43,10 @@ def nearby_minimum(misfit: Misfit, fitted: Fitted, free: Flags, jacobian: Reals 
     for _ in range(MOST_STEPS):
         step, promised = _step(misfit, fitted, slope, free)
         trial = _tried(misfit, fitted, step) if promised > ENOUGH else None
-        gained = 0.0 if trial is None else fitted.chi_square - trial.chi_square
-        fitted = fitted if trial is None else trial
         if fresh and trial is None:
             break
-        fresh = gained < FAITHFUL * promised or trial is None
+        fresh = trial is None or fitted.chi_square - trial.chi_square < FAITHFUL * promised
+        fitted = fitted if trial is None else trial
         if fresh:
             slope = misfit.jacobian(fitted, free)
     return fitted

@@ -244,6 +244,4 @@ def _is_neutral(motion: CellMotion) -> bool:
 def alike(first: CellMotion, second: CellMotion, apart: float = SAME) -> bool:
     """Return whether the orbits of two periodic motions differ by no more than a share of their sizes."""
     ours, theirs = np.array(first.states), np.array(second.states)
-    if ours.shape != theirs.shape:
-        return False
     return same_states(ours, theirs, apart * np.maximum(strobed_sizes(ours), strobed_sizes(theirs)))

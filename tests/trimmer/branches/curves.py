@@ -10,6 +10,7 @@ import numpy as np
 from tests.trimmer.branches.maps import Given, Single
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.period_map import Phase
+from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
 from trimmer.errors import UnsupportedMotionError
 
@@ -71,3 +72,10 @@ def line_front(map: object, value: float, state: float, sign: float = 1.0) -> Fr
     tangent = place.tangent(np.array([0.0, sign]))
     assert tangent is not None
     return begun(problem, place, tangent)
+
+
+def special(
+    value: float, *state: float, kind: SpecialKind = SpecialKind.FOLD, parts: tuple[str, ...] = ()
+) -> SpecialPoint:
+    """Return a special point with a state."""
+    return SpecialPoint(kind, value, np.array(state), parts)

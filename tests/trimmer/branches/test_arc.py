@@ -34,6 +34,8 @@ def test_distances_are_along_the_direction_from_the_origin() -> None:
     near, far = arc_of(parabola(), 0.01), arc_of(parabola(), -2000.0)
     assert near.narrowest == 1e-13
     assert far.narrowest == pytest.approx(4.0 * np.finfo(float).eps * 4e6, rel=1e-12)
+    behind = Arc(far.problem, np.array([3.0, -5e6, 2.0]), ALONG)
+    assert behind.narrowest == pytest.approx(4.0 * np.finfo(float).eps * 5e6, rel=1e-12)
 
 
 def test_a_prediction_is_on_the_tangent() -> None:
@@ -85,6 +87,43 @@ def test_where_the_chord_does_not_lead_to_an_orbit_the_tangents_of_both_ends_do(
     else:
         with pytest.raises(LostError):
             sharp.smooth(value - 0.5, left, right)
+
+
+def test_an_orbit_is_sought_by_the_chord_then_from_the_left_then_from_the_right() -> None:
+    guesses = []
+
+    class Nowhere(Arc):
+        def at(self, distance: float, guess: np.ndarray) -> Place | None:
+            guesses.append(guess.tolist())
+            return None
+
+    plain = arc_of(parabola(), 0.5)
+    arc = Nowhere(plain.problem, plain.origin, plain.direction)
+    left, right = on(arc, 0.6), on(arc, 0.9)
+    assert arc.between(0.2, left, right) is None
+    # At 0.7: a third of the chord from 0.6 to 0.9, and the tangents (1.2, 3, 1) and (1.8, 3, 1).
+    chord = [0.36 + (0.81 - 0.36) / 3.0, 2.1, 0.7]
+    wanted = [chord, [0.36 + 0.12, 2.1, 0.7], [0.81 - 0.36, 2.1, 0.7]]
+    assert guesses == [pytest.approx(each, rel=1e-12) for each in wanted]
+
+
+def test_a_root_is_narrowed_between_the_nearest_orbits_that_are_known() -> None:
+    asked = []
+
+    class Watched(Arc):
+        def smooth(self, distance: float, left: Place, right: Place) -> Place:
+            asked.append((distance, self.distance(left), self.distance(right)))
+            return super().smooth(distance, left, right)
+
+    plain = arc_of(parabola(), 0.5)
+    arc = Watched(plain.problem, plain.origin, plain.direction)
+    arc.root(lambda place: place.position[2] ** 5 - 0.1, on(arc, 0.5), on(arc, 0.9))
+    known = [0.0, 0.4]
+    assert len(asked) > 4
+    for distance, left, right in asked:
+        assert left == pytest.approx(max(each for each in known if each < distance), abs=1e-12)
+        assert right == pytest.approx(min(each for each in known if each > distance), abs=1e-12)
+        known.append(distance)
 
 
 def test_an_orbit_of_other_phases_is_not_on_the_smooth_curve() -> None:

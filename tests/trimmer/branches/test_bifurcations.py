@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.branches.curves import OnCurve, parabola
+from trimmer.branches import bifurcations as module
 from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.bifurcations import (
     Bifurcation,
@@ -95,9 +96,70 @@ def test_a_link_is_halved_until_what_is_found_explains_the_multipliers_outside()
 
 
 def test_a_multiplier_that_jumps_past_minus_one_is_none() -> None:
-    jumping = diagonal(lambda p: -0.9 if p < 0.5 else -1.2, lambda p: 0.3)
-    # However far it is halved nothing explains the multiplier outside.
-    assert found(jumping, 0.1, 0.9) == []
+    for first, last in ((-0.9, -1.2), (-1.2, -0.9)):
+        jumping = diagonal(lambda p, first=first, last=last: first if p < 0.5 else last, lambda p: 0.3)  # type: ignore[misc]
+        # However far it is halved nothing explains the multiplier outside.
+        assert found(jumping, 0.1, 0.9) == []
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "value", "jumps"),
+    [
+        (1e-4, -10.0, 0.009, False),
+        (10.0, -1e-4, -0.009, False),
+        (1e-4, -10.0, 0.011, True),
+        (-10.0, 1e-4, -0.011, True),
+        (-10.0, 1e-4, -0.009, False),
+    ],
+)
+def test_a_function_jumps_where_it_is_not_zero_relative_to_the_larger_end(
+    monkeypatch: pytest.MonkeyPatch, near: float, far: float, value: float, jumps: bool
+) -> None:
+    kind, asked = SpecialKind.TORUS, []
+
+    def root(test: Callable[[tuple[float]], float], *ends: tuple[float]) -> tuple[float]:
+        asked.append(ends)
+        return (value,)
+
+    arc = SimpleNamespace(root=root, distance=lambda place: 0.0)
+    monkeypatch.setattr(module, "_tests", lambda arc: {kind: lambda place: place[0]})
+    monkeypatch.setattr(module, "_corner", lambda *given: [SimpleNamespace(place="jump", of=given)])
+    monkeypatch.setattr(module, "_located", lambda *given: [SimpleNamespace(place="root", of=given)])
+    (each,) = module._between(arc, (near,), (far,), 0)  # type: ignore[arg-type]
+    assert each.place == ("jump" if jumps else "root")
+    assert each.of == (arc, kind, (value,))  # type: ignore[attr-defined]
+    assert asked == [((near,), (far,))]
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "changes"), [(0.0, 1.0, True), (0.0, -1.0, False), (1.0, 0.0, True), (-1.0, 0.0, False)]
+)
+def test_zero_counts_as_one_side(
+    monkeypatch: pytest.MonkeyPatch, near: float, far: float, changes: bool
+) -> None:
+    arc = SimpleNamespace(root=lambda test, *ends: (0.0,), distance=lambda place: 0.0)
+    monkeypatch.setattr(module, "_tests", lambda arc: {SpecialKind.TORUS: lambda place: place[0]})
+    monkeypatch.setattr(module, "_located", lambda *given: [SimpleNamespace(place="root")])
+    assert len(module._between(arc, (near,), (far,), 0)) == changes  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("splits", [0, 1, 3])
+def test_what_nothing_explains_is_halved_so_many_times(monkeypatch: pytest.MonkeyPatch, splits: int) -> None:
+    halves = []
+
+    def smooth(distance: float, near: float, far: float) -> float:
+        assert distance == 0.5 * (near + far)
+        halves.append((near, far))
+        return distance
+
+    arc = SimpleNamespace(smooth=smooth, distance=float)
+    monkeypatch.setattr(module, "_tests", lambda arc: {})
+    monkeypatch.setattr(module, "_explained", lambda *_: False)
+    assert bifurcations(arc, [0.0, 1.0, 3.0], splits) == []  # type: ignore[arg-type, list-item]
+    assert len(halves) == 2 * (2**splits - 1)
+    halves.clear()
+    assert bifurcations(arc, [0.0, 1.0]) == []  # type: ignore[arg-type, list-item]
+    assert len(halves) == 2**6 - 1
 
 
 def fake(tangent_value: float) -> Place:
@@ -186,6 +248,12 @@ def test_what_was_found_explains_how_many_multipliers_leave_the_circle(
     assert _explained(of_kinds(*kinds), *ends) == good  # type: ignore[arg-type]
 
 
+def test_a_multiplier_on_the_circle_is_not_outside() -> None:
+    ends = [SimpleNamespace(multipliers=np.array([modulus, 0.5, -1.0j])) for modulus in (1.0, 0.9)]
+    assert _explained([], *ends)  # type: ignore[arg-type]
+    assert _explained([], *ends[::-1])  # type: ignore[arg-type]
+
+
 def test_a_chord_must_lie_close_to_both_tangents() -> None:
     map = parabola()
     arc = arc_of(map, 0.0)
@@ -239,6 +307,30 @@ def test_a_function_that_changes_its_sign_or_bends_the_other_way_has_no_dip() ->
     ):
         arc = arc_of(map, 0.55)
         assert dips(arc, *(map.at(value, arc.problem) for value in (0.2, 0.55, 0.7))) == []
+
+
+@pytest.mark.parametrize(
+    ("values", "lowest"),
+    [
+        # A parabola through values at -0.3, 0 and 0.4: 0.01 + 2 (p - 0.25)^2 and its mirror image.
+        ((0.615, 0.135, 0.055), 0.25),
+        ((-0.615, -0.135, -0.055), 0.25),
+        # It changes its sign: a root is found by itself, and no dip.
+        ((0.595, 0.115, -0.01), None),
+        ((-0.1, 0.115, 0.035), None),
+        # The lowest point lies behind, or beyond.
+        ((0.19, 0.04, 1.0), None),
+        ((2.0, 1.0, 0.5), None),
+    ],
+)
+def test_a_dip_is_the_lowest_point_of_a_parabola_through_three_values(
+    monkeypatch: pytest.MonkeyPatch, values: tuple[float, ...], lowest: float | None
+) -> None:
+    monkeypatch.setattr(module, "_tests", lambda arc: dict.fromkeys("ab", lambda place: place[1]))
+    arc = SimpleNamespace(distance=lambda place: place[0])
+    places = zip((-0.3, 0.0, 0.4), values, strict=True)
+    found = dips(arc, *places)  # type: ignore[arg-type, call-arg]
+    assert found == ([] if lowest is None else [pytest.approx(lowest, rel=1e-12)])
 
 
 def test_without_a_tangent_the_branch_is_lost() -> None:

@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.trimmer import results
-from tests.trimmer.branches.test_self_excited_map import belt
+from tests.trimmer.branches.test_self_excited_map import PERIOD, belt
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from trimmer.branches import balanced as module
+from trimmer.branches import followed as followed_module
 from trimmer.branches.balanced import balanced_beside
 from trimmer.branches.follow import _interval, _orbit_at_start, follow
+from trimmer.branches.followed import FollowedOrbit
 from trimmer.branches.outputs import body_coefficients, output_measures
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.contact.flow import ExactFlow
@@ -62,6 +68,69 @@ def test_what_lies_beyond_the_last_harmonic_is_a_part_of_the_distance() -> None:
     assert finer.distance < 0.1 * found.distance
 
 
+def test_the_distance_is_that_of_the_body_where_it_is_largest_relative_to_its_motion(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # Displacements 5 + 4 cos + 2 sin 2 of one body, 0.3 cos of another, and one that rests; 16 even instants.
+    angles = 2.0 * math.pi * np.arange(16) / 16.0
+    moved = [5.0 + 4.0 * np.cos(angles) + 2.0 * np.sin(2.0 * angles), 0.3 * np.cos(angles), 0.0 * angles]
+    states = np.column_stack([*moved, np.ones(16)])
+    nodes = SimpleNamespace(states=states, weights=np.full(16, 3.0 / 16.0))
+    course: Any = SimpleNamespace(nodes=nodes, duration=3.0)
+    exact = np.array([[5.0, 4.0], [0.0, 0.3], [0.0, 0.0]], dtype=complex)
+    asked = []
+
+    def coefficients(course: Any, periods: int, count: int) -> np.ndarray:
+        asked.append((periods, count))
+        return exact
+
+    off = np.array([[7.0, 1.0j], [0.0, 0.15], [9.0, 0.0]])
+
+    def balanced(mechanism: str, begin: np.ndarray, periods: int) -> Any:
+        asked.append((mechanism, begin is exact, periods))
+        return SimpleNamespace(coefficients=exact + off, converged="so it is")
+
+    monkeypatch.setattr(module, "body_coefficients", coefficients)
+    monkeypatch.setattr(module, "harmonic_balance_of", balanced)
+
+    def distance() -> float:
+        return balanced_beside(course, "it", 2, 3).distance  # type: ignore[arg-type]
+
+    # Mean squares: 0.5 of the difference and 2 beyond against 10, and a quarter of its own.
+    assert distance() == pytest.approx(math.sqrt(2.5 / 10.0), rel=1e-12)
+    assert asked == [(2, 6), ("it", True, 2)]
+    off[1, 1] = 0.24
+    assert distance() == pytest.approx(0.8, rel=1e-12)
+    # What rests has no size of its own.
+    off[2, 1] = 1.2
+    assert distance() == pytest.approx(math.sqrt(0.72), rel=1e-12)
+    # More in the harmonics than in the motion is a matter of rounding, and counts as nothing.
+    off[1:, 1] = 0.03, 0.0
+    exact[0, 1] = 5.0
+    assert distance() == pytest.approx(math.sqrt(0.5 / 10.0), rel=1e-12)
+    assert balanced_beside(course, "it", 2, 3).converged == "so it is"  # type: ignore[arg-type, comparison-overlap]
+
+
+def test_an_orbit_is_balanced_over_its_own_periods(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(followed_module, "balanced_beside", lambda *given: given)
+    point: Any = SimpleNamespace()
+    orbit = FollowedOrbit(point, MechanismMap(linear_oscillator(), "frequency", 1.0, 3))
+    course, mechanism = object(), object()
+    vars(orbit)["passage"] = SimpleNamespace(course=course, flow=SimpleNamespace(mechanism=mechanism))
+    assert orbit.balanced(7) == (course, mechanism, 3, 7)  # type: ignore[comparison-overlap]
+
+
+def test_outputs_of_a_motion_without_a_drive_have_its_own_harmonics() -> None:
+    flow = ExactFlow(belt())
+    course = flow.timed(flow.at(np.array([0.7, 0.2])), PERIOD)
+    measure = output_measures(belt(), course)["block"]
+    times = PERIOD * np.arange(60_000) / 60_000
+    block = course.states(times)[:, 0]
+    wanted = 2.0 * abs(np.fft.fft(block)[1:16]) / len(times)
+    assert measure.harmonics == pytest.approx(wanted, rel=1e-6, abs=1e-9)
+    assert measure.peak_to_peak == pytest.approx(np.ptp(block), rel=1e-7)
+
+
 def test_a_followed_branch_tells_its_orbits() -> None:
     branch = results.branch()
     rows = list(branch._table().rows())
@@ -94,6 +163,7 @@ def test_a_followed_branch_tells_its_orbits() -> None:
     )
     assert "one more branch" in str(one)
     assert "3 more branches" in str(two)
+    assert "2 more branches" in str(replace(branch, branches=(inner, inner)))
     assert list(two.all())[1:] == [two.branches[0], inner, inner]
     numbers = [row[0] for row in two._table().rows()]
     assert sorted({*numbers}) == [0, 1, 2, 3]

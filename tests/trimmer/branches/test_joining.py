@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,11 +14,11 @@ from trimmer.branches.branch import BranchEnd
 from trimmer.branches.continuation import continuation
 from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.joining import joint
-from trimmer.branches.orbit import Problem
+from trimmer.branches.joining import _middle, joint
+from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
-from trimmer.branches.step import begun, rejoined
+from trimmer.branches.step import Front, begun, halves, rejoined
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Link, Play
 
@@ -138,6 +140,76 @@ def test_single_orbit_beyond_a_joint_is_noticed() -> None:
         meeting = joint(front, far)
         assert meeting is not None
         assert meeting.point.value == pytest.approx(3.0, rel=1e-14)
+
+
+def doubled(state: float, middle: float | None) -> Place:
+    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
+    after = None if middle is None else np.array([middle, 8.0])
+    return SimpleNamespace(  # type: ignore[return-value]
+        problem=problem, position=np.array([state, 2.0, 7.0]), passage=SimpleNamespace(middle=after)
+    )
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "joined"),
+    [
+        ((1.0, 0.6), (1.0, 0.55), False),
+        ((1.0, 0.6), (1.0, 0.45), True),
+        ((1.0, 0.4), (1.0, 0.45), False),
+        ((1.0, 0.6), (1.0, 0.5), True),
+        ((1.0, None), (1.0, 0.5), False),
+        ((1.0, 0.6), (1.0, None), False),
+    ],
+)
+def test_a_doubled_orbit_has_become_a_single_one_where_its_halves_are_exchanged(
+    near: tuple[float, float | None], far: tuple[float, float | None], joined: bool
+) -> None:
+    first, last = doubled(*near), doubled(*far)
+    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
+    assert rejoined(Front(problem, first, np.zeros(3), 1.0), last) is joined  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "joined"),
+    [
+        ((0.5, 0.3), (-0.2, 0.0), False),
+        ((0.2, 0.0), (-0.5, 0.3), False),
+        ((0.5, 0.2), (-0.2, 0.0), True),
+        ((0.2, 0.0), (-0.5, 0.2), True),
+    ],
+)
+def test_halves_are_exchanged_if_their_differences_are_nearly_opposite(
+    near: tuple[float, float], far: tuple[float, float], joined: bool
+) -> None:
+    # The cosine is -0.857 for (0.5, 0.3) against (-1, 0), and -0.928 for (0.5, 0.2).
+    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
+    places = [doubled(1.0, 0.5) for _ in range(2)]
+    for place, difference in zip(places, (near, far), strict=True):
+        place.passage.middle = (place.position[:-1] + difference) * problem.sizes  # type: ignore[misc]
+    assert rejoined(Front(problem, places[0], np.zeros(3), 1.0), places[1]) is joined  # type: ignore[arg-type]
+
+
+def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() -> None:
+    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
+    first, last = doubled(1.0, 0.6), doubled(1.4, 0.6)
+    assert halves(problem, first) == pytest.approx([0.2, 0.0], rel=1e-12)  # type: ignore[arg-type]
+    assert halves(problem, last) == pytest.approx([-0.2, 0.0], rel=1e-12)  # type: ignore[arg-type]
+    front = Front(problem, first, np.zeros(3), 1.0)  # type: ignore[arg-type]
+    assert _middle(front, last) == pytest.approx([1.2, 2.0, 7.0], rel=1e-12)
+    nearer = doubled(1.0, 0.35)
+    nearer.position[-1] = 8.0
+    # The difference falls from 0.2 to -0.3: it is zero after two fifths.
+    assert _middle(front, nearer) == pytest.approx([1.0, 2.0, 7.4], rel=1e-12)
+    # From (0.4, 0) to (0, 0.6) it is (0.24, 0.24) at two fifths, and half of that is added.
+    turned = doubled(1.0, 0.5)
+    turned.passage.middle = np.array([0.5, 10.4])  # type: ignore[misc]
+    assert _middle(replace(front, place=doubled(1.0, 0.7)), turned) == pytest.approx(
+        [1.12, 2.12, 7.0], rel=1e-12
+    )
+    single = doubled(2.0, None)
+    later = doubled(2.0, None)
+    later.position[-1] = 9.0
+    assert _middle(Front(problem, single, np.zeros(3), 1.0), later).tolist() == [2.0, 2.0, 8.0]  # type: ignore[arg-type]
 
 
 @pytest.mark.slow

@@ -10,8 +10,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from trimmer.branches.narrowing import _constant, _difference, _extrapolated, _root, narrowed
+from trimmer.branches.borders import Border, special_points
+from trimmer.branches.narrowing import _constant, _difference, _extrapolated, _likely, _root, narrowed
 from trimmer.branches.period_maps.period_map import Phase
+from trimmer.branches.special import SpecialKind
 
 KEY = ("stop", Phase.UPPER)
 
@@ -67,6 +69,13 @@ def test_the_border_is_found(
     assert left <= border <= right
     assert right - left <= arc.narrowest
     assert len(arc.asked) <= most
+
+
+def test_a_piece_that_is_as_short_as_rounding_leaves_is_not_halved() -> None:
+    for width, count in ((0.5, 0), (0.625, 1)):
+        arc = KnownArc(0.25, lambda beyond: math.inf, narrowest=0.5)
+        assert narrowed(arc, arc.place(0.0), arc.place(width)) is not None  # type: ignore[arg-type]
+        assert len(arc.asked) == count
 
 
 def test_an_orbit_that_is_not_found_ends_the_search() -> None:
@@ -141,3 +150,63 @@ def test_the_root_of_durations_is_extrapolated_from_the_last_that_fall() -> None
 
 def test_durations_that_say_nothing_have_no_root() -> None:
     assert _constant(np.array([0.1, 0.2]), np.array([1.0, 1.0]), 1) == math.inf
+
+
+@pytest.mark.parametrize(
+    ("on_left", "share"),
+    [
+        # The border is at 1/9 of the piece by the last two durations, 0.25 and 0.5, and known as well.
+        ([False], 2.0 / 9.0),
+        ([True, False], 2.0 / 9.0),
+        # Two trials behind it, one after the other: the next goes ten times as far, but half way at most.
+        ([False, False], 5.0 / 9.0),
+        ([True], 1.0 / 18.0),
+    ],
+)
+def test_a_trial_goes_beyond_the_border_by_its_error(on_left: list[bool], share: float) -> None:
+    arc = KnownArc(0.5, lambda beyond: beyond)
+    seen = [arc.place(distance) for distance in (0.0, 1.0, 0.75)]
+    found = _likely(arc, seen, seen[0], seen[2], on_left)  # type: ignore[arg-type]
+    assert found == pytest.approx(0.75 * (1.0 - share), rel=1e-12)
+    alone = _likely(arc, seen[:2], seen[0], seen[1], [])  # type: ignore[arg-type]
+    assert alone == pytest.approx(0.8, rel=1e-14)
+
+
+def crossed(
+    before: dict[tuple[str, Phase], int], after: dict[tuple[str, Phase], int], *outside: float
+) -> Border:
+    places = [
+        SimpleNamespace(
+            signature=frozenset(counts.items()),
+            position=np.array([0.25, 3.0 + number]),
+            multipliers=np.array([-1.0, 0.5j, *outside[: 2 * number]]),
+        )
+        for number, counts in enumerate((before, after))
+    ]
+    return Border(*places)  # type: ignore[arg-type]
+
+
+def test_a_border_tells_its_parts_and_changes_in_the_order_of_their_names() -> None:
+    arc = SimpleNamespace(
+        problem=SimpleNamespace(value=lambda at: 7.0 * at[-1], state=lambda at: 2.0 * at[:-1])
+    )
+    wall, comb = ("wall", Phase.LOWER), ("comb", Phase.UPPER)
+    other, stick = ("comb", Phase.LOWER), ("blade", Phase.STICK)
+    border = crossed({wall: 2, comb: 1, stick: 1}, {comb: 3, other: 1, wall: 1, stick: 1}, 1.5, 2.5)
+    assert border.changes == {wall: -1, comb: 2, other: 1}
+    assert not border.is_single
+    (point,) = special_points(arc, border)  # type: ignore[arg-type]
+    assert (point.kind, point.parts) == (SpecialKind.GRAZING, ("comb", "wall"))
+    assert (point.value, point.state.tolist()) == (21.0, [0.5])
+    notes = ["comb: contact on the lower side, +1", "comb: contact on the upper side, +2"]
+    notes += ["wall: contact on the lower side, -1", "multipliers outside the unit circle jump from 0 to 2"]
+    assert point.note == "; ".join(notes)
+    both = special_points(arc, crossed({wall: 1}, {stick: 2}))  # type: ignore[arg-type]
+    assert [(each.kind, each.parts, each.note) for each in both] == [
+        (SpecialKind.GRAZING, ("wall",), "wall: contact on the lower side, -1"),
+        (SpecialKind.STICK, ("blade",), "blade: stick, +2"),
+    ]
+    assert crossed({wall: 1}, {wall: 2}).is_single
+    assert crossed({wall: 2}, {wall: 1}).is_single
+    assert not crossed({wall: 2}, {}).is_single
+    assert not crossed({wall: 1}, {stick: 1}).is_single

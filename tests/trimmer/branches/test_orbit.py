@@ -188,3 +188,40 @@ def test_newtons_method_converges_quadratically_and_stops_where_only_rounding_is
     assert len(map.asked) <= 6
     begin = solved(Missing(lambda x: 0.0, lambda x: 1.0), 7.0)
     assert begin is not None and begin.position[0] == 7.0
+
+
+@dataclass(frozen=True)
+class Partly(Affine):
+    """As ``Affine`` with numbers that are missing in the derivatives."""
+
+    slope: float = 0.0
+    rate: float = 0.0
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        found = super().passage(value, state)
+        jacobian = found.jacobian + np.array([[0.0, 0.0], [self.slope, 0.0]])
+        return Given(found.end, jacobian, found.by_value + np.array([0.0, self.rate]), found.sizes)
+
+
+def test_derivatives_of_which_one_is_missing_are_no_derivatives() -> None:
+    assert Problem(Partly(slope=math.inf), SPAN, SIZES).place(np.ones(3)) is None
+    begin = Problem(Partly(rate=math.nan), SPAN, SIZES).place(np.ones(3))
+    assert begin is not None
+    # On the plane of another value the derivative by the value is needed, on that of its own it is not.
+    assert begin.correction(np.array([0.0, 0.0, 1.0]), 2.0) is None
+    assert begin.correction(np.array([0.0, 0.0, 1.0]), 1.0) is not None
+
+
+def test_a_step_that_leaves_the_miss_as_it_is_is_none() -> None:
+    map = Missing(lambda x: 0.5, lambda x: -1.0)
+    assert solved(map, 1.0) is None
+    assert map.asked == [1.0, 1.5, 1.25, 1.125, 1.0625]
+
+
+@pytest.mark.parametrize(("share", "good"), [(0.9, True), (1.1, False)])
+def test_of_slow_convergence_so_many_steps_are_made(share: float, good: bool) -> None:
+    # Each step brings the miss to a third.
+    map = Missing(lambda x: 1.0 - x, lambda x: -1.5)
+    found = solved(map, 1.0 - share * 3e-12 * 3.0**14)
+    assert (found is not None) is good
+    assert len(map.asked) == 15

@@ -16,8 +16,20 @@ from trimmer.branches.period_maps import mechanism_map
 from trimmer.branches.period_maps.fitting import _asymmetric, fitting, is_symmetric, shortest_map
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.period_map import Phase
+from trimmer.contact.advance import Instant
 from trimmer.contact.flow import ExactFlow
-from trimmer.contact.statuses import CONTACT_MADE, MINUS, PLUS, STICK_BEGUN
+from trimmer.contact.statuses import (
+    BACKWARD,
+    CONTACT_MADE,
+    FORWARD,
+    FREE,
+    MINUS,
+    PLUS,
+    RELEASED_MINUS,
+    RELEASED_PLUS,
+    STICK,
+    STICK_BEGUN,
+)
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.parts import Friction
 
@@ -114,6 +126,71 @@ def test_a_contact_is_told_from_one_on_the_other_side(side: str, phase: Phase) -
         assert [passage._phase(row, 1) for row in (0, 1)] == [contact, Phase.STICK]
 
 
+def test_a_passage_begins_with_the_statuses_of_its_end_where_it_ends_with_them_again() -> None:
+    flow = SimpleNamespace(at=lambda state: SimpleNamespace(statuses=(0,)))
+    followed = mechanism_map.MechanismMap.followed
+    for statuses, repeated, expected in (
+        ((0,), "again", "course"),
+        ((1,), "again", "again"),
+        ((1,), None, "course"),
+    ):
+        asked = []
+
+        def course(
+            flow: object, begin: object, duration: float, asked: list[object] = asked
+        ) -> SimpleNamespace:
+            asked.append(duration)
+            return SimpleNamespace(end="end", name="course")
+
+        map = SimpleNamespace(
+            course=course,
+            returned=lambda flow, end, statuses=statuses: SimpleNamespace(statuses=statuses),
+            _repeated=lambda *given, repeated=repeated: (
+                repeated and ("begin", SimpleNamespace(name=repeated))
+            ),
+        )
+        assert followed(map, flow, np.zeros(2), 0.7)[1].name == expected  # type: ignore[arg-type, attr-defined]
+        assert asked == [0.7]
+
+
+def test_the_end_of_a_mirrored_passage_begins_the_next_with_sides_exchanged() -> None:
+    flow = SimpleNamespace(modes=SimpleNamespace(machine=SimpleNamespace(stiffness=np.zeros(5))))
+    statuses = (PLUS, MINUS, RELEASED_PLUS, RELEASED_MINUS, FREE, FORWARD, BACKWARD, STICK)
+    nothing = np.zeros(8)
+    end = Instant(np.array([1.0, -2.0]), statuses, 7, 0.25, nothing, nothing, np.zeros(5))
+    map = MechanismMap(linear_oscillator(), "frequency", 1.2)
+    assert map.returned(flow, end) is end  # type: ignore[arg-type]
+    found = replace(map, mirrored=True).returned(flow, end)  # type: ignore[arg-type]
+    assert found.state.tolist() == [-1.0, 2.0]
+    assert (found.periods, found.phase) == (7, 0.25)
+    assert found.statuses == (MINUS, PLUS, RELEASED_MINUS, RELEASED_PLUS, FREE, BACKWARD, FORWARD, STICK)
+
+
+def test_phases_that_begin_are_counted_by_part() -> None:
+    made, begun = CONTACT_MADE, STICK_BEGUN
+    log = SimpleNamespace(
+        kind=np.array([made, begun, made, made, made]),
+        part=np.array([1, 2, 1, 0, 1]),
+        mode=np.array([4, 4, 5, 4, 4]),
+    )
+    modes = {
+        4: SimpleNamespace(statuses=(PLUS, PLUS, STICK)),
+        5: SimpleNamespace(statuses=(PLUS, MINUS, STICK)),
+    }
+
+    class Modes(dict[int, SimpleNamespace]):
+        layout = SimpleNamespace(contacts=("wall", "play"), frictions=("blade",))
+
+    map, flow = SimpleNamespace(mirrored=False), SimpleNamespace(modes=Modes(modes))
+    passage = mechanism_map.MechanismPassage(map, 1.0, flow, None, SimpleNamespace(log=log))  # type: ignore[arg-type]
+    assert passage.signature == {
+        ("play", Phase.UPPER): 2,
+        ("play", Phase.LOWER): 1,
+        ("wall", Phase.UPPER): 1,
+        ("blade", Phase.STICK): 1,
+    }
+
+
 def test_the_flows_of_the_last_values_are_kept() -> None:
     map = MechanismMap(linear_oscillator(), "frequency", 1.2)
     first = map.flow(1.0)
@@ -140,11 +217,16 @@ class Repeating:
         self.known = known
 
     def __call__(self, half: MechanismMap, map: MechanismMap, value: float, state: np.ndarray) -> bool:
+        assert (value, state.tolist()) == (0.2, [0.0, 0.0])
+        assert (map.periods, map.mirrored) in ((half.periods, False), (2 * half.periods, False))
         return (half.periods, half.mirrored) in self.known
 
 
 def shape(map: MechanismMap | None) -> list[tuple[int, bool]]:
-    return [] if map is None else [(map.periods, map.mirrored), *shape(map.single)]
+    if map is None:
+        return []
+    assert isinstance(map.periods, int)
+    return [(map.periods, map.mirrored), *shape(map.single)]
 
 
 @pytest.mark.parametrize(
@@ -177,6 +259,19 @@ def test_a_map_is_doubled_so_often_that_the_motion_is_its_orbit(
     assert shape(_asymmetric(whole)) == [each for each in shape(_asymmetric(whole)) if each[0] <= periods]
 
 
+def test_a_motion_of_an_even_number_of_periods_or_without_a_mirror_is_not_symmetric(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(fits, "_repeats", lambda *_: True)
+    for mechanism, periods, symmetric in (
+        (between_stops(0.2), 1, True),
+        (between_stops(0.2), 2, False),
+        (between_stops(0.2), 3, True),
+        (impact_oscillator(), 1, False),
+    ):
+        assert is_symmetric(MechanismMap(mechanism, "frequency", 1.0, periods), 0.2, np.zeros(2)) is symmetric
+
+
 @pytest.mark.parametrize(
     ("periods", "known", "expected"), [(8, [4, 2], 2), (8, [2], 8), (6, [3, 1], 3), (5, [1], 5), (2, [1], 1)]
 )
@@ -185,16 +280,19 @@ def test_the_shortest_map_is_halved_as_long_as_the_motion_repeats(
 ) -> None:
     monkeypatch.setattr(fits, "_repeats", Repeating(*((each, False) for each in known)))
     map = MechanismMap(impact_oscillator(), "frequency", 1.0, periods)
-    assert shortest_map(map, 0.2, np.zeros(2)).periods == expected
+    found = shortest_map(map, 0.2, np.zeros(2)).periods
+    assert (found, isinstance(found, int)) == (expected, True)
 
 
 def test_a_motion_repeats_if_half_of_it_does_as_far_as_it_is_known() -> None:
-    def of(end: list[float]) -> SimpleNamespace:
-        passage = SimpleNamespace(end=np.array(end), sizes=np.array([2.0, 0.0]))
+    def of(end: list[float], small: float = 0.0) -> SimpleNamespace:
+        passage = SimpleNamespace(end=np.array([*end, small]), sizes=np.array([2.0, 0.0, 4e-5]))
         return SimpleNamespace(passage=lambda value, state: passage)
 
-    state = np.array([1.0, 0.0])
+    state = np.array([1.0, 0.0, 0.0])
     exact = of([1.0, 0.0])
+    for small, repeats in ((3.9e-11, True), (4.1e-11, False)):
+        assert fits._repeats(of([1.0, 0.0], small), exact, 0.0, state) == repeats  # type: ignore[arg-type]
     for end, repeats in (([1.0 + 1.9e-6, 0.0], True), ([1.0 - 2.1e-6, 0.0], False), ([1.0, -1.1e-6], False)):
         assert fits._repeats(of(end), exact, 0.0, state) == repeats  # type: ignore[arg-type]
     # The whole misses by 1e-3 of its size, so that the half may miss by ten times that.

@@ -78,6 +78,52 @@ def test_the_period_of_a_motion_without_a_drive_is_a_part_of_the_state() -> None
     assert twice.section.period == pytest.approx(PERIOD, rel=1e-12)
 
 
+def test_the_return_to_the_plane_is_the_motion_less_what_leads_along() -> None:
+    change, rate = np.array([[0.5, 2.0], [-1.0, 0.25]]), np.array([3.0, -4.0])
+    section = Section(np.zeros(2), np.array([2.0, 0.5]), 5.0)
+    passage = SimpleNamespace(section=section, _end_rate=rate, _change=change, map=SimpleNamespace(periods=3))
+    found = SelfExcitedPassage.monodromy.func(passage)  # type: ignore[attr-defined]
+    # The motion rises by 4 a second; a start aside ends (0.5, 4.125) higher.
+    wanted = change - np.outer(rate, [0.5, 4.125]) / 4.0
+    assert found[:2, :2] == pytest.approx(wanted, rel=1e-14)
+    assert not found[2].any() and not found[:, 2].any()
+    jacobian = SelfExcitedPassage.jacobian.func(passage)  # type: ignore[attr-defined]
+    assert jacobian.tolist() == [[0.5, 2.0, 9.0], [-1.0, 0.25, -12.0], [10.0, 2.5, 1.0]]
+
+
+def test_the_period_at_the_end_is_longer_by_how_far_the_start_is_beyond_the_plane() -> None:
+    section = Section(np.array([1.0, 2.0]), np.array([0.5, -0.25]), 4.0)
+    course = SimpleNamespace(end=SimpleNamespace(state=np.array([8.0, 9.0])))
+    passage = SimpleNamespace(section=section, course=course, start=np.array([3.0, 6.0, 7.0]))
+    # It is 0.5 * 2 - 0.25 * 4 = 0 beyond, and then 0.5 * 2 - 0.25 * 3.
+    end = SelfExcitedPassage.end.fget  # type: ignore[attr-defined]
+    assert end(passage).tolist() == [8.0, 9.0, 7.0]
+    passage.start = np.array([3.0, 5.0, 7.0])
+    assert end(passage).tolist() == [8.0, 9.0, 8.0]
+
+
+def test_half_of_a_doubled_motion_has_the_period_too() -> None:
+    state = np.array([0.7, 0.2, PERIOD])
+    map = SelfExcitedMap(belt(), SPEED, 0.2)
+    assert map.passage(0.2, state).middle is None
+    middle = map.doubled().passage(0.2, state).middle
+    assert middle == pytest.approx([0.7, 0.2, PERIOD], abs=1e-9)
+
+
+def test_an_orbit_may_begin_where_it_rises_through_the_plane(monkeypatch: pytest.MonkeyPatch) -> None:
+    def states(times: np.ndarray) -> np.ndarray:
+        # Up through zero at 1, where something happens, down at 2, and up at 3.25.
+        x = np.interp(times, [0.0, 1.0, 1.5, 2.5, 4.0], [-1.0, 0.0, 1.0, -1.0, 1.0])
+        return np.column_stack([x, 10.0 + times, 99.0 + 0.0 * times])
+
+    course = SimpleNamespace(states=states, duration=4.0, log=SimpleNamespace(start=np.array([0.0, 1.0])))
+    monkeypatch.setattr(SelfExcitedMap, "passage", lambda *_: SimpleNamespace(course=course))
+    section = Section(np.zeros(2), np.array([1.0, 0.0]), 4.0)
+    map = SelfExcitedMap(belt(), SPEED, 0.2, section=section)
+    found = map.phases(0.2, np.array([5.0, 6.0, 4.0]))
+    assert np.array(found) == pytest.approx(np.array([[0.0, 11.0, 4.0], [0.0, 13.25, 4.0]]), abs=1e-10)
+
+
 def test_a_period_far_from_that_of_the_plane_is_lost() -> None:
     section = Section(np.array([0.7, 0.2]), np.array([1.0, 0.0]), 5.0)
     map = SelfExcitedMap(belt(), SPEED, 0.2, section=section)

@@ -8,12 +8,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, parabola
-from tests.trimmer.branches.maps import Bent, Steps
+from tests.trimmer.branches.curves import OnCurve, line_front, parabola
+from tests.trimmer.branches.maps import Bent, Failing, Steps, Torn
+from trimmer.branches import step as stepping
 from trimmer.branches.arc import Arc
 from trimmer.branches.borders import Border, borders
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.joining import _middle
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -24,11 +24,10 @@ from trimmer.branches.step import (
     _between,
     _end_passed,
     _passes,
+    angle,
     at_border,
     begun,
     fold_at,
-    halves,
-    rejoined,
     step,
 )
 
@@ -74,6 +73,39 @@ def test_the_orbit_at_the_end_of_the_interval_is_exact() -> None:
     assert found.position.tolist() == [pytest.approx(0.36), pytest.approx(1.8), 0.6]
 
 
+def test_the_orbit_at_the_end_is_sought_on_the_way_to_a_position_beyond() -> None:
+    asked = []
+    problem = SimpleNamespace(correct=lambda *given: asked.append([np.array(each) for each in given]))
+    near = SimpleNamespace(position=np.array([1.0, -2.0, 5.0]))
+    front = Front(problem, near, ALONG, 1.0)  # type: ignore[arg-type]
+    _at_end(front, np.array([3.0, 2.0, 1.0]), 4.0)
+    assert [each.tolist() for each in asked[0]] == [[1.5, -1.0, 4.0], [0.0, 0.0, 1.0], 4.0]
+
+
+@pytest.mark.parametrize(("length", "close"), [(1.9e-4, True), (2.1e-4, False)])
+def test_a_branch_that_is_close_to_a_joint_ends_with_an_orbit_beyond(
+    monkeypatch: pytest.MonkeyPatch, length: float, close: bool
+) -> None:
+    monkeypatch.setattr(stepping, "rejoined", lambda front, far: True)
+    front = front_at(parabola(), 0.5)
+    made = step(front, length, (0.0, 1.0))
+    assert (made is not None) is close
+    if made is not None:
+        assert (made.front, made.ended, made.bend) == (front, BranchEnd.REJOINED, 0.0)
+        assert (made.special, made.switches) == ((), ())
+        assert made.beyond is not None
+        assert made.beyond.position[2] == pytest.approx(0.5 + length / math.sqrt(11.0), rel=1e-12)
+
+
+def test_a_step_over_a_tear_does_not_succeed() -> None:
+    for map, made in ((Torn(), False), (Bent(0.5, -0.5), True)):
+        front = line_front(map, -0.05, -0.1)
+        assert (step(front, 0.2, (-1.0, 1.0)) is not None) is made
+    # Nor does one on which an orbit between is not found.
+    ending = line_front(Failing(), 0.45, 0.9)
+    assert step(ending, 0.2, (-1.0, 1.0)) is None
+
+
 def test_an_orbit_beside_or_behind_is_astray() -> None:
     front = Front(None, SimpleNamespace(position=np.array([1.0, 2.0])), np.array([0.6, 0.8]), 1.0)  # type: ignore[arg-type]
 
@@ -85,48 +117,6 @@ def test_an_orbit_beside_or_behind_is_astray() -> None:
     assert _astray(front, at(0.3, -0.31))
     assert _astray(front, at(-0.3, 0.1))
     assert _astray(front, at(0.0, 0.0))
-
-
-def doubled(state: float, middle: float | None) -> Place:
-    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
-    after = None if middle is None else np.array([middle, 8.0])
-    return SimpleNamespace(  # type: ignore[return-value]
-        problem=problem, position=np.array([state, 2.0, 7.0]), passage=SimpleNamespace(middle=after)
-    )
-
-
-@pytest.mark.parametrize(
-    ("near", "far", "joined"),
-    [
-        ((1.0, 0.6), (1.0, 0.55), False),
-        ((1.0, 0.6), (1.0, 0.45), True),
-        ((1.0, 0.4), (1.0, 0.45), False),
-        ((1.0, 0.6), (1.0, 0.5), True),
-        ((1.0, None), (1.0, 0.5), False),
-        ((1.0, 0.6), (1.0, None), False),
-    ],
-)
-def test_a_doubled_orbit_has_become_a_single_one_where_its_halves_are_exchanged(
-    near: tuple[float, float | None], far: tuple[float, float | None], joined: bool
-) -> None:
-    first, last = doubled(*near), doubled(*far)
-    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
-    assert rejoined(Front(problem, first, np.zeros(3), 1.0), last) is joined  # type: ignore[arg-type]
-
-
-def test_halves_are_in_the_scale_of_the_problem_and_their_mean_is_the_guess() -> None:
-    problem = SimpleNamespace(sizes=np.array([0.5, 4.0]))
-    first, last = doubled(1.0, 0.6), doubled(1.4, 0.6)
-    assert halves(problem, first) == pytest.approx([0.2, 0.0], rel=1e-12)  # type: ignore[arg-type]
-    assert halves(problem, last) == pytest.approx([-0.2, 0.0], rel=1e-12)  # type: ignore[arg-type]
-    front = Front(problem, first, np.zeros(3), 1.0)  # type: ignore[arg-type]
-    assert _middle(front, last) == pytest.approx([1.2, 2.0, 7.0], rel=1e-12)
-    nearer = doubled(1.0, 0.35)
-    nearer.position[-1] = 8.0
-    # The difference falls from 0.2 to -0.3: it is zero after two fifths.
-    assert _middle(front, nearer) == pytest.approx([1.0, 2.0, 7.4], rel=1e-12)
-    single = doubled(2.0, None)
-    assert _middle(Front(problem, single, np.zeros(3), 1.0), single)[-1] == 7.0  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("direction", [1.0, -1.0])
@@ -154,6 +144,15 @@ def test_a_step_tells_its_bend_and_leads_along_the_curve() -> None:
     before, after = np.array([1.0, 3.0, 1.0]), np.array([2.0 * value, 3.0, 1.0])
     cosine = before @ after / np.linalg.norm(before) / np.linalg.norm(after)
     assert made.bend == pytest.approx(math.acos(cosine), rel=1e-9)
+
+
+def test_angles_are_exact_next_to_none_and_to_opposite_ones() -> None:
+    for turn in (0.0, 1e-9, 0.3, math.pi / 2.0, 2.5, math.pi - 1e-9, math.pi):
+        first = np.array([0.6, 0.8])
+        second = np.array(
+            [0.6 * math.cos(turn) - 0.8 * math.sin(turn), 0.6 * math.sin(turn) + 0.8 * math.cos(turn)]
+        )
+        assert angle(first, second) == pytest.approx(turn, abs=3e-16, rel=1e-6)
 
 
 def test_a_steep_branch_that_bends_towards_the_end_stops_there() -> None:
@@ -210,6 +209,8 @@ def test_a_branch_goes_on_beyond_a_border_where_the_determinant_keeps_its_sign()
         ((0.8, -0.8), True),
         ((-0.8, 0.8), True),
         ((0.8, 0.8), False),
+        ((-0.8, 0.0), False),
+        ((0.0, -0.8), False),
         ((NAN, -0.8), False),
         ((0.8, NAN), False),
     ],
@@ -297,8 +298,6 @@ def test_borders_come_in_their_order_up_to_a_number() -> None:
 
 
 def test_a_border_across_which_orbits_jump_is_none() -> None:
-    from tests.trimmer.branches.maps import Torn
-
     arc, problem = on_line(Torn(), -0.5)
     near, far = (
         problem.correct(np.array([2.0 * value, value]), np.array([0.0, 1.0]), value) for value in (-0.5, 0.5)

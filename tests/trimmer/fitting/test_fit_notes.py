@@ -117,6 +117,43 @@ def test_profiles_that_meet_better_fits_without_end_are_unknown() -> None:
             assert (side.end, side.reached, side.better) == (None, at, found)
 
 
+@pytest.mark.parametrize("meets", [0, 1, 9])
+def test_profiles_are_those_of_the_last_fit(monkeypatch: pytest.MonkeyPatch, meets: int) -> None:
+    asked: list[Any] = []
+
+    def profile(misfit: Any, best: Any, jacobian: Any, place: int, allowed: float) -> Any:
+        def side(sign: float) -> Side:
+            asked.append((best.name, jacobian, place, allowed, sign))
+            better: Any = (
+                f"better than {best.name}" if best.name < meets and (place, sign) == (1, 1.0) else None
+            )
+            return Side(0.1 * sign, 0.2 * sign, better=better)
+
+        return SimpleNamespace(side=side)
+
+    def least(misfit: Any, better: str, free: np.ndarray) -> Any:
+        assert free.tolist() == [True, True, True]
+        return named(int(better.split()[-1]) + 1)
+
+    def named(name: int) -> Any:
+        return SimpleNamespace(name=name, coordinates=np.array([3.0, 5.0, 7.0]) + name)
+
+    monkeypatch.setattr(module, "Profile", profile)
+    monkeypatch.setattr(module, "nearby_minimum", least)
+    known: Any = SimpleNamespace(jacobian=lambda fitted: f"slope at {fitted.name}")
+    found, jacobian, sides = _profiled(known, named(0), 4.0)
+    last = min(meets, 4)
+    assert (found.name, jacobian) == (last, f"slope at {last}")
+    both = [(place, sign) for place in range(3) for sign in (-1.0, 1.0)]
+    rows = [(name, *each) for name in range(min(last + 1, 4)) for each in both[: 4 if name < meets else 6]]
+    assert asked == [(name, f"slope at {name}", place, 4.0, sign) for name, place, sign in rows]
+    if meets < 4:
+        assert [(lower.end, upper.end) for lower, upper in sides] == [(-0.1, 0.1)] * 3
+    else:
+        for at, pair in zip((7.0, 9.0, 11.0), sides, strict=True):
+            assert [(each.end, each.reached, each.better is found) for each in pair] == [(None, at, True)] * 2
+
+
 def fit(**changes: Any) -> Fit:
     fields: dict[str, Any] = dict.fromkeys(Fit.__dataclass_fields__)
     searched = Searched(best(), 5, 5, (), 0)

@@ -67,6 +67,12 @@ def test_lines_that_are_missed_are_named_by_output_and_order() -> None:
     assert "the measured motion repeats after 2 drive periods" in found.sentences
 
 
+def test_a_share_is_that_of_the_modulus_of_the_line() -> None:
+    lines = np.array([[3.0 - 4.0j], [-2.0], [0.5j]])
+    found = judge(measured(lines), fitted(lines + np.array([[10.0], [8.0j], [-6.0]]), 200.0), 1)
+    assert [(each.order[0], each.share) for each in found.excesses] == [(1, 2.0), (2, 4.0), (3, 12.0)]
+
+
 def test_a_line_is_missed_from_what_noise_does_once_in_a_thousand() -> None:
     # With six lines each has a sixth of 1e-3; the ratio's square is twice F with 2 and nu degrees of freedom,
     # in closed form F = nu / 2 (p^(-2 / nu) - 1).

@@ -74,6 +74,16 @@ def test_a_derivative_that_is_wrong_is_taken_anew() -> None:
     assert kept.jacobians == 1
 
 
+def test_a_derivative_by_which_a_step_does_too_little_is_taken_anew() -> None:
+    # Five times too steep, a step does 1 - (4/5)^2 of what it promises; three times, 1 - (2/3)^2.
+    for factor, jacobians in ((5.0, 2), (3.0, 1)):
+        misfit = linear()
+        found = lowest(misfit, 0.3, -0.2, jacobian=factor * SLOPE)
+        assert found.chi_square == pytest.approx(lowest(linear(), 0.0, 0.0).chi_square, abs=0.1)
+        assert misfit.jacobians == jacobians
+        assert (len(misfit.tried) == 2) is (factor == 5.0)
+
+
 def test_a_step_that_leads_nowhere_is_shortened() -> None:
     misfit = Known(lambda at: None if at[0] > 0.3 else 40.0 * (at - 0.5), 1)
     found = lowest(misfit, 0.0, free=np.array([True]))
@@ -226,3 +236,14 @@ def test_an_end_close_enough_is_taken_as_it_is() -> None:
     assert side.end == pytest.approx(0.2)  # where a linear problem would end, 0.7 % off
     assert exact == pytest.approx(0.2, rel=0.01)
     assert isinstance(side, Side)
+
+
+def test_an_end_before_the_bound_is_found_though_the_bound_was_tried_first() -> None:
+    # The bound is 0.408 away, and a line would end at 0.5; the cubic 4 x + 26 x^3 is 2 at 0.3088.
+    bound = Unknown("plays.p.gap", "m", 4e-5, True)
+    misfit = Known(lambda at: np.array([1.0, 4.0 * (at[0] - 6.5) + 26.0 * (at[0] - 6.5) ** 3]), 1, (bound,))
+    found = profile(misfit, 6.5).side(1.0)
+    end = brentq(lambda x: 4.0 * x + 26.0 * x**3 - 2.0, 0.0, 1.0)
+    assert found.end == pytest.approx(6.5 + end, abs=0.03 * end)
+    assert misfit.tried[0][0] == pytest.approx(math.log(1e3), rel=1e-12)
+    assert not found.lost

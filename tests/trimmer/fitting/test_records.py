@@ -10,6 +10,7 @@ import pytest
 from tests.trimmer.fitting.known import measured
 from trimmer import Signal
 from trimmer.fitting.measured import WINDOW_SHARE, MeasuredLines, _floor, _Record, measure_lines
+from trimmer.signals.signal import SignalError
 
 RATE, COUNT, DRIVE = 2000.0, 2000, 50.0
 TIMES = np.arange(COUNT) / RATE
@@ -85,6 +86,59 @@ def test_noise_is_that_of_the_bins_around_a_line() -> None:
     # 61 bins lie within 30 of a line, the nearest 60 and one as far.
     assert freedom == pytest.approx(2 * 61 / WINDOW_SHARE)
     assert not small
+
+
+def test_the_last_bin_of_a_spectrum_is_no_noise() -> None:
+    # Half the rate is 970 Hz, and the 19 lines lie at 950 Hz and below: noise counts up to 975 Hz.
+    made = record(np.zeros(1940), rate=1940.0)
+    free, _ = made._between(np.ones((19, 1), complex), np.full((1, 971), 1e-3 + 0j))
+    assert free[953:970].all()
+    assert not free[970]
+
+
+def test_noise_is_seen_in_four_bins_of_each_output_at_least() -> None:
+    made = record(np.zeros(COUNT), np.zeros(COUNT))
+    rests = np.full((2, COUNT // 2 + 1), 2.0 + 0j)
+    between = np.zeros(COUNT // 2 + 1, bool)
+    between[60:67] = True
+    with pytest.raises(SignalError, match="too short to see noise between its lines"):
+        made._noise(np.ones((3, 2), complex), rests, between)
+    between[67] = True
+    _, freedom, _ = made._noise(np.ones((3, 2), complex), rests, between)
+    assert freedom == pytest.approx(2 * 8 / WINDOW_SHARE)
+
+
+def test_a_line_below_a_share_of_the_largest_modulus_is_no_stray() -> None:
+    # The largest line is 50 000 i, and a ten-millionth of that 5e-3: noise is taken to be no less.
+    made = record(np.zeros(COUNT))
+    sizes = np.ones((10, 1), complex)
+    sizes[4] = -5e4j
+    rests = np.full((1, COUNT // 2 + 1), 1e-6 + 0j)
+    rests[0, 75] = 1e-2
+    _, strays = made._between(sizes, rests)
+    assert strays == ()
+    rests[0, 75] = 4e-2
+    _, (stray,) = made._between(sizes, rests)
+    assert stray.ratio == pytest.approx(0.5 * 4e-2**2 / 5e-3**2, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("rate", "samples", "count"), [(2000.0, 2000, 19), (1013.0, 1000, 10), (1002.0, 1000, 9)]
+)
+def test_lines_up_to_what_the_window_leaves_below_half_the_rate_are_taken(
+    rate: float, samples: int, count: int
+) -> None:
+    # A window's main lobe, 2 bins to either side, ends below half the rate: 0.5 rate (1 - 4 / samples).
+    assert math.floor(0.5 * rate * (1 - 4 / samples) / DRIVE) == count
+    assert record(np.zeros(samples), rate=rate)._count() == count
+
+
+def test_noise_is_that_of_half_a_drive_frequency_to_either_side_at_least() -> None:
+    # Over 2 s bins are 0.5 Hz wide, so that 25 Hz are 50 of them.
+    made = record(np.zeros(4000))
+    between = np.ones(2001, bool)
+    _, freedom, _ = made._noise(np.ones((10, 1), complex), np.full((1, 2001), 2.0 + 0j), between)
+    assert freedom == pytest.approx(2 * 101 / WINDOW_SHARE)
 
 
 def test_hardly_any_noise_is_taken_to_be_a_share_of_the_largest_line() -> None:

@@ -149,6 +149,11 @@ def test_what_was_searched_counts_starts_and_several_motions() -> None:
     told = made().searched
     assert told.startswith("6 cells, each from rest and from 2 random states (seed 5), for at most 300 drive")
     assert "; 1 of them have several motions" in told
+    twice = MapInputs(INPUTS.mechanism, INPUTS.places, INPUTS.values, Settings(starts=2))
+    cells = [CellResult(0, (ORBIT, OTHER)), *made().cells[1:]]
+    told = MotionMap(twice, tuple(cells)).searched
+    assert "each from rest and from 1 random states (seed 0)" in told
+    assert "; 2 of them have several motions" in told
     alone = MapInputs(INPUTS.mechanism, INPUTS.places, INPUTS.values, Settings(12))
     assert MotionMap(alone, made().cells).searched == (
         "6 cells, each from rest, for at most 12 drive periods; other motions were not looked for"
@@ -172,6 +177,9 @@ def test_motions_are_the_same_by_their_orbits_or_their_kind() -> None:
     assert not alike(ORBIT, periodic((1.12, 2e-5)), 0.1)
     assert alike(periodic((1.11, 2e-5)), ORBIT, 0.1)
     assert not alike(ORBIT, periodic((1.0, 2.3e-5)), 0.1)
+    # Twice the same orbit is none of one period, and one that begins a period later is the same.
+    assert not alike(ORBIT, periodic((1.0, 2e-5), (1.0, 2e-5)))
+    assert alike(periodic((1.0, 2e-5), (3.0, 0.0)), periodic((3.0, 0.0), (1.0, 2e-5)))
 
 
 def test_motions_that_are_there_already_are_counted() -> None:
@@ -214,6 +222,15 @@ def test_starts_are_rest_and_states_within_the_scales() -> None:
     beside = _starts(flow, Cell(8, (1.0,)), Settings(starts=2, seed=2))
     assert beside[1].state.tolist() != others[0].state.tolist()
     assert _starts(flow, Cell(7, (1.0,), (((0.0, 0.0),),)), Settings(starts=4)) == []
+
+
+def test_random_starts_have_springs_as_short_as_can_be() -> None:
+    # The spring of a play with a damper relaxes by itself, and its stretch is a state.
+    flow = with_parts(plays={"play": Play(("ground", "mass"), 10.0, damping=2.0, gap=0.3)})
+    for start in _starts(flow, Cell(7, (1.0,)), Settings(starts=6, seed=2))[1:]:
+        again = flow.at(start.state, stretched=False)
+        assert again.state.tolist() == start.state.tolist()
+        assert again.statuses == start.statuses
 
 
 def test_an_error_is_told_by_the_motion() -> None:
@@ -274,13 +291,13 @@ def test_only_a_stable_orbit_near_another_is_taken_over(monkeypatch: pytest.Monk
         return orbit
 
     monkeypatch.setattr(cell_work, "orbit_near", near)
-    monkeypatch.setattr(cell_work, "settle", lambda flow, start, periods: (start, periods))
+    monkeypatch.setattr(cell_work, "settle", lambda *given: given)
     states, settings = np.array([[1.0, 2.0], [3.0, 4.0]]), Settings(most_periods=77)
     found = cell_work._near(flow, states, settings)  # type: ignore[arg-type]
     assert asked == [(("at", [1.0, 2.0]), 2)]
     assert (found.kind, found.periods, found.end, found.orbit) == (PERIODIC, 0, instant, orbit)
     orbit.stable = False
-    assert cell_work._near(flow, states, settings) == (("at", [1.0, 2.0]), 77)  # type: ignore[arg-type, comparison-overlap]
+    assert cell_work._near(flow, states, settings) == (flow, ("at", [1.0, 2.0]), 77)  # type: ignore[arg-type, comparison-overlap]
 
 
 def test_a_basin_tells_shares_and_a_row_for_each_start() -> None:

@@ -8,11 +8,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from tests.trimmer.branches.curves import special
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges
 from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import MapError
+from trimmer.errors import MapError, WrongTypeError
 from trimmer.maps import special_work
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import MapInputs, Settings
@@ -45,18 +46,16 @@ DOWN = locus([(3.0, 1e-5), (1.0, 0.5e-5)], [(1.0, 10.0), (0.5, 5.0)])
 BOTH = SpecialCurve((UP, DOWN))
 
 
-def special(
-    value: float, *state: float, kind: SpecialKind = SpecialKind.FOLD, parts: tuple[str, ...] = ()
-) -> SpecialPoint:
-    return SpecialPoint(kind, value, np.array(state), parts)
-
-
 def test_both_sides_make_one_curve_from_end_to_end() -> None:
     assert BOTH.values.tolist() == [[1.0, 0.5e-5], [3.0, 1e-5], [4.0, 2e-5], [6.0, 3e-5]]
     assert BOTH.states[:, 0].tolist() == [0.5, 1.0, 2.0, 3.0]
     assert BOTH.ends == (DOWN, UP)
     assert BOTH.residual == 2e-13
     assert (BOTH.kind, BOTH.parts, BOTH.periods, BOTH.name) == (SpecialKind.FOLD, (), 2, "fold")
+    upside_down = SpecialCurve((DOWN, UP))
+    assert upside_down.values[:, 0].tolist() == [6.0, 4.0, 3.0, 1.0]
+    assert upside_down.states[:, 1].tolist() == [30.0, 20.0, 10.0, 5.0]
+    assert upside_down.residual == 2e-13
     closed = SpecialCurve((UP,))
     assert closed.values.tolist() == UP.values.tolist()
     assert closed.states.tolist() == UP.states.tolist()
@@ -100,6 +99,16 @@ def test_a_curve_holds_the_points_that_lie_on_it_with_their_states() -> None:
     assert BOTH.holds(special(3.5, 1.5 + 0.14, 15.0 - 1.4), 1.5e-5, SPANS)
     assert not BOTH.holds(special(3.5, 1.5 + 0.16, 15.0), 1.5e-5, SPANS)
     assert not BOTH.holds(special(3.5, 1.5, 15.0 - 1.6), 1.5e-5, SPANS)
+    # Sizes are moduli, however small; what never moves has the size 1.
+    small = locus([(3.0, 1e-5), (4.0, 2e-5)], [(-3.0, 0.25, 0.0), (-1.0, -0.5, 0.0)])
+    for state, held in (
+        ((-2.0, -0.125, 0.0), True),
+        ((-2.14, -0.125 + 0.024, 0.049), True),
+        ((-2.16, -0.125, 0.0), False),
+        ((-2.0, -0.125 + 0.026, 0.0), False),
+        ((-2.0, -0.125, 0.051), False),
+    ):
+        assert SpecialCurve((small,)).holds(special(3.5, *state), 1.5e-5, SPANS) is held
     # Beside the first piece, of direction (2, 0.5e-5) / spans = (0.2, 0.125).
     aside = np.array([-0.125, 0.2]) / np.hypot(0.2, 0.125)
     for away, held in ((4.9e-3, True), (-4.9e-3, True), (5.1e-3, False)):
@@ -171,7 +180,12 @@ def test_points_are_followed_until_there_are_enough_curves() -> None:
     assert once.asked == [[1.0, 3.0, 3.2], [5.0]]
     assert [each.values[0, 0] for each in once.curves] == [0.5, 2.5, 4.5]
     assert once.left == 1
-    assert Searching(ProcessRunner(1))._at_once == 1
+    at_once = [
+        Searching(runner)._at_once for runner in (ProcessRunner(1), ProcessRunner(9), SimpleNamespace())
+    ]
+    assert at_once == [1, 4, 4]
+    elsewhere = SideWork(PLACES[1], LocusRanges((-1.0, 3.0), (2e-5, 6e-5)))
+    assert _Search(SerialRunner(), elsewhere, True).spans == pytest.approx([4.0, 4e-5], rel=1e-12)
     assert search.spans == pytest.approx(SPANS, rel=1e-15)
     for value, inside in ((0.0, True), (10.0, True), (-1e-9, False), (10.1, False)):
         assert search._inside(special(value)) == inside
@@ -214,6 +228,8 @@ def test_what_was_searched_names_lines_that_ended_early_or_never_began() -> None
 def test_curves_need_several_values_of_two_numbers(values: tuple[tuple[float, ...], ...]) -> None:
     with pytest.raises(MapError, match="several values each"):
         special_curves(map_over(values), runner=SerialRunner(), quiet=True)
+    with pytest.raises(WrongTypeError, match="result"):
+        special_curves(values, runner=SerialRunner(), quiet=True)  # type: ignore[arg-type]
 
 
 class Recording(SerialRunner):
@@ -249,11 +265,13 @@ def test_a_branch_that_reaches_the_other_end_is_not_followed_back(monkeypatch: p
     end = np.array([2.0, 0.0, 4e-5])
     point = SimpleNamespace(state=end)
     reached = branch(
-        reason=BranchEnd.LEFT_AT_STOP, points=[SimpleNamespace(state=9.0 * end), point], periods=2
+        reason=BranchEnd.LEFT_AT_STOP, points=[*[SimpleNamespace(state=9.0 * end)] * 2, point], periods=2
     )
     settled = SimpleNamespace(periods=2, instant=SimpleNamespace(state=end.copy()))
-    monkeypatch.setattr(special_work, "orbit_from_rest", lambda mechanism, periods: settled)
-    assert _reaches(reached, None)  # type: ignore[arg-type]
+    asked: list[object] = []
+    monkeypatch.setattr(special_work, "orbit_from_rest", lambda *given: asked.append(given) or settled)
+    assert _reaches(reached, "it")  # type: ignore[arg-type]
+    assert asked == [("it", 2000)]
     for change, same in (
         ([1.9e-4, 0.0, 0.0], True),
         ([-2.1e-4, 0.0, 0.0], False),

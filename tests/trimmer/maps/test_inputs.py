@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from pathlib import Path
 
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator
+from trimmer import __version__
 from trimmer.errors import MapError, MechanismError
 from trimmer.maps import inputs as map_inputs
 from trimmer.maps.basin import _start_place
@@ -61,3 +64,18 @@ def test_as_many_cells_as_fit_are_taken(monkeypatch: pytest.MonkeyPatch) -> None
 def test_an_interrupt_says_what_is_kept() -> None:
     assert "3 of 8 cells, which are lost" in _how_to_go_on(3, 8, None)
     assert "3 of 8 cells, which map.jsonl holds" in _how_to_go_on(3, 8, Path("map.jsonl"))
+
+
+def test_the_header_of_a_file_holds_all_that_cells_depend_on_and_a_digest_of_it() -> None:
+    values = {"frequency": [1.0, 1.1], "stops.wall.gap": [8.0]}
+    inputs = checked_inputs(impact_oscillator(), values, Settings(12, 3, 5))
+    header = inputs.header
+    content = {
+        "mechanism": impact_oscillator().to_toml(),
+        "places": ["frequency", "stops.wall.gap"],
+        "settings": {"most_periods": 12, "seed": 5, "starts": 3},
+        "values": [[1.0, 1.1], [8.0]],
+    }
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+    assert header == {**content, "trimmer map": 1, "program": __version__, "inputs": digest}
+    assert (Settings().most_periods, Settings().starts, Settings().seed) == (300, 1, 0)

@@ -30,6 +30,14 @@ def test_curves_cross_within_their_pieces_with_like_states() -> None:
     # What begins on the other curve crosses it there, what ends there does not.
     assert len(meetings([FLAT, curve([(4.0, 2e-5), (4.0, 4e-5)])], SPANS)) == 1
     assert meetings([FLAT, curve([(4.0, 4e-5), (4.0, 2e-5)])], SPANS) == ()
+    # Of one pair they come in the order of the curve with the lower number.
+    there_and_back = (
+        curve([(1.0, 0.0), (3.0, 4e-5), (5.0, 0.0)]),
+        curve([(10.0, 2e-5), (3.5, 2e-5), (0.0, 2e-5)]),
+    )
+    along = [each.values[0] for each in meetings(there_and_back, SPANS)]
+    assert along == pytest.approx([2.0, 4.0], rel=1e-12)
+    assert [each.values[0] for each in meetings(there_and_back[::-1], SPANS)] == pytest.approx([4.0, 2.0])
     # Two crossings of one pair, and a third curve: by their numbers.
     wave = curve([(1.0, 0.0), (3.0, 4e-5), (5.0, 0.0)])
     found = meetings([wave, curve([(0.0, 9e-5), (1.0, 9e-5)]), FLAT], SPANS)
@@ -42,6 +50,17 @@ def test_states_are_compared_where_the_curves_cross() -> None:
     for state, met in ((4.0, True), (4.49, True), (4.51, False), (3.49, False)):
         other = SpecialCurve((locus([(4.0, 0.0), (4.0, 4e-5)], [(state - 1.0, 1.0), (state + 1.0, 1.0)]),))
         assert bool(meetings([changing, other], SPANS)) == met
+
+
+def test_states_are_compared_with_their_largest_sizes_on_either_curve() -> None:
+    # At the crossing the states differ by 0.2 and 2e-4; the largest are 10 and 1e-2.
+    small = SpecialCurve((locus([(0.0, 2e-5), (10.0, 2e-5)], [(-1.0, 1e-3), (-1.0, 1e-3)]),))
+    large = [(-1.2, 1.2e-3), (-1.2, 1.2e-3), (-10.0, 1e-2)]
+    crossing = SpecialCurve((locus([(4.0, 0.0), (4.0, 3e-5), (4.0, 4e-5)], large),))
+    assert len(meetings([small, crossing], SPANS)) == len(meetings([crossing, small], SPANS)) == 1
+    for states in ([*large[:2], (-3.9, 1e-2)], [*large[:2], (-10.0, 3.9e-3)]):
+        other = SpecialCurve((locus([(4.0, 0.0), (4.0, 3e-5), (4.0, 4e-5)], states),))
+        assert meetings([small, other], SPANS) == meetings([other, small], SPANS) == ()
 
 
 @pytest.mark.parametrize("reason", list(LocusEnd))

@@ -1,19 +1,18 @@
-"""What is said of strobed states, and the measures of a window, on numbers made by hand."""
+"""What is said of strobed states, and how a motion is followed, on numbers made by hand."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from tests.trimmer.maps.machines import linear_oscillator
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.maps import settle as settling
-from trimmer.maps.measures import _highest, _of_events, _top_of_cubic, of_orbit, of_window, product
 from trimmer.maps.settle import (
     _beside,
     _compared,
@@ -158,6 +157,11 @@ def test_a_motion_that_ends_on_the_way_is_told(monkeypatch: pytest.MonkeyPatch) 
     found = settle(flow, SimpleNamespace(state=np.zeros(2)), 300)  # type: ignore[arg-type]
     assert (found.kind, found.periods, found.ending) == (MotionKind.UNDECIDED, 24, Ending.CHATTERING)
     assert found.end == ("end", 24)
+    # After six periods it ends within the fourth of the next ten.
+    later = _Following(Strobing(np.zeros((4, 2)), Ending.CHATTERING), None, np.zeros((7, 2)), [])  # type: ignore[arg-type]
+    ended = later.on(10)
+    assert ended is not None
+    assert (ended.periods, ended.end) == (9, ("end", 10))
 
 
 def test_orbits_are_solved_for_where_the_motion_returns_more_closely(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -258,63 +262,29 @@ def test_an_orbit_is_taken_over_as_few_periods_as_it_needs() -> None:
     assert orbit.strobed[0] == pytest.approx([response.real, (1j * omega * response).real], rel=1e-9)
 
 
-def test_the_top_of_a_cubic_is_between_its_samples() -> None:
-    # v = 3 + 2 t - t³ from 0.25 to 1.25: highest at sqrt(2/3).
-    times = np.array([0.0, 0.25, 1.25])
-    values, rates = 3.0 + 2.0 * times - times**3, 2.0 - 3.0 * times**2
-    top = 3.0 + 2.0 * math.sqrt(2.0 / 3.0) - (2.0 / 3.0) ** 1.5
-    assert _top_of_cubic(times, values, rates, 1) == pytest.approx(top, rel=1e-13)
-    assert _highest(times, values, rates) == pytest.approx(top, rel=1e-13)
-    # Without a turn between them it is the value at the first.
-    rising = np.array([0.0, 0.1, 0.2])
-    assert _top_of_cubic(rising, 3.0 + rising, np.ones(3), 1) == pytest.approx(3.1, rel=1e-14)
-    assert _highest(rising, 3.0 + rising, np.ones(3)) == pytest.approx(3.2, rel=1e-14)
+def test_an_orbit_is_solved_for_anew_over_the_periods_it_needs(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked, orbits = list[Any](), dict[int, Any]()
 
+    def solve(back: tuple[str, int], instant: tuple[str, str], patience: object) -> tuple[int, str] | None:
+        asked.append((back, instant))
+        assert patience is settling.PATIENCE
+        return (back[1], "shot") if back[1] in orbits else None
 
-@pytest.mark.parametrize("at", [0.1, 0.9, 1.1, 2.4])
-def test_the_highest_value_is_beside_the_highest_sample_on_either_side(at: float) -> None:
-    times = np.array([0.0, 1.0, 2.5])
-    values, rates = 7.0 - 3.0 * (times - at) ** 2, -6.0 * (times - at)
-    assert _highest(times, values, rates) == pytest.approx(7.0, rel=1e-13)
-    assert _highest(times, -values, -rates) == pytest.approx(max(-values), rel=1e-13)
-    outside = np.array([3.0, 4.0, 5.5])
-    assert _highest(outside, 7.0 - outside, -np.ones(3)) == 4.0
+    def orbit_of(flow: object, shot: tuple[int, str], periods: int) -> SimpleNamespace:
+        assert shot == (periods, "shot")
+        return SimpleNamespace(**orbits[periods])
 
-
-def test_functionals_of_states_are_a_row_for_each_state() -> None:
-    states = np.array([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]])
-    assert product(states, np.array([[1.0, -1.0], [0.0, 2.0]])).tolist() == [
-        [-1.0, 4.0],
-        [-1.0, 8.0],
-        [-1.0, 12.0],
-    ]
-
-
-def test_events_are_counted_for_each_drive_period() -> None:
-    flow = ExactFlow(impact_oscillator())
-    begin = flow.rest({"mass": (-25.0, 0.0)})
-    course = flow.course(begin, 7)
-    made = [(time, part) for time, part, kind in course.events if kind == 1]
-    events, impacts, speed = _of_events(course, 7)
-    assert len(made) > 2
-    assert events == pytest.approx(len(course.events) / 7.0, rel=1e-15)
-    assert impacts == pytest.approx(len(made) / 7.0, rel=1e-15)
-    speeds = [abs(course.states(np.array([time]))[0, 1]) for time, _ in made]
-    assert speed == pytest.approx(max(speeds), rel=1e-9)
-    found = of_window(flow, course, 7)
-    assert (found.events, found.impacts, found.impact_speed) == (events, impacts, speed)
-    dense = course.states(np.linspace(0.0, course.duration, 40_001))
-    assert found.peak_to_peak["x"] == pytest.approx(np.ptp(dense[:, 0]), rel=1e-6)
-    assert of_orbit(flow, flow.course(begin, 7), 7).events == pytest.approx(events)
-
-
-def test_a_window_has_the_mean_square_of_accelerations_and_of_no_output_nothing() -> None:
-    flow = ExactFlow(replace(linear_oscillator(), outputs={}))
-    orbit = orbit_near(flow, flow.rest(), 1)
-    assert orbit is not None
-    found = of_window(flow, flow.course(orbit.instant, 3), 3)
-    amplitude = 100.0 / abs(40.0 - 7.5**2 + 0.1j * math.sqrt(40.0) * 7.5)
-    # Even samples of a harmonic give its mean square exactly.
-    assert found.rms_acceleration == {"mass": pytest.approx(7.5**2 * amplitude / math.sqrt(2.0), rel=1e-9)}
-    assert found.peak_to_peak == {}
-    assert (found.events, found.impacts, found.impact_speed) == (0.0, 0.0, 0.0)
+    monkeypatch.setattr(settling, "Return", lambda flow, periods: ("back", periods))
+    monkeypatch.setattr(settling, "solve", solve)
+    monkeypatch.setattr(settling, "orbit_of", orbit_of)
+    flow: Any = SimpleNamespace(at=lambda state, like: (state, like.state))
+    begin: Any = SimpleNamespace(state="begin")
+    orbits[6] = {"success": True, "period_count": 2, "instant": SimpleNamespace(state="nearer")}
+    orbits[2] = {"success": True, "period_count": 2}
+    found = orbit_near(flow, begin, 6)
+    assert found is not None
+    assert found.period_count == 2
+    assert asked == [(("back", 6), ("begin", "begin")), (("back", 2), ("nearer", "nearer"))]
+    orbits[2]["success"] = False
+    assert orbit_near(flow, begin, 6) is None
+    assert orbit_near(flow, begin, 3) is None

@@ -9,6 +9,7 @@ import pytest
 from tests.trimmer.maps.machines import impact_oscillator
 from tests.trimmer.maps.test_cells_by_hand import CHAOS, FAILED, INPUTS, ORBIT, OTHER, PERIODIC, periodic
 from trimmer.errors import WrongTypeError
+from trimmer.maps import coexistence
 from trimmer.maps.cells import (
     CellResult,
 )
@@ -110,3 +111,20 @@ def test_a_search_without_rounds_or_a_map_is_refused() -> None:
         coexisting_motions(result, most_rounds=0, runner=Answering(), quiet=True)
     with pytest.raises(WrongTypeError, match="result"):
         coexisting_motions(INPUTS, runner=Answering(), quiet=True)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("quiet", [None, True, False])
+def test_a_progress_bar_shows_each_round_unless_it_shall_not(
+    monkeypatch: pytest.MonkeyPatch, quiet: bool | None
+) -> None:
+    shown = []
+
+    def bar(results: object, name: str, **settings: object) -> object:
+        shown.append((name, settings))
+        return results
+
+    monkeypatch.setattr(coexistence, "progress_bar", bar)
+    inputs = MapInputs(impact_oscillator(), ("frequency",), ((1.0, 1.1),), Settings())
+    result = MotionMap(inputs, (CellResult(0, (ORBIT,)), CellResult(1, (OTHER,))))
+    coexisting_motions(result, runner=Answering(), **({} if quiet is None else {"quiet": quiet}))  # type: ignore[arg-type]
+    assert shown == [("round 1", {"quiet": bool(quiet), "total": 2})]

@@ -228,7 +228,7 @@ class SelfExcitedPassage(MechanismPassage):
         lengths, duration = np.diff(starts), self.course.duration
         own = duration - starts[-1] + starts[0]
         longest = float(lengths.max(initial=0.0))
-        share = float(duration - starts[-1]) / own if own > 0.0 else 0.0
+        share = float(duration - starts[-1]) / own
         if own > LEAST_SHARE * longest and LEAST_MARGIN < share < 1.0 - LEAST_MARGIN:
             return 0.0
         if own >= longest:

@@ -7,7 +7,7 @@ would be wrong wherever their events differ, as next to a grazing.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -105,10 +105,15 @@ class ValueChange:
         """Return the derivative that fits what a mode holds."""
         own, other = self.course.modes[mode], self._other(mode)
         held: Reals = own.hold @ tangent + (other.hold - own.hold) @ state / self.step
-        for contact, z in enumerate(self.course.modes.machine.relaxing_state):
-            if z >= 0 and own.statuses[contact] == FREE:
-                held[z] = tangent[z]
+        for _, z in self._relaxing(own):
+            held[z] = tangent[z]
         return held
+
+    def _relaxing(self, mode: Mode) -> Iterator[tuple[int, int]]:
+        """Yield the contacts whose spring relaxes by itself in a mode, and the places of their stretches."""
+        for contact, z in enumerate(self.course.modes.machine.relaxing_state):
+            if z >= 0 and mode.statuses[contact] == FREE:
+                yield contact, z
 
     def _flown(self, row: int, duration: float, tangent: Reals) -> tuple[Reals, Reals]:
         """Return state and derivative at the end of a segment; springs that relax flow by themselves."""
@@ -120,13 +125,12 @@ class ValueChange:
         stretched = tangent.copy()
         room = np.empty((4, len(state)))
         _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent, room)
-        for contact, z in enumerate(modes.machine.relaxing_state):
-            if z >= 0 and own.statuses[contact] == FREE:
-                rate = modes.machine.stiffness[contact] / modes.machine.damping[contact]
-                faster = self.other.stiffness[contact] / self.other.damping[contact] - rate
-                decay = np.exp(-rate * duration)
-                state[z] = begun[z] * decay
-                tangent[z] = decay * (stretched[z] - faster / self.step * duration * begun[z])
+        for contact, z in self._relaxing(own):
+            rate = modes.machine.stiffness[contact] / modes.machine.damping[contact]
+            faster = self.other.stiffness[contact] / self.other.damping[contact] - rate
+            decay = np.exp(-rate * duration)
+            state[z] = begun[z] * decay
+            tangent[z] = decay * (stretched[z] - faster / self.step * duration * begun[z])
         return state, tangent
 
     def _jumped(self, first: int, last: int, tangent: Reals) -> Reals:

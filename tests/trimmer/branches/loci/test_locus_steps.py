@@ -20,6 +20,7 @@ from trimmer.branches.loci.steps import (
     _obstacle,
     _predicted,
     _rooms,
+    _step,
     followed,
 )
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -114,6 +115,10 @@ def test_a_locus_closes_where_a_step_passes_its_first_point(
     assert not _closed(points[1:] if closed else points[:3])
     elsewhere = [points[0], points[1], point(*before, 1.0, 0.0), point(*last, 1.0, 0.0)]
     assert not _closed(elsewhere)
+    if before == (0.1, 0.5) and last == (0.3, 0.5):
+        # Half way the state is that of the first point.
+        assert _closed([*points[:2], point(*before, -1.0, 2e-5), point(*last, 1.0, -2e-5)])
+        assert not _closed([*points[:2], point(*before, -1.0, 2e-5), point(*last, 0.9, -2e-5)])
     assert not _closed([points[0], *points[2:]])
 
 
@@ -208,3 +213,125 @@ def test_a_locus_that_is_not_found_any_more_is_lost(monkeypatch: pytest.MonkeyPa
 def test_as_many_points_as_were_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
     track, reason = went(monkeypatch, OnCircle(0.3), (0.8, 0.5), 1.0, most_points=4)
     assert (reason, len(track.points)) == (LocusEnd.MOST_POINTS, 4)
+
+
+class Answering:
+    """Gives points in place of a search, and keeps what it is asked."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.answers, self.asked = list[Point | None](), list[tuple[int, list[float], list[float], float]]()
+        monkeypatch.setattr(stepping, "found_again", self.again)
+
+    def again(
+        self, _: object, track: Track, held: int, values: np.ndarray, state: np.ndarray, reach: float
+    ) -> Point | None:
+        self.asked.append((held, values.tolist(), state.tolist(), reach))
+        return self.answers.pop(0)
+
+
+def steady(*steps: float) -> Track:
+    """Points along (0.3, -0.4) at some distances, with the state (1, 3e-5)."""
+    return Track([point(0.1 + 0.6 * each, 0.9 - 0.8 * each, 1.0, 3e-5) for each in steps])
+
+
+def test_a_step_holds_the_number_that_changes_more_first_and_tells_its_error(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    answering = Answering(monkeypatch)
+    track = steady(0.0, 0.1, 0.2)
+    predicted = [0.1 + 0.6 * 0.25, 0.9 - 0.8 * 0.25]
+    good = point(predicted[0] + 0.006, predicted[1], 1.0, 3e-5)
+    answering.answers += [None, good]
+    made = _step(None, track, 1.0, 0.05)  # type: ignore[arg-type]
+    assert made is not None
+    assert made[0] is good
+    assert made[1] == pytest.approx(0.006 / 0.05, rel=1e-9)
+    assert [each[0] for each in answering.asked] == [1, 0]
+    for _, values, state, reach in answering.asked:
+        assert values == pytest.approx(predicted, rel=1e-12)
+        assert state == pytest.approx([1.0, 3e-5], rel=1e-12)
+        assert reach == pytest.approx(0.025, rel=1e-9)
+    answering.answers += [None, None]
+    assert _step(None, track, 1.0, 0.05) is None  # type: ignore[arg-type]
+    # However short the step is, the point is looked for at some distance.
+    answering.answers += [None, None]
+    assert _step(None, track, 1.0, 1e-5) is None  # type: ignore[arg-type]
+    assert answering.asked[-1][3] == 2e-5
+
+
+@pytest.mark.parametrize(
+    ("length", "share", "good"),
+    [(0.05, 0.19, True), (0.05, 0.21, False), (0.009, 0.21, True), (0.009, 0.49, True), (0.009, 0.51, False)],
+)
+def test_after_a_much_longer_step_a_prediction_may_be_worse(
+    monkeypatch: pytest.MonkeyPatch, length: float, share: float, good: bool
+) -> None:
+    answering = Answering(monkeypatch)
+    along = 0.2 + length
+    away = point(0.1 + 0.6 * along + share * length, 0.9 - 0.8 * along, 1.0, 3e-5)
+    answering.answers += [away, None]
+    made = _step(None, steady(0.0, 0.1, 0.2), 1.0, length)  # type: ignore[arg-type]
+    assert (made is not None) is good
+    if made is not None:
+        assert made[1] == pytest.approx(share, rel=1e-6)
+
+
+@pytest.mark.parametrize("upwards", [True, False])
+def test_a_step_that_would_leave_the_ranges_ends_on_their_border(
+    monkeypatch: pytest.MonkeyPatch, upwards: bool
+) -> None:
+    answering = Answering(monkeypatch)
+    # The first number is 0.03 from its border, and the second one 0.06: a step of 0.1 would pass both.
+    ends = [[0.91, 0.18], [0.94, 0.12], [0.97, 0.06]]
+    if not upwards:
+        ends = [[1.0 - first, 1.0 - second] for first, second in ends]
+    at_border = point(1.0 if upwards else 0.0, 0.0 if upwards else 1.0)
+    answering.answers.append(at_border)
+    track = Track([point(*each) for each in ends])
+    found = _step(None, track, 1.0, 0.1)  # type: ignore[arg-type]
+    ((held, values, _, reach),) = answering.asked
+    assert held == 0
+    assert values[0] == (1.0 if upwards else 0.0)
+    assert values[1] == pytest.approx(0.0 if upwards else 1.0, abs=1e-12)
+    move = math.hypot(0.03, 0.06)
+    assert reach == pytest.approx(0.5 * move, rel=1e-9)
+    assert found is not None and found[1] == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("second", "sign", "expected"), [(0.5, 1.0, 0.7), (0.5, -1.0, 0.3), (0.9, 1.0, 1.0), (0.1, -1.0, 0.0)]
+)
+def test_the_second_point_is_looked_for_beside_the_first_inside_the_ranges(
+    monkeypatch: pytest.MonkeyPatch, second: float, sign: float, expected: float
+) -> None:
+    answering = Answering(monkeypatch)
+    found = point(0.4, 0.4)
+    answering.answers += [None, None, found]
+    made = _step(None, Track([point(0.3, second, 1.0, 3e-5)]), sign, 0.2)  # type: ignore[arg-type]
+    assert made == (found, 0.0)
+    assert [(held, reach) for held, _, _, reach in answering.asked] == [(1, 1e-2), (1, 1e-3), (1, 1e-1)]
+    for _, values, state, _ in answering.asked:
+        assert values == pytest.approx([0.3, expected], rel=1e-12, abs=1e-15)
+        assert state == [1.0, 3e-5]
+
+
+def test_steps_grow_twofold_where_predictions_are_good_and_are_halved_where_none_is_made(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    errors, lengths = [0.0, 0.029, 0.031, None, None, 0.0, 0.5], list[float]()
+
+    def step(search: object, track: Track, sign: float, length: float) -> tuple[Point, float] | None:
+        lengths.append(length)
+        error = errors.pop(0)
+        before = track.points[-1].values
+        return None if error is None else (point(before[0] + length, before[1]), error)
+
+    monkeypatch.setattr(stepping, "_step", step)
+    search = OnCircle(0.3)
+    settings = LocusSettings(most_points=6, quiet=True)
+    assert followed(search, Track([point(0.3, 0.5)]), 1.0, settings) is LocusEnd.MOST_POINTS  # type: ignore[arg-type]
+    assert lengths == pytest.approx([2e-3, 4e-3, 8e-3, 8e-3, 4e-3, 2e-3, 4e-3], rel=1e-12)
+    errors[:], lengths[:] = [None] * 3, []
+    hasty = LocusSettings(largest_step=1e-3, smallest_step=2.5e-4, quiet=True)
+    assert followed(search, Track([point(0.3, 0.5)]), 1.0, hasty) is LocusEnd.LOST  # type: ignore[arg-type]
+    assert lengths == [1e-3, 5e-4, 2.5e-4]

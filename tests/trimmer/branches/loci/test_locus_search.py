@@ -77,11 +77,12 @@ def test_the_distance_is_of_the_multiplier_that_the_kind_speaks_of(
 def test_the_message_names_what_is_beside_a_locus_that_changes() -> None:
     maps = (SimpleNamespace(place="frequency"), SimpleNamespace(place="plays.bridge.gap"))
     search = SimpleNamespace(maps=maps)
-    track = Track([], [SpecialPoint(kind, 0.0, np.zeros(1)) for kind in (SpecialKind.FOLD, SpecialKind.FOLD)])
+    kinds = (SpecialKind.TORUS, SpecialKind.STICK, SpecialKind.FOLD, SpecialKind.STICK, SpecialKind.GRAZING)
+    track = Track([], [SpecialPoint(kind, 0.0, np.zeros(1)) for kind in kinds])
     numbers = np.array([110.0, 4e-5])
     at = "at frequency = 110 and plays.bridge.gap = 4e-05"
     changed = _message(search, track, LocusEnd.CHANGED, numbers)  # type: ignore[arg-type]
-    assert changed == f"{LocusEnd.CHANGED.value}, {at}; beside it: fold"
+    assert changed == f"{LocusEnd.CHANGED.value}, {at}; beside it: fold, grazing, stick, torus"
     assert _message(search, track, LocusEnd.LOST, numbers) == f"{LocusEnd.LOST.value}, {at}"  # type: ignore[arg-type]
 
 
@@ -141,6 +142,12 @@ def test_a_locus_tells_its_points() -> None:
     table = locus._table()
     rows = [list(row) for row in table.rows()]
     assert rows == [[*locus.values[number], 0.0, 0.0] for number in range(3)]
+    assert [(column.name, column.unit) for column in table.columns] == [
+        ("frequency", "Hz"),
+        ("stops.wall.gap", "m"),
+        ("residual", ""),
+        ("distance", ""),
+    ]
     both = Locus(
         SpecialKind.STICK,
         ("a", "b"),

@@ -19,7 +19,7 @@ from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
 
-EXAMPLES = Path(__file__).parents[3] / "examples"
+EXAMPLES = Path(__file__).parents[4] / "examples"
 TURN = 2.0 * math.pi
 ALONE = FollowSettings(switches=0)
 GAP = "stops.stop.gap"

@@ -1,4 +1,4 @@
-"""Corners of branches, and where they join and part, on maps whose orbits are known."""
+"""Where branches join and part, and what is known of them, on maps whose orbits are known."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.curves import OnCurve, line_front, parabola
-from tests.trimmer.branches.maps import Bent, Cubic, Failing, Given, Logistic
+from tests.trimmer.branches.curves import OnCurve, parabola
+from tests.trimmer.branches.maps import Cubic, Given, Logistic
+from trimmer.branches import switching
+from trimmer.branches.arc import LostError
 from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
-from trimmer.branches.corner import _tangents, turned
-from trimmer.branches.joining import front_beyond, joint
-from trimmer.branches.known import Known
-from trimmer.branches.orbit import Problem
+from trimmer.branches.joining import _located, front_beyond, joint
+from trimmer.branches.known import Known, _images
+from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
@@ -23,36 +25,6 @@ from trimmer.branches.switching import _critical, _first, parted_fronts
 
 ALONG = np.array([0.0, 0.0, 1.0])
 ALONE = FollowSettings(switches=0, quiet=True)
-
-
-def test_a_corner_is_passed_or_turned_at() -> None:
-    # Beyond x = 0 the fixed points are p / (1 - slope): behind, if the slope is above 1.
-    for slope, ahead in ((-0.5, 1.0), (2.0, -1.0)):
-        front = line_front(Bent(0.5, slope), -1e-11, -2e-11)
-        made = turned(front)
-        assert made is not None
-        wanted = np.array([ahead / (1.0 - slope), ahead])
-        assert made.front.tangent == pytest.approx(wanted / np.linalg.norm(wanted), rel=1e-9)
-        kinds = [point.kind for point in made.special]
-        assert kinds == [SpecialKind.GRAZING, SpecialKind.FOLD][: 1 + (ahead < 0.0)]
-        old = np.array([2.0, 1.0]) / math.sqrt(5.0)
-        assert made.bend == pytest.approx(math.acos(made.front.tangent @ old), rel=1e-6)
-        assert made.switches == ()
-        assert 0.0 < abs(made.front.place.position[1]) < 1e-9
-    assert turned(line_front(Bent(0.5, 2.0), -0.5, -1.0)) is None
-    assert turned(line_front(Failing(), 0.5 - 1e-12, 1.0)) is None
-
-
-def test_behind_a_corner_the_direction_with_the_same_turn_comes_first() -> None:
-    front = line_front(Bent(0.5, 2.0), -1e-11, -2e-11)
-    beyond = front.problem.place(np.array([1e-9, 1e-9]))
-    assert beyond is not None
-    first, second = _tangents(front, beyond)
-    assert np.sign(beyond.orientation(first)) == front.turn
-    assert first.tolist() == (-second).tolist()
-    other = _tangents(replace(front, turn=-front.turn), beyond)
-    assert other[0].tolist() == second.tolist()
-    assert len(_tangents(replace(front, turn=0.0), beyond)) == 2
 
 
 def of_value(value: float, state: float) -> BranchPoint:
@@ -106,6 +78,28 @@ def test_an_orbit_a_period_apart_is_the_same() -> None:
     assert not Known(0, ends=[(1, of_value(value, 0.5))]).holds(problem, of_value(value, high))
 
 
+def test_the_images_of_an_orbit_are_where_a_passage_may_begin_or_those_of_the_single_map() -> None:
+    ends = {0.5: 0.25, 0.25: 0.125, 0.125: 0.75}
+
+    def passage(value: float, state: np.ndarray) -> SimpleNamespace:
+        assert value == 3.0
+        return SimpleNamespace(end=np.array([ends[state[0]]]))
+
+    def images(doublings: int, *phases: float) -> list[float]:
+        map = SimpleNamespace(single=None, passage=passage)
+        for _ in range(doublings):
+            map = SimpleNamespace(single=map)
+        map.phases = lambda value, state: [np.array([each]) for each in phases]
+        found = _images(map, of_value(3.0, 0.5))  # type: ignore[arg-type]
+        return [float(each[0]) for each in found]
+
+    assert images(0) == [0.5]
+    assert images(0, 0.1, 0.2) == [0.1, 0.2]
+    assert images(1, 0.5) == [0.5, 0.25]
+    assert images(2, 0.5) == [0.5, 0.25, 0.125, 0.75]
+    assert images(1, 0.25, 0.125) == [0.25, 0.125]
+
+
 def test_a_branch_that_joined_is_known_at_the_bifurcation() -> None:
     problem = Problem(Logistic(), 2.0, np.array([0.5]))
     place = problem.place(problem.position(3.0, np.array([2.0 / 3.0])))
@@ -120,6 +114,8 @@ def test_a_branch_that_joined_is_known_at_the_bifurcation() -> None:
     assert joined(1, 3.019, 0.7)
     assert not joined(1, 3.021, 0.7)
     assert not joined(0, 3.0, 0.7)
+    known = Known(0, rejoined=[(1, of_value(3.125, 0.7))])
+    assert known.is_joined(problem, bifurcation, 0.0625)  # type: ignore[arg-type]
     assert not joined(1, 3.0, 2.0 / 3.0 + 0.051)
     assert joined(1, 3.0, 2.0 / 3.0 - 0.049)
 
@@ -152,6 +148,36 @@ def test_the_branch_of_single_orbits_goes_on_to_both_sides_of_a_joint() -> None:
     assert joint(Front(Problem(Logistic(), 1.0, np.ones(1)), near, tangent, 1.0), far) is None
 
 
+def test_the_secant_method_goes_on_from_the_nearest_orbit() -> None:
+    asked = []
+
+    def at(value: float, guess: tuple[str, float]) -> SimpleNamespace:
+        asked.append((value, guess))
+        return SimpleNamespace(at=value, multipliers=np.array([-1.0 - 3.0 * (value - 2.5), 0.5, 7.0]))
+
+    arc = SimpleNamespace(
+        at=at, distance=lambda place: place.at, predicted=lambda place, value: ("from", place.at)
+    )
+    found = _located(arc, SimpleNamespace(at=2.0))  # type: ignore[arg-type]
+    assert found.at == pytest.approx(2.5, abs=1e-14)  # type: ignore[attr-defined]
+    # The function is a straight line: it is known from two orbits, and one more is the root.
+    values = [value for value, _ in asked]
+    assert values[:3] == pytest.approx([2.0, 2.0 + 1e-6, 2.5], abs=1e-9)
+    assert [from_where for _, (_, from_where) in asked[:3]] == [2.0, 2.0, values[1]]
+    assert values[-1] == found.at  # type: ignore[attr-defined]
+    lost = SimpleNamespace(**{**vars(arc), "at": lambda value, guess: None})
+    with pytest.raises(LostError):
+        _located(lost, SimpleNamespace(at=2.0))  # type: ignore[arg-type]
+    endless = SimpleNamespace(
+        **{
+            **vars(arc),
+            "at": lambda value, guess: SimpleNamespace(at=value, multipliers=np.array([value**2])),
+        }
+    )
+    with pytest.raises(LostError):
+        _located(endless, SimpleNamespace(at=2.0))  # type: ignore[arg-type]
+
+
 def test_a_branch_of_twice_the_period_parts_along_the_critical_direction() -> None:
     problem = Problem(Logistic(), 1.0, np.ones(1))
     place = problem.correct(np.array([0.66, 3.0]), np.array([0.0, 1.0]), 3.0)
@@ -177,6 +203,39 @@ def test_where_branches_cross_one_parts_on_each_side() -> None:
     fronts = parted_fronts(problem, SimpleNamespace(place=place))  # type: ignore[arg-type]
     assert sorted(front.place.position[0] for front in fronts) == pytest.approx([-3e-5, 3e-5], rel=1e-9)
     assert all(front.problem is problem for front in fronts)
+
+
+@pytest.mark.parametrize(
+    ("multipliers", "doubled"),
+    [
+        ((-1.0, -3.0), True),
+        ((1.0, -3.0), False),
+        ((-1.0, -5.0), True),
+        ((1.2, -0.7), False),
+    ],
+)
+def test_of_several_multipliers_the_one_nearest_to_either_side_parts(
+    monkeypatch: pytest.MonkeyPatch, multipliers: tuple[float, float], doubled: bool
+) -> None:
+    asked = []
+    critical = np.array([0.6, 0.8, 0.0])
+
+    def of(place: Place, multiplier: float) -> np.ndarray:
+        asked.append(multiplier)
+        return critical
+
+    monkeypatch.setattr(switching, "_critical", of)
+    monkeypatch.setattr(switching, "_first", lambda *given: given)
+    problem = Problem(parabola(), 7.0, np.array([2.0, 3.0]))
+    place = SimpleNamespace(multipliers=np.array(multipliers), position="there")
+    fronts = parted_fronts(problem, SimpleNamespace(place=place))  # type: ignore[arg-type]
+    assert asked == [-1.0 if doubled else 1.0]
+    assert [(origin, direction.tolist()) for _, origin, direction in fronts] == [  # type: ignore[misc, has-type]
+        ("there", (sign * critical).tolist()) for sign in ((1.0,) if doubled else (1.0, -1.0))
+    ]
+    found = fronts[0][0]  # type: ignore[index]
+    assert found.map.doublings == int(doubled)
+    assert (found.span, found.sizes is problem.sizes) == (7.0, True)
 
 
 def test_the_critical_direction_is_the_eigenvector_of_the_multiplier() -> None:
@@ -219,7 +278,9 @@ def test_which_ends_are_successes_and_which_orbits_are_stable() -> None:
         BranchEnd.MOST_POINTS,
         BranchEnd.NO_START,
     }
-    assert Branch((), (), BranchEnd.TORN, "").success
+    torn = Branch((), (), BranchEnd.TORN, "")
+    assert torn.success
+    assert (torn.branches, torn.parted, torn.doublings) == ((), None, 0)
     assert not Branch((), (), BranchEnd.NO_START, "").success
     for multipliers, stable in (([0.9, -0.5], True), ([0.9, -1.0], False), ([0.3, 1.0 - 1e-10], False)):
         point = BranchPoint(0.0, np.zeros(1), np.array(multipliers, dtype=complex), np.zeros(2), {}, 0)
@@ -234,7 +295,7 @@ def test_a_special_point_tells_its_parts() -> None:
 
 def test_a_doubled_map_joins_both_passages() -> None:
     map = Logistic().doubled()
-    first, second = Logistic().passage(3.2, np.array([0.3])), None
+    first = Logistic().passage(3.2, np.array([0.3]))
     second = Logistic().passage(3.2, first.end)
     passage = map.passage(3.2, np.array([0.3]))
     assert passage.end == second.end
@@ -245,8 +306,13 @@ def test_a_doubled_map_joins_both_passages() -> None:
     step = 1e-6
     ends = [map.passage(3.2 + sign * step, np.array([0.3])).end for sign in (1.0, -1.0)]
     assert passage.rate() == pytest.approx((ends[0] - ends[1]) / (2.0 * step), rel=1e-8)
-    shortest = (SimpleNamespace(shortest=lambda *_: 3e-3), SimpleNamespace(shortest=lambda *_: 2e-3))
-    assert replace(passage, first=shortest[0], second=shortest[1]).shortest("a", None) == 2e-3  # type: ignore[arg-type]
+    known = {("a", Phase.UPPER): (3e-3, 2e-3), ("b", Phase.STICK): (4e-3, 5e-3)}
+    one, other = (
+        SimpleNamespace(shortest=lambda part, phase, half=half: known[part, phase][half]) for half in (0, 1)
+    )
+    halves = replace(passage, first=one, second=other)  # type: ignore[arg-type]
+    assert halves.shortest("a", Phase.UPPER) == 2e-3
+    assert halves.shortest("b", Phase.STICK) == 4e-3
     assert map.doubled().doublings == 2
     assert map.size == 1
     counted = replace(
