@@ -27,7 +27,12 @@ SETTLING = 2
 _DECADES = 12
 """How far on either side of 1 amplitudes are probed."""
 _PROBES = 400
+_MEMORY_DECADES = 6
+_MEMORY_PROBES = 24
 _PHASES = 61
+_SEED = 4171
+_OMEGA = 1.0
+"""Stands where an omega is wanted, rad/s; a nonlinearity knows none."""
 _DIFFERENT = 0.01
 """Difference between a nonlinearity's own describing function and its output's, relative, that is told."""
 
@@ -68,7 +73,7 @@ class ControlElement(UnboundedElement):
         amplitudes = np.geomspace(10.0**-_DECADES, 10.0**_DECADES, 8 * 2 * _DECADES + 1)
         with np.errstate(all="ignore"):
             sizes = np.log(np.abs(self._describing_function(amplitudes, np.ones_like(amplitudes), 1)))
-        bend = np.abs(np.diff(sizes, 2))
+            bend = np.abs(np.diff(sizes, 2))
         bend[~np.isfinite(bend)] = 0.0
         return float(amplitudes[1 + int(np.argmax(bend))]) if bend.max() > 1e-6 else 1.0
 
@@ -84,7 +89,7 @@ class ControlElement(UnboundedElement):
         Raises:
             UnsupportedElementError: if the output is not odd there.
         """
-        own, estimate = self._own(amplitude), self._estimate(amplitude, 1.0, 1)
+        own, estimate = self._own(amplitude), self._estimate(amplitude, _OMEGA, 1)
         if own is None or abs(own - estimate.value) <= _DIFFERENT * abs(own) + estimate.error:
             return ()
         return (
@@ -93,11 +98,11 @@ class ControlElement(UnboundedElement):
         )
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
-        if harmonic > 1 or self._own(1.0) is None:
-            return super()._describing_function(amplitude, omega, harmonic)
-        return np.array([self._own(float(each)) for each in amplitude], dtype=complex).reshape(
-            amplitude.shape
-        )
+        if harmonic == 1:
+            own = [self._own(float(each)) for each in amplitude]
+            if None not in own:
+                return np.array(own, dtype=complex)
+        return super()._describing_function(amplitude, omega, harmonic)
 
     def _own(self, amplitude: float) -> complex | None:
         """Return N by the nonlinearity's own formula; None if it has none."""
@@ -137,16 +142,14 @@ class ControlElement(UnboundedElement):
 
     def _require_odd(self) -> None:
         """Compare outputs at inputs of opposite signs, at places that no grid has."""
-        random = np.random.default_rng(4171)
+        random = np.random.default_rng(_SEED)
         if self.nonlinearity._isstatic():
-            inputs = 10.0 ** random.uniform(-_DECADES, _DECADES, _PROBES)
+            inputs = _drawn(random, _DECADES, _PROBES)
             function = copy.deepcopy(self.nonlinearity)
             up, down = _values(function, inputs), _values(function, -inputs)
-            size, apart = np.maximum(np.abs(up), np.abs(down)), np.abs(up + down)
-            wrong = apart > EVEN * size
-            where = [float(each) for each in inputs[wrong]]
+            where = inputs[np.abs(up + down) > EVEN * np.abs(up)].tolist()
         else:
-            amplitudes = [float(10.0**each) for each in random.uniform(-6, 6, 24)]
+            amplitudes = _drawn(random, _MEMORY_DECADES, _MEMORY_PROBES).tolist()
             where = [each for each in amplitudes if self._is_even_at(each, random)]
         if where:
             place = where[0]
@@ -156,8 +159,8 @@ class ControlElement(UnboundedElement):
             )
 
     def _is_even_at(self, amplitude: float, random: np.random.Generator) -> bool:
-        phases = np.sort(random.uniform(0.0, math.pi, _PHASES))
-        first, second = self._halves(phases, amplitude, 1.0)
+        phases = np.sort(math.pi * random.random(_PHASES))
+        first, second = self._halves(phases, amplitude, _OMEGA)
         # Where nothing switches an output may stay what it was; there N does not exist.
         own = self._own(amplitude)
         exists = own is None or not np.isnan(own)
@@ -176,15 +179,12 @@ def is_element(value: object) -> bool:
     return isinstance(value, Element) or (kind is not None and isinstance(value, kind))
 
 
-def adopted(
-    name: str, element: object, wanted: str = "an element, such as FrictionBacklash(4e-5)"
-) -> Element:
+def adopted(name: str, element: object) -> Element:
     """Return an element as it is, and a nonlinearity of python-control as one.
 
     Args:
         name: Name of the argument, for the message.
         element: What was given.
-        wanted: What to give, in words.
 
     Raises:
         WrongTypeError: if it is neither.
@@ -200,6 +200,11 @@ def adopted(
 def _kind() -> type[Any] | None:
     """Return the class of python-control; None where that was not imported, so none can be given."""
     return getattr(sys.modules.get("control"), "DescribingFunctionNonlinearity", None)
+
+
+def _drawn(random: np.random.Generator, decades: int, count: int) -> Reals:
+    """Draw numbers over some decades on either side of 1, evenly on a logarithmic scale."""
+    return np.asarray(10.0 ** random.uniform(-decades, decades, count))
 
 
 def _values(function: Any, inputs: Reals) -> Reals:

@@ -152,7 +152,7 @@ class Thresholds:
 
         The derivative of exp(-2jα)/cos α by α has the modulus √(4 + tan² α) / cos α, which rises with |α|.
         """
-        total = np.zeros(np.broadcast_shapes(np.shape(u_lower), np.shape(u_upper)))
+        total: Reals = np.asarray(0.0)
         for first, last in zip(self._angles(u_lower), self._angles(u_upper), strict=True):
             cosine = np.cos(last)
             steepness = np.sqrt(4.0 + np.tan(last) ** 2) / cosine
@@ -162,7 +162,7 @@ class Thresholds:
     def reach(self, u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
         """Bound how far N is from its value in the middle of two u, by the chords of the two circles."""
         middle = 0.5 * (np.asarray(u_lower) + np.asarray(u_upper))
-        total: Reals = np.zeros(np.shape(middle))
+        total: Reals = np.asarray(0.0)
         ratios = (1.0, self.off / self.on)
         for ratio, centre in zip(ratios, self._angles(middle), strict=True):
             ends = (np.arcsin(np.clip(np.multiply(u, ratio), -1.0, 1.0)) for u in (u_lower, u_upper))

@@ -46,7 +46,7 @@ class _Outline:
 
     def __init__(self, text: str) -> None:
         self._text = text
-        self._end = 0
+        self._end: int
         self._lines: dict[Place, int] = {}
         self._counts: dict[Place, int] = {}
 

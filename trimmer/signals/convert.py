@@ -159,6 +159,11 @@ class _Limits:
     spectrum: Powers
 
     @property
+    def integrated(self) -> bool:
+        """Whether the signal is integrated."""
+        return self.times < 0
+
+    @property
     def gain(self) -> Reals:
         """Square of what the conversion multiplies lines with."""
         return np.asarray((2 * np.pi * self.spectrum.frequency) ** (2 * self.times))
@@ -172,7 +177,7 @@ class _Limits:
         low, why_low = 0.0, ""
         if lowest is not None:
             low, why_low = _frequency("lowest", lowest, 0.0, high), "as given"
-        elif self.times < 0:
+        elif self.integrated:
             low, why_low = 8 * REACH / self.source.duration, "length of the record"
         band = Band(low, high, why_low, why_high)
         if corner is not None and lowest is None:
@@ -187,7 +192,7 @@ class _Limits:
 
     def _above_noise(self, band: Band, low_free: bool, high_free: bool) -> Band:
         """Narrow the band until noise is a small share of the result, at the end where it grows."""
-        integrated = self.times < 0
+        integrated = self.integrated
         if not (low_free if integrated else high_free):
             return band
         frequency = self.spectrum.frequency

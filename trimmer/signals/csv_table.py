@@ -165,10 +165,10 @@ def _after_heading(lines: NumberedLines, begin: int) -> int | None:
     """
     if not any(map(is_text, lines.cells(begin))):
         return None
-    for place in range(begin + 1, min(begin + _LONGEST_PREAMBLE, len(lines) - 1)):
+    for place in range(begin, min(begin + _LONGEST_PREAMBLE, len(lines))):
         cells = lines.cells(place)
         if not any(map(is_numeric, cells)) and any(map(is_text, cells)):
-            data = _first_number(lines, place + 1)
+            data = _first_number(lines, place)
             if data is not None and _numbers(lines, data) > _numbers(lines, begin):
                 return data
     return None

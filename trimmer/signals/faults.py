@@ -62,7 +62,7 @@ def _found(signal: Signal, runs: _Runs) -> Iterator[Fault]:
     if steps is not None:
         yield steps
     mean, rms = float(signal.values.mean()), signal.rms
-    if rms > 0 and abs(mean) > _LARGE_OFFSET * rms:
+    if abs(mean) > _LARGE_OFFSET * rms:
         yield Offset(mean, abs(mean) / rms, signal.unit)
 
 
@@ -121,7 +121,7 @@ class _Runs:
         arriving = [self.values[begins[inner] - back] for back in (1, 2, 3)]
         leaving = [self.values[ends[inner] + on] for on in (0, 1, 2)]
         fast = _is_fast(*arriving) & _is_fast(*leaving)
-        return bool(fast.size and np.mean(fast) >= _MOST)
+        return bool(np.count_nonzero(fast) >= max(_MOST * fast.size, 1))
 
     def at(self, value: float) -> Flags:
         """Which runs have a value, shape (m,)."""
@@ -145,7 +145,8 @@ def _clipping(signal: Signal, runs: _Runs) -> Clipping | None:
         for value, found in zip(ends, clipped, strict=True)
     )
     level = max(abs(value) for value, found in zip(ends, clipped, strict=True) if found.any())
-    symmetric = largest * smallest > 0 and abs(ends[0] + ends[1]) <= _SAME_LEVEL * (ends[0] - ends[1])
+    opposite = abs(ends[0] + ends[1]) <= _SAME_LEVEL * (ends[0] - ends[1])
+    symmetric = opposite and all(found.any() for found in clipped)
     several = symmetric or int(both.sum()) >= _SHORTEST_RUN
     if level >= 0.999 * signal.full_scale:
         certainty = Certainty.CERTAIN
@@ -169,7 +170,7 @@ def _clipped_runs(signal: Signal, runs: _Runs, extreme: float) -> Flags:
         return np.asarray(abrupt)
     rest = runs.levels[1] if extreme == runs.levels[0] else runs.levels[-2]
     count, others = int(runs.lengths[at].sum()), int(runs.lengths[runs.at(float(rest))].sum())
-    many = count >= max(3.0, _CLIPPED_SHARE * runs.values.size) and count > _CLIPPED_EXCESS * others
+    many = count >= _CLIPPED_SHARE * runs.values.size and count > _CLIPPED_EXCESS * others
     return np.asarray(at & (runs.lengths >= 2) & many)
 
 
@@ -185,11 +186,11 @@ def _dropout(signal: Signal, runs: _Runs) -> Dropout | None:
     extreme = (held <= runs.levels[0] + near) | (held >= runs.levels[-1] - near)
     zero = runs.at(0.0)
     others = runs.lengths[~extreme & ~zero]
-    usual = float(np.median(others)) if others.size else 1.0
-    long = (runs.lengths >= max(_LONG_RUN, _LONGER * usual)) & (~extreme | zero) & runs.abrupt
+    enough = max(_LONG_RUN, _LONGER * float(np.median(others))) if others.size else _LONG_RUN
+    long = (runs.lengths >= enough) & (~extreme | zero) & runs.abrupt
     if not long.any() or runs.levels.size < _SHORTEST_RUN:
         return None
-    longest = int(np.argmax(np.where(long, runs.lengths, 0)))
+    longest = int(np.argmax(runs.lengths * long))
     begin, length = int(runs.begins[longest]), int(runs.lengths[longest])
     start, rate = signal.start, signal.sample_rate
     value = float(runs.values[begin])

@@ -63,4 +63,4 @@ def _floor(total: Reals) -> Reals:
         floor[row] = np.median(total[low : high + 1]) / math.log(2.0)
     tiny = np.finfo(float).tiny
     logs = np.interp(np.log(np.maximum(bins, 1)), np.log(places), np.log(np.maximum(floor, tiny)))
-    return np.minimum(np.exp(logs), np.maximum(total, np.exp(logs)))
+    return np.asarray(np.exp(logs))

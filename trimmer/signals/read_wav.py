@@ -61,7 +61,7 @@ def read_wav(
     rate, data, problems = _content(path)
     frames = data[:, None] if data.ndim == 1 else data
     chosen = _channel(path, frames.shape[1], channel)
-    first = max(0, math.ceil(begin * rate - 1e-6)) if begin > 0 else 0
+    first = math.ceil(begin * rate - 1e-6) if begin > 0 else 0
     last = frames.shape[0] if end == math.inf else math.floor(end * rate + 1e-6) + 1
     taken = frames[first : max(last, 0), chosen]
     if taken.size == 0:

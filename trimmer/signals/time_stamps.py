@@ -80,7 +80,7 @@ def spacing_of(times: Reals, lines: Sequence[int], place: str) -> Spacing:
     _check_rising(times, steps < 0, lines, place)
     usual = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
     stretches = _stretches(times, steps, usual)
-    if not stretches.equal or not stretches.rounding:
+    if not stretches.rounding:
         _check_rising(times, steps <= 0, lines, place)
     unusual = np.abs(steps - usual)
     return Spacing(
@@ -137,16 +137,19 @@ def _seen(times: Reals, begins: tuple[int, ...], coarse: float) -> _Stretches:
     farthest = float(np.abs(apart).max())
     fine = farthest <= STAMP_TOLERANCE * step
     several = np.unique(times).size >= _FEWEST_ROUNDED
-    rounded = not fine and several and coarse > 0.0 and farthest <= ROUNDED * coarse
+    rounded = not fine and several and farthest <= ROUNDED * coarse
     return _Stretches(begins, step, apart, fine or rounded, coarse if rounded else 0.0)
 
 
 def last_digit(times: Reals) -> float:
     """Return the unit of the last digit of stamps, s: decimal, or that of single precision; 0 if none."""
-    span = float(np.abs(times).max()) or 1.0
+    span = float(np.abs(times).max())
     for decimals in range(10):
         scaled = times * 10.0**decimals
-        if np.abs(scaled - np.rint(scaled)).max() <= max(1e-6, 4 * np.spacing(span * 10.0**decimals)):
+        whole = np.rint(scaled)
+        if np.ptp(whole) == 0 < np.ptp(times):
+            continue  # Stamps that differ by less than the digit say nothing about it.
+        if np.abs(scaled - whole).max() <= max(1e-6, 4 * np.spacing(span * 10.0**decimals)):
             return float(10.0**-decimals)
     single = times.astype(np.float32)
     return float(np.spacing(single.max())) if np.array_equal(single.astype(np.float64), times) else 0.0

@@ -149,8 +149,7 @@ def _without_mean(values: Reals) -> tuple[float, float, Reals]:
     scale = float(np.abs(values).max()) or 1.0
     relative = values / scale
     mean = float(relative.mean())
-    constant = np.all(values == values[0])
-    return scale, scale * mean, np.zeros(values.size) if constant else relative - mean
+    return scale, scale * mean, relative - mean
 
 
 def _check_audible(samples: int, rate: float) -> None:

@@ -73,6 +73,26 @@ def test_the_story_has_all_steps_and_each_law(derivation):
     assert all(step.text and step.formulas for step in steps)
 
 
+def test_what_is_defined_stands_on_the_left(derivation):
+    """Each equation of these steps has one symbol on its left, or one with dots."""
+    names = {
+        "energies": ("T", "U", "R"),
+        "virtual-work": ("Q_{q_{1}}", "Q_{q_{2}}"),
+        "matrices": (r"M\ddot q + C\dot q + K q", "M", "C", "K", "F_p", "F_T", "F_f"),
+        "closed-contact": ("U", "R", r"m_{1} \ddot{q}_{1}", r"m_{2} \ddot{q}_{2}", "C", "K", "f_0"),
+        "state-space": (r"\dot{x}", "A", "B", "w", "A", "B", "w"),
+        "friction-f_a": ("v_{a}", "f_{a}"),
+        "checks": (r"\frac{d}{dt}(T + U)", "P_{g}", "P_{t}"),
+    }
+    steps = {step.id: step for step in mechanism_narrative(derivation)}
+    for name, expected in names.items():
+        lefts = [each.latex.split(" = ")[0] for each in steps[name].formulas if r"\le " not in each.latex]
+        assert list(dict.fromkeys(lefts)) == list(dict.fromkeys(expected)), name
+    for name, first in (("contact-T_a", "s_{a}"), ("contact-T_b", "s_{b}")):
+        lefts = [each.latex.split(" = ")[0] for each in steps[name].formulas]
+        assert (lefts[0], lefts[-1]) == (first, first.replace("s", "T"))
+
+
 def test_a_damper_beside_a_spring_has_its_elongation(derivation):
     formulas = [formula.latex for formula in mechanism_narrative(derivation)[0].formulas]
     assert "e_{c} = q_{1}" not in formulas

@@ -15,6 +15,7 @@ from derivations.elements.equivalent_nonlinearity import units_check
 from derivations.elements.friction import DAMPING, FORCE, LEVEL
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.steps import friction
+from derivations.latex import latex
 from derivations.symbols import A, omega
 
 DIGITS = 40
@@ -45,6 +46,19 @@ def test_each_step_proves_something_by_algebra(steps, shown):
         assert step.equalities
         assert "random" not in proven.text
         assert len(proven.formulas) == len(step.lines)
+
+
+def test_the_right_side_that_is_shown_is_the_short_one_without_integrals(steps):
+    """The derived side is longer, but for those whose order or form was chosen."""
+    chosen = ("\\int y\\,", "b_1", "\\frac{dk}{dt}")
+    for step in steps:
+        for equality in step.equalities:
+            closed, derived = sympy.sympify(equality.closed), sympy.sympify(equality.derived)
+            shown_integral = closed.has(sympy.Integral) and not derived.has(sympy.Integral)
+            assert not shown_integral or equality.name == "v(t)" or step.id == "df-slopes", step.id
+            if closed != derived and not equality.name.startswith(chosen) and not shown_integral:
+                shorter = len(latex(closed)) < len(latex(derived))
+                assert shorter or derived.has(sympy.Integral), (step.id, equality.name)
 
 
 def test_no_equation_with_a_wrong_factor_is_proven(steps):

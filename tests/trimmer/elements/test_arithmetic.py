@@ -1,15 +1,21 @@
 from __future__ import annotations
 
+import control
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
+from trimmer.elements.control_element import ControlElement
 from trimmer.elements.coulomb_friction import CoulombFriction
+from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.relay import Relay
+from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.errors import WrongTypeError
 
 BACKLASH = ViscousBacklash(2.0, 0.1)
 AMPLITUDE = np.array([1.5, 4.0, 90.0])
@@ -56,3 +62,27 @@ def test_a_frozen_element_ignores_omega() -> None:
         assert np.array_equal(value, BACKLASH.describing_function(AMPLITUDE, 3.0, 3))
         output = frozen.waveform([0.1, 0.2], 4.0, omega)
         assert np.array_equal(output, BACKLASH.waveform([0.1, 0.2], 4.0, 3.0))
+
+
+def test_one_infinite_amplitude_is_enough_for_no_waveform() -> None:
+    with pytest.raises(ValueError, match="amplitude must be finite"):
+        Relay(1.0).waveform(0.3, [1.0, np.inf])
+
+
+def test_nonlinearities_of_python_control_are_frozen_as_elements() -> None:
+    peer = control.saturation_nonlinearity(0.5)
+    frozen = ElementAtFrequency(peer, 3.0)  # type: ignore[arg-type]
+    assert isinstance(frozen.element, ControlElement)
+    assert frozen.describing_function(2.0) == Saturation(0.5).describing_function(2.0)
+
+
+def test_pictures_are_drawn_at_the_frequency_and_on_the_axes_that_are_given() -> None:
+    for draw in (BACKLASH.plot, BACKLASH.plot_locus):
+        first, second = (Figure().add_subplot() for _ in range(2))
+        assert draw(first, 3.0) is first
+        assert draw(second, omega=30.0) is second
+        slow, fast = (axes.lines[0].get_ydata() for axes in (first, second))
+        assert len(slow) > 10
+        assert not np.array_equal(slow, fast)
+        with pytest.raises(WrongTypeError, match="ax must be"):
+            draw(3.0, 3.0)  # type: ignore[arg-type]

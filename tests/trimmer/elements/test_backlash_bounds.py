@@ -86,6 +86,30 @@ def test_the_slope_by_gamma_changes_by_no_more_than_its_parts(
         assert found / (2.0 / math.pi * parts) < 8.0
 
 
+@pytest.mark.parametrize(
+    ("gamma", "decay", "lag", "drift"),
+    [
+        (0.01, 0.2, 0.02, 0.2 / 1.0001),
+        (0.01, 0.5, 0.125, math.exp(-1.0) / 1.0001),
+        (0.01, 10.0, 1.0, 4.0 * math.exp(-2.0)),
+        (0.1, 2.0, 2.0 * LARGEST_LAG, 4.0 * math.exp(-2.0)),
+        (3.0, 0.5, 0.125, 0.25),
+    ],
+)
+def test_the_change_by_gamma_has_the_bound_that_its_docstring_derives(
+    gamma: float, decay: float, lag: float, drift: float
+) -> None:
+    """Of h <= min(1, L x, x²/2) and of sin² θ_s x exp(-x) or x² exp(-x), whichever is larger."""
+    highest, flight = 1.2 * gamma, decay * gamma
+    separation = math.atan(1.0 / highest)
+    latest, earliest = separation + flight, separation + 0.3 * flight
+    found = BacklashBox(*(np.array([each]) for each in (gamma, highest, earliest, latest)))
+    sine_squared = 1.0 / (1.0 + gamma**2)
+    change = lag * 0.7 * flight + ((1.0 + sine_squared) * lag + drift) * flight * math.log(1.2)
+    expected = 2.0 / math.pi * highest**2 / math.hypot(1.0, highest) * change
+    assert found.change_of_slope_by_log_gamma() == pytest.approx([expected], rel=1e-6)
+
+
 def test_outside_of_the_domain_the_flight_is_the_longest_there_may_be() -> None:
     """Without a latest impact the flight is half a turn from the separation of the lowest gamma."""
     whole = BacklashBox(*(np.array([each]) for each in (0.5, 0.8, 1.2, np.nan)))

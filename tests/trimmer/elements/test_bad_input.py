@@ -43,6 +43,9 @@ BUILDERS: dict[str, Callable[[float], Element]] = {
     "damping": ViscousFriction,
     "threshold": Saturation,
     "slope": lambda slope: DeadZone(1.0, slope),
+    "slope ": lambda slope: Preload(1.0, slope),
+    "level ": lambda level: Preload(level, 1.0),
+    "gap ": InertiaBacklash,
     "omega": lambda omega: ElementAtFrequency(Relay(1.0), omega),
 }
 
@@ -50,7 +53,9 @@ BUILDERS: dict[str, Callable[[float], Element]] = {
 @pytest.mark.parametrize("field", BUILDERS)
 @pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf])
 def test_a_field_must_be_positive_and_finite(field: str, value: float) -> None:
-    with pytest.raises(ValueError, match=rf"^{field} must be positive and finite \(.*\), not {value}$"):
+    with pytest.raises(
+        ValueError, match=rf"^{field.strip()} must be positive and finite \(.*\), not {value}$"
+    ):
         BUILDERS[field](value)
 
 

@@ -52,6 +52,15 @@ def test_several_columns_of_time_stamps_are_reported(file) -> None:
     assert read_signal(path, time_column="t", column="y").values.tolist() == [1.0, 2.0]
 
 
+def test_the_only_column_is_named(file) -> None:
+    told = message_for(file("y\n1\n2\n"), column=5, sample_rate=1)
+    assert told == ": there is no column 5; the only one is 1 'y'"
+    told = message_for(file("1\n2\n"), column=2, sample_rate=1)
+    assert told == ": there is no column 2; the only one is column 1"
+    told = message_for(file("1;2\n2;3\n"), sample_rate=1)
+    assert told.startswith(": there are 2 columns: column 1, column 2; choose one")
+
+
 def test_time_stamps_alone_are_reported(file) -> None:
     assert "holds time stamps alone" in message_for(file("t\n0\n1\n"))
 

@@ -1,6 +1,8 @@
 from __future__ import annotations
 
+import itertools
 import wave
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -121,13 +123,58 @@ def test_the_same_signal_is_the_same_bytes(tmp_path: Path) -> None:
         ([np.nan], 20_000, 0.9, "not finite"),
         (np.zeros(10), 20_000, 0.9, "10 samples at 20000 Hz last 0.0005 s; a sound needs 0.01 s"),
         (np.zeros(500), 30, 0.9, "hold no frequency above 15 Hz; below 20 Hz nothing can be heard"),
-        (np.broadcast_to(0.0, 12_000_000), 41, 0.9, "more than 4 GiB"),
     ],
 )
 def test_what_cannot_be_heard_or_written_is_refused(tmp_path: Path, signal, rate, peak, message: str) -> None:
     with pytest.raises(SignalError, match=message):
         write_wav(tmp_path / "a.wav", signal, rate, peak=peak)
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("samples", "rate", "bits", "fits"),
+    [
+        (1000, 8000, 16, True),
+        (1001, 8000, 16, False),
+        (667, 8000, 24, False),
+        (666, 8000, 24, True),
+        (907, 20_000, 16, True),
+        (908, 20_000, 16, False),
+    ],
+)
+def test_a_file_has_room_for_so_many_bytes(
+    tmp_path: Path, monkeypatch, samples, rate, bits, fits: bool
+) -> None:
+    assert wav._LARGEST_DATA == 2**32 - 64
+    monkeypatch.setattr(wav, "_LARGEST_DATA", 2000)
+    if fits:
+        assert write_wav(tmp_path / "a.wav", np.arange(float(samples)), rate, bits).samples <= 1000
+    else:
+        with pytest.raises(SignalError, match="more than 4 GiB"):
+            write_wav(tmp_path / "a.wav", np.arange(float(samples)), rate, bits)
+
+
+def test_rates_that_sound_devices_play() -> None:
+    usual = (8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000)
+    for low, high in itertools.pairwise(usual):
+        assert (wav._suited(low), wav._suited(low + 0.5), wav._suited(high - 0.5)) == (low, high, high)
+    for rate in (88200, 96000, 176400, 192000):
+        assert (wav._suited(rate), wav._suited(rate + 1), wav._suited(rate - 1)) == (rate, 48000, 48000)
+    assert wav._suited(1.0) == 8000
+
+
+def test_ratios_of_rates_have_denominators_that_are_not_large() -> None:
+    assert wav._simple(Fraction(441, 480)) == Fraction(147, 160)
+    assert wav._simple(Fraction(480, 441)) == Fraction(160, 147)
+    assert wav._simple(Fraction(1, 2) + Fraction(1, 10**9)) == Fraction(1, 2)
+    assert wav._simple(Fraction(7, 100_003)) == Fraction(1, 14286)
+    # Where a whole number is needed that is larger than that, it is the next one.
+    assert wav._simple(Fraction(2, 120_001)) == Fraction(1, 60_001)
+    assert wav._simple(Fraction(120_001, 2)) == 60_001
+    vibration = np.array([1.0, -1.0, 0.5])
+    assert wav._resampled(vibration, Fraction(1)) is vibration
+    assert wav._resampled(vibration, Fraction(2)).size == 6
+    assert wav._resampled(np.ones(6), Fraction(1, 3)).size == 2
 
 
 def test_a_folder_is_refused(tmp_path: Path) -> None:

@@ -1,0 +1,246 @@
+"""Elements that are known by their output over a period, with scales and frequencies other than 1."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import numpy as np
+import pytest
+
+from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.control_element import ControlElement, _drawn, adopted, is_element
+from trimmer.elements.own_element import OwnElement, StaticElement
+from trimmer.elements.relay import Relay
+from trimmer.elements.saturation import Saturation
+from trimmer.errors import UnsupportedElementError, WrongTypeError
+
+PLAY, LOOP = control.friction_backlash_nonlinearity(0.4), control.relay_hysteresis_nonlinearity(2.0, 0.3)
+CLIPPED = control.saturation_nonlinearity(0.5)
+
+
+class Late(OwnElement):
+    """A cube that is a delay of 2 ms late; there is an output from the amplitude 0.5 on and up to 4 only."""
+
+    amplitude_scale = 0.25
+    depends_on_frequency = True
+
+    def output(self, phase, amplitude, omega):
+        if not 0.5 <= amplitude <= 4.0:
+            return np.full(phase.shape, np.nan)
+        return (amplitude * np.sin(phase - 2e-3 * omega)) ** 3
+
+
+def exact(amplitude: float, omega: float, harmonic: int = 1) -> complex:
+    """sin³ θ = (3 sin θ - sin 3θ)/4."""
+    return {1: 0.75, 3: -0.25}[harmonic] * amplitude**2 * np.exp(-2e-3j * harmonic * omega)
+
+
+def of(function) -> object:
+    """A static nonlinearity of python-control without a formula."""
+
+    class Peer(control.descfcn.DescribingFunctionNonlinearity):
+        def __call__(self, x):
+            return function(x)
+
+        def _isstatic(self):
+            return True
+
+    return Peer()
+
+
+def test_an_estimate_is_that_at_its_amplitude_and_frequency() -> None:
+    element = Late()
+    for harmonic in (1, 3):
+        found = element.describing_function_estimate(2.0, 691.0, harmonic)
+        assert found.value == pytest.approx(exact(2.0, 691.0, harmonic), rel=1e-12)
+        assert 0 < found.error < 1e-9
+        assert element.describing_function(2.0, 691.0, harmonic) == found.value
+    even = element.describing_function_estimate(2.0, 691.0, 2)
+    assert (even.value, even.error) == (0, element.describing_function_estimate(2.0, 691.0).error)
+    for harmonic in (1, 2):
+        assert np.isnan(element.describing_function_estimate(0.4, 691.0, harmonic).value)
+    for amplitude, omega in (([2.0], 691.0), (2.0, [691.0]), (math.inf, 691.0), (math.nan, 691.0)):
+        with pytest.raises(ValueError, match="must be one finite number each"):
+            element.describing_function_estimate(amplitude, omega)  # type: ignore[arg-type]
+
+
+def test_values_stand_at_their_places() -> None:
+    amplitudes, omegas = np.array([[2.0, math.inf, 0.4], [3.0, math.nan, 1.5]]), np.array([[691.0], [200.0]])
+    found = Late().describing_function(amplitudes, omegas)
+    assert np.isnan(found).tolist() == [[False, True, True], [False, True, False]]
+    expected = [exact(2.0, 691.0), exact(3.0, 200.0), exact(1.5, 200.0)]
+    assert found[~np.isnan(found)] == pytest.approx(expected, rel=1e-12)
+    phases = np.array([0.3, 2.0, math.nan, 9.0, 0.3])
+    given, at = np.array([2.0, 3.0, 2.0, 2.0, 0.4]), np.array([691.0, 691.0, 691.0, 200.0, 691.0])
+    output = Late().waveform(phases, given, at)
+    assert np.isnan(output).tolist() == [False, False, True, False, True]
+    known = [0, 1, 3]
+    assert output[known] == pytest.approx(((given * np.sin(phases - 2e-3 * at)) ** 3)[known], rel=1e-10)
+    assert np.isnan(Late().waveform(0.3, [2.0, math.nan], [math.nan, 691.0])).all()
+
+
+def test_derivatives_are_one_sided_where_there_is_no_output_beyond() -> None:
+    """N = 3/4 A² exp(-jτω): A dN/dA = 2 N, so dN/du = -2 N A/scale, and dN/d(ln ω) = -jτω N."""
+    for amplitude, accuracy in ((2.0, 1e-8), (0.5, 1e-4), (4.0, 1e-4)):
+        value, by_u, by_log_omega = Late().expansion(amplitude, 691.0)
+        assert value == pytest.approx(exact(amplitude, 691.0), rel=1e-12)
+        assert by_u == pytest.approx(-2.0 * value * amplitude / 0.25, rel=accuracy)
+        assert by_log_omega == pytest.approx(-2e-3j * 691.0 * value, rel=1e-7)
+    assert np.isnan(Late().expansion(0.4, 691.0)).all()
+
+
+def test_the_mean_slope_of_a_cube_and_bounds_in_any_shape() -> None:
+    element = StaticElement(lambda x: x**3, scale=0.5)
+    # The mean of 3 x² is 3/2 A².
+    assert element.mean_gain([[2.0], [0.3]]) == pytest.approx(np.array([[6.0], [0.135]]), rel=1e-7)
+    assert np.isnan(Late().mean_gain([2.0, 3.0])).tolist() == [True, True]
+    assert element.derivatives(2.0).by_log_omega == 0
+    assert element.domain([1.0, 2.0]).tolist() == [math.inf] * 2
+    assert element.sensitivity((0.0, 1.0)) == element.variation((0.0, 1.0)) == (math.inf, math.inf)
+    assert (element.amplitude_scale, StaticElement(np.sin).amplitude_scale) == (0.5, 1.0)
+
+
+def test_kinks_are_passed_four_times_where_the_input_reaches_them() -> None:
+    element = StaticElement(np.sin, kinks=(0.5, -0.2, 3.0, 1.0))
+    rises = [math.asin(0.5), math.asin(0.2)]
+    expected = [phase for rise in rises for phase in (rise, math.pi - rise)]
+    assert element._breaks(1.0, 691.0) == pytest.approx(expected, rel=1e-15)
+    assert len(element._breaks(0.2, 1.0)) == 0
+    near = StaticElement(np.sin, kinks=(1.0 - 2.0**-52,))._breaks(1.0, 1.0)
+    assert 0.5 * math.pi - near[0] == pytest.approx(math.sqrt(2.0**-51), rel=1e-7)
+    assert StaticElement(np.sin, kinks=[1, 2]).kinks == (1.0, 2.0)  # type: ignore[arg-type]
+    phases = np.array([0.3, 4.0])
+    assert StaticElement(np.exp)._halves(phases, 2.0, 1.0)[1] == pytest.approx(np.exp(-2 * np.sin(phases)))
+    assert element._period(phases, 2.0, 1.0) == pytest.approx(np.sin(2 * np.sin(phases)))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [((int,), WrongTypeError), ((np.sin, 0.0), ValueError), ((np.sin, 1.0, 0.3), WrongTypeError)],
+)
+def test_what_no_static_element_is_made_of(arguments, error) -> None:
+    with pytest.raises(error, match=r"^(function|scale|kinks) must be"):
+        StaticElement(*arguments)
+
+
+def test_an_output_gets_phases_of_one_period_and_its_own_breaks() -> None:
+    seen = []
+
+    class Seen(Late):
+        def output(self, phase, amplitude, omega):
+            seen.append((float(phase.min()), float(phase.max()), amplitude, omega))
+            return super().output(phase, amplitude, omega)
+
+    assert Seen().waveform([-1.0, 7.0], 2.0, 691.0) == pytest.approx(
+        (2.0 * np.sin(np.array([-1.0, 7.0]) - 1.382)) ** 3, rel=1e-10
+    )
+    assert seen == [(pytest.approx(7.0 - 2 * math.pi), pytest.approx(2 * math.pi - 1.0), 2.0, 691.0)]
+
+    class Broken(Late):
+        def breaks(self, amplitude, omega):
+            return (amplitude, omega)
+
+    assert Broken()._breaks(2.0, 691.0) == (2.0, 691.0)
+    assert (tuple(Late().breaks(2.0, 1.0)), tuple(Late()._breaks(2.0, 1.0))) == ((), ())
+
+
+@pytest.mark.parametrize("phases", [[0.3], [4.0, 0.3, 2.0], [2.0, 2.0, -1.0, 5.0]])
+def test_one_with_memory_runs_through_both_peaks_whatever_is_asked(phases: list[float]) -> None:
+    """The play lags by half of its gap, the relay switches at ±0.3; neither begins in its steady motion."""
+    for place, value in zip(phases, ControlElement(PLAY).waveform(phases, 0.9).tolist(), strict=True):
+        height = 0.9 * math.sin(place)
+        rising = math.cos(place) > 0
+        expected = max(height - 0.2, -0.7) if rising else min(height + 0.2, 0.7)
+        assert value == pytest.approx(expected, abs=1e-12)
+    relay = ControlElement(LOOP).waveform(phases, 0.9)
+    assert relay.tolist() == Relay(2.0, 0.3).waveform(phases, 0.9).tolist()
+
+
+@pytest.mark.filterwarnings("error")
+def test_the_scale_is_where_the_gain_bends_most() -> None:
+    """Amplitudes are probed eight times a decade from 1e-12 on: the gain bends next to the threshold."""
+    amplitudes = np.array([10.0 ** (exponent / 8.0) for exponent in range(-96, 97)])
+    for peer, ours in ((CLIPPED, Saturation(0.5)), (PLAY, FrictionBacklash(0.4))):
+        sizes = np.log(np.abs(ours.describing_function(amplitudes)))
+        bends = np.abs(sizes[2:] - 2.0 * sizes[1:-1] + sizes[:-2])
+        expected = amplitudes[1 + int(np.nanargmax(bends))]
+        assert ControlElement(peer).amplitude_scale == pytest.approx(expected, rel=1e-12)
+        assert 0.2 < expected < 0.9
+    # |N| of a relay is 4 L/(π A) wherever it switches, and that of what is not clipped is a number.
+    for peer in (LOOP, control.saturation_nonlinearity(1e13)):
+        assert ControlElement(peer).amplitude_scale == 1.0
+
+
+def test_only_one_without_memory_passes_the_mean_in_a_known_way() -> None:
+    for amplitude in (0.3, 0.7, 4.0):
+        found = ControlElement(CLIPPED).mean_gain(amplitude)
+        assert found == pytest.approx(Saturation(0.5).mean_gain(amplitude), rel=1e-6)
+    assert np.isnan(ControlElement(PLAY).mean_gain([0.7, 0.9])).tolist() == [True, True]
+
+
+@pytest.mark.parametrize(("factor", "count"), [(1.0, 0), (1.0099, 0), (1.0102, 1), (0.9, 1)])
+def test_a_formula_may_be_one_percent_off(factor: float, count: int) -> None:
+    class Wrong(control.saturation_nonlinearity):
+        def describing_function(self, A):
+            return factor * super().describing_function(A)
+
+    element = ControlElement(Wrong(0.5))
+    assert len(element.doubts_at(0.7)) == count
+    own = Saturation(0.5).describing_function(0.7)
+    assert element.describing_function([0.7, math.inf])[0] == pytest.approx(factor * own, rel=1e-12)
+    assert np.isnan(element.describing_function(math.inf))
+    third = Saturation(0.5).describing_function(0.7, harmonic=3)
+    assert element.describing_function(0.7, harmonic=3) == pytest.approx(third, abs=1e-12)
+    assert ControlElement(of(np.sin)).doubts_at(0.7) == ()
+
+
+@pytest.mark.parametrize("fails", [ValueError, ZeroDivisionError])
+def test_a_formula_that_fails_below_a_threshold_gives_none_there(fails) -> None:
+    class Failing(control.relay_hysteresis_nonlinearity):
+        def describing_function(self, A):
+            if A < 0.3:
+                raise fails("below the threshold")
+            return super().describing_function(A)
+
+    element = ControlElement(Failing(2.0, 0.3))
+    assert np.isnan(element.describing_function([0.2, 0.9])).tolist() == [True, False]
+    assert np.isnan(element.describing_function(0.2, harmonic=3))
+    estimate = element.describing_function_estimate(0.2)
+    assert np.isnan([estimate.value, estimate.error, estimate.odd]).all()
+
+
+@pytest.mark.parametrize(("share", "odd"), [(3e-7, True), (3e-6, False), (-3e-6, False)])
+def test_an_output_may_be_even_by_a_millionth(share: float, odd: bool) -> None:
+    class Even(control.friction_backlash_nonlinearity):
+        def __call__(self, x):
+            return super().__call__(x) + share * abs(x)
+
+    for peer in (of(lambda x: 5.0 * x + 5.0 * share * abs(x)), Even(1e-9)):
+        if odd:
+            assert ControlElement(peer).nonlinearity is not peer
+        else:
+            with pytest.raises(UnsupportedElementError, match="is not odd, at the input"):
+                ControlElement(peer)
+
+
+@pytest.mark.parametrize(("least", "most"), [(0.0, 1e-10), (1e10, math.inf)])
+def test_what_is_even_at_tiny_or_huge_inputs_only_is_refused_too(least: float, most: float) -> None:
+    with pytest.raises(UnsupportedElementError, match="is not odd, at the input"):
+        ControlElement(of(lambda x: x + 0.1 * abs(x) * (least < abs(x) < most)))
+
+
+def test_what_is_taken_for_an_element() -> None:
+    relay = Relay(1.0)
+    assert [is_element(each) for each in (relay, CLIPPED, 3.0, Relay)] == [True, True, False, False]
+    assert adopted("element", relay) is relay
+    assert isinstance(adopted("element", CLIPPED), ControlElement)
+    with pytest.raises(WrongTypeError, match="terms must be an element"):
+        adopted("terms", 3.0)
+
+
+def test_inputs_are_drawn_over_decades_on_either_side_of_one() -> None:
+    exponents = np.log10(_drawn(np.random.default_rng(1), 12, 400))
+    assert exponents.size == 400
+    assert (exponents.min(), exponents.max()) == pytest.approx((-12.0, 12.0), abs=0.2)
+    assert exponents.mean() == pytest.approx(0.0, abs=1.0)
