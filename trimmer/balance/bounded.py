@@ -106,7 +106,7 @@ def _cut(breaks: Reals, empty: tuple[EmptyInterval, ...]) -> Reals:
     """Add the ends of intervals to the breaks, and leave out those beside the origin."""
     ends = np.array([end for interval in empty for end in (interval.lower, interval.upper)])
     lowest = max((each.upper for each in empty if each.lower == -math.inf), default=-math.inf)
-    everything = np.union1d(breaks, ends[(ends > breaks[0]) & (ends < breaks[-1])])
+    everything = np.union1d(breaks, np.clip(ends, breaks[0], breaks[-1]))
     kept = everything[everything >= lowest]
     return kept if kept.size > 1 else everything
 

@@ -113,7 +113,7 @@ def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
         possible = _possible(problem, columns)
         size += possible.size
         parts = np.where(possible.any(axis=0), columns.parts, 0)
-        if parts.max(initial=0) <= 1:
+        if (parts <= 1).all():
             break
         columns = _cut(problem, columns, parts)
     boxes = _boxes(problem, columns, possible)
@@ -157,7 +157,7 @@ def _boxes(problem: Problem, columns: _Columns, which: Flags) -> EnclosedCells:
 
 def _cut(problem: Problem, columns: _Columns, parts: Places) -> _Columns:
     """Cut each column into a number of equal parts; none are left of those with 0."""
-    width = np.repeat((columns.upper - columns.lower) / np.maximum(parts, 1), parts)
+    width = np.repeat(columns.upper - columns.lower, parts) / np.repeat(parts, parts)
     place = np.arange(width.size) - np.repeat(np.cumsum(parts) - parts, parts)
     lower = np.repeat(columns.lower, parts) + place * width
     return _columns(problem, lower, lower + width, np.repeat(columns.block, parts))

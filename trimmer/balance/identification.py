@@ -38,10 +38,12 @@ inertia-controlled one."""
 LIMIT_TOLERANCE = 1e-7
 """|1 + N G| below which a frequency counts as that of friction- or inertia-controlled backlash itself."""
 
-_BLOCKS = 64
-"""Intervals of ln(omega M/D) to begin with."""
+_LIMITS = 65
+"""Limits of the intervals of ln(omega M/D) to begin with."""
 
 _SAMPLES = 400
+
+_STEPS = 8
 
 _FREQUENCIES = 17
 """Frequencies of a measured range at which M/D is found, to see where it turns."""
@@ -256,7 +258,7 @@ def _turning_points(
     """Yield the frequencies at which a value has an extremum between samples."""
     for place in range(1, len(values) - 1):
         before, here, after = values[place - 1 : place + 2]
-        sign = 1.0 if here < min(before, after) else -1.0 if here > max(before, after) else 0.0
+        sign = int(here < min(before, after)) - int(here > max(before, after))
         if sign:
             bounds = frequencies[place - 1], frequencies[place + 1]
             yield float(
@@ -291,7 +293,7 @@ def _time_constants(
     inverse = complex(response.value(np.array([math.log(omega)]))[0])
     # With a time constant of 1 s, x = ln omega of the element is ln gamma.
     curve = ElementCurve(ViscousBacklash(gap, 1.0))
-    table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _BLOCKS + 1))
+    table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _LIMITS))
     result = find_all(Problem(ConstantResponse(inverse), curve, table, 0.0))
     found = [
         _identified(response, gap, math.exp(x) / omega, u, omega)
@@ -307,15 +309,15 @@ def _time_constants(
 
 def _at_limit(element: ViscousBacklash, inverse: complex, omega: float) -> Reals:
     """Find u with N(u) + inverse = 0 to the tolerance, by the Gauss-Newton method from the nearest sample."""
-    curve = ElementCurve(element.at(omega))
-    x = np.array([math.log(omega)])
-    samples = np.linspace(0.0, float(curve.edge(x).max()), _SAMPLES + 2)[1:-1]
-    u = samples[[np.argmin(np.abs(curve.value(samples, np.full(_SAMPLES, x[0])) + inverse))]]
-    for _ in range(8):
-        gain, slope, _ = curve.expansion(u, x)
+    frozen = element.at(omega)
+    curve = ElementCurve(frozen)  # at one omega N is the same at all x, so that u will do for x
+    samples = float(frozen.domain()) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    u = samples[[np.argmin(np.abs(curve.value(samples, samples) + inverse))]]
+    for _ in range(_STEPS):
+        gain, slope, _ = curve.expansion(u, u)
         u = u - ((gain + inverse) * slope.conj()).real / np.abs(slope) ** 2
     with np.errstate(invalid="ignore"):
-        return u[np.abs(curve.value(u, x) / inverse + 1.0) <= LIMIT_TOLERANCE]
+        return u[np.abs(curve.value(u, u) / inverse + 1.0) <= LIMIT_TOLERANCE]
 
 
 def _identified(

@@ -85,7 +85,7 @@ class ConstantResponse:
 _EVEN = 16
 """Equal parts of a range of x."""
 
-_BESIDE_A_ROOT = np.sinh(np.linspace(-3.0, 3.0, 9))
+_BESIDE_A_ROOT = np.sinh(0.75 * np.arange(-4, 5))
 """Distances from a root's frequency at which the range is cut too, over the root's distance from the axis."""
 
 Number = TypeVar("Number", np.float64, np.complex128)
@@ -175,9 +175,10 @@ class InverseResponse:
         """
         half = 0.5 * (upper - lower)
         with np.errstate(all="ignore"):
-            centre, log_slope = self._value_and_log_slope(0.5 * (lower + upper))
+            middle = 0.5 * (lower + upper)
+            centre, log_slope = self._value_and_log_slope(middle)
             bend = self._bend(lower, upper)
-            slope, size, rate = centre * log_slope, self._size(centre, lower, upper), np.abs(log_slope)
+            slope, size, rate = centre * log_slope, self._size(centre, middle), np.abs(log_slope)
             spread = half * (rate + 0.5 * half * bend)
             # Without a number, as where the centre is a root, there is no bound.
             spread[np.isnan(spread)] = np.inf
@@ -207,7 +208,7 @@ class InverseResponse:
     def breaks(self, x_lower: float, x_upper: float) -> Reals:
         """Return limits, rising, of intervals that cover a range of x; short beside lightly damped roots."""
         roots = self.roots[self.roots.imag > 0]
-        beside = roots.imag + np.abs(roots.real) * _BESIDE_A_ROOT[:, None]
+        beside = roots.imag + roots.real * _BESIDE_A_ROOT[:, None]
         x = np.log(np.maximum(beside, self._omega(np.array(x_lower))) * self.reference).ravel()
         even = np.linspace(x_lower, x_upper, _EVEN + 1)
         return np.sort(np.concatenate([x[(x > x_lower) & (x < x_upper)], even]))
@@ -232,15 +233,13 @@ class InverseResponse:
     def _omega(self, x: Reals) -> Reals:
         return np.asarray(np.exp(x) / self.reference)
 
-    def _size(self, centre: Complexes, x_lower: Reals, x_upper: Reals) -> Reals:
-        """|1/G| in the middle of intervals; infinite where 1/G overflows and its parts are no numbers."""
-        sizes = np.abs(centre)
+    def _size(self, value: Complexes, x: Reals) -> Reals:
+        """|1/G| at x, with its value; infinite where 1/G overflows and its parts are no numbers."""
+        sizes = np.abs(value)
         lost = np.isnan(sizes)
         if lost.any():
-            middle = 0.5 * (x_lower + x_upper)[lost]
-            sizes[lost] = abs(self.gain) * self._quotient(
-                np.abs(1j * self._omega(middle) - self.roots[:, None])
-            )
+            distances = np.abs(1j * self._omega(x[lost]) - self.roots[:, None])
+            sizes[lost] = abs(self.gain) * self._quotient(distances)
         return np.asarray(sizes)
 
     def _value_and_log_slope(self, x: Reals) -> tuple[Complexes, Complexes]:

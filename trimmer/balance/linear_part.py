@@ -97,8 +97,8 @@ def with_feedback(response: InverseResponse, feedback: LinearGain) -> InverseRes
     zeros, poles = np.poly(response.zeros), np.poly(response.poles)
     gains = np.array([feedback.damping * response.reference, feedback.constant])
     added = np.polymul(np.trim_zeros(gains, "f"), zeros)
-    total = np.polyadd(response.gain * poles, added)
-    sizes = np.polyadd(abs(response.gain) * np.abs(poles), np.abs(added))
+    own = response.gain * poles
+    total, sizes = np.polyadd(own, added), np.polyadd(np.abs(own), np.abs(added))
     if abs(total[0]) <= _ROUNDING * sizes[0]:
         raise UnsupportedSystemError(
             "the linear part of the element cancels the highest derivative in the system: change either"

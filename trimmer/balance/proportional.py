@@ -64,18 +64,19 @@ def solve_proportional(
 
 def _coefficient(curve: ElementCurve) -> complex:
     """Return c = N/u, which must be the same at all amplitudes."""
-    u = np.array([0.25, 1.0, 3.0])
-    if not np.any(curve.expansion(u, np.zeros(3)).by_u):
+    u = np.array([1.0, 0.25, 3.0])
+    x = np.zeros_like(u)
+    if not np.any(curve.expansion(u, x).by_u):
         raise LinearElementError(
             f"{curve.element!r} is linear: its describing function does not depend on the amplitude, so "
             "nothing sets the amplitude of a limit cycle"
         )
-    gains = curve.value(u, np.zeros(3)) / u
-    if curve.depends_on_x or not np.allclose(gains, gains[1], rtol=1e-12, atol=0.0):
+    first, *others = curve.value(u, x) / u
+    if curve.depends_on_x or not np.allclose(others, first, rtol=1e-12, atol=0.0):
         raise UnsupportedElementError(
             f"{curve.element!r}: its describing function is unbounded and not proportional to 1/amplitude"
         )
-    return complex(gains[1])
+    return complex(first)
 
 
 def _real_and_negative(
@@ -99,7 +100,7 @@ def _real_and_negative(
         tiny = upper - lower <= 2 * _SMALLEST_HALF
         given_up = tiny | (lower.size > _MOST_INTERVALS)
         # A wide interval may hold solutions beside the root.
-        odd = given_up & ~(tiny & _holds_root_on_axis(response, lower, upper))
+        odd = given_up & ~(tiny & _beside_root_on_axis(response, 0.5 * (lower + upper)))
         undecided.append((lower[odd], upper[odd]))
         lower, upper = lower[~given_up], upper[~given_up]
         middle = 0.5 * (lower + upper)
@@ -169,12 +170,11 @@ def _crossing(response: InverseResponse, coefficient: complex, lower: float, upp
     return [float(brentq(phase, lower, upper, xtol=1e-15, rtol=4 * np.finfo(float).eps))]
 
 
-def _holds_root_on_axis(response: InverseResponse, lower: Reals, upper: Reals) -> Flags:
-    """Return whether each interval holds a pole or zero j omega of G; f is infinite or zero there."""
+def _beside_root_on_axis(response: InverseResponse, x: Reals) -> Flags:
+    """Return which x are beside a pole or zero j omega of G; f is infinite or zero there."""
     on_axis = response.roots[(response.roots.real == 0) & (response.roots.imag > 0)].imag * response.reference
-    x = np.log(on_axis)[:, None]
-    slack = 4 * _SMALLEST_HALF
-    return np.asarray(((lower - slack <= x) & (x <= upper + slack)).any(axis=0))
+    distances = np.abs(x - np.log(on_axis)[:, None])
+    return np.asarray((distances <= 5 * _SMALLEST_HALF).any(axis=0))
 
 
 def _boxes(response: InverseResponse, coefficient: complex, intervals: list[tuple[Reals, Reals]]) -> Cells:

@@ -159,7 +159,7 @@ def _first_cells(
     gains = (
         curve.value(np.exp(np.repeat(v, x.size)), np.tile(x, v.size)).reshape(v.size, x.size)
         if both
-        else curve.value(np.exp(v), np.zeros(v.size))[:, None]
+        else curve.value(np.exp(v), np.zeros_like(v))[:, None]
     )
     excess = gains + response.value(x)
     corners = np.array([excess[:-1, :-1], excess[1:, :-1], excess[:-1, 1:], excess[1:, 1:]])
@@ -192,16 +192,16 @@ def _linear_part_may_vanish(corners: Complexes, centre: Complexes) -> Flags:
     """Return whether the linear function through the corners is zero in a cell or near it."""
     by_v = 0.5 * (corners[1] + corners[3] - corners[0] - corners[2])
     by_x = 0.5 * (corners[2] + corners[3] - corners[0] - corners[1])
-    across = cross(by_v, by_x)
-    limit = (0.5 + _MARGIN) * np.abs(across)
+    across = np.abs(cross(by_v, by_x))
+    limit = (0.5 + _MARGIN) * across
     aside = (np.abs(cross(centre, by_x)) > limit) | (np.abs(cross(by_v, centre)) > limit)
-    parallel = np.abs(across) <= _PARALLEL * np.abs(by_v) * np.abs(by_x)
+    parallel = across <= _PARALLEL * np.abs(by_v) * np.abs(by_x)
     return np.asarray(parallel | ~aside)
 
 
 def _with_edge(curve: ElementCurve, v: Reals) -> Reals:
     """Add places ever nearer to where N ceases to exist, of which an element without bounds tells nothing."""
-    exists = np.isfinite(curve.value(np.exp(v), np.zeros(v.size)))
+    exists = np.isfinite(curve.value(np.exp(v), np.zeros_like(v)))
     added = [v]
     for place in np.flatnonzero(exists[:-1] != exists[1:]):
         inside, outside = (v[place], v[place + 1]) if exists[place] else (v[place + 1], v[place])
@@ -210,7 +210,7 @@ def _with_edge(curve: ElementCurve, v: Reals) -> Reals:
             found = bool(np.isfinite(curve.value(np.exp(np.full(1, middle)), np.zeros(1)))[0])
             inside, outside = (middle, outside) if found else (inside, middle)
         start = v[place] if exists[place] else v[place + 1]
-        added.append(inside + (start - inside) * np.append(0.5 ** np.arange(_HALVINGS), 0.0))
+        added += [np.array([inside]), inside + (start - inside) * 0.5 ** np.arange(_HALVINGS)]
     return np.unique(np.concatenate(added))
 
 

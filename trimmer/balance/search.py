@@ -96,8 +96,6 @@ def find_all(problem: Problem) -> SearchResult:
         boxes, examined = first_grid(problem)
         while len(boxes):
             found, settled = _settled(problem, boxes.cells, found)
-            if settled.all():
-                break
             given_up = ~settled & _hopeless(problem, boxes)
             undecided.append(boxes.cells.take(given_up))
             left = ~(settled | given_up)

@@ -145,7 +145,7 @@ def _solve(
     equation = loop_equation(loop.system, element)
     if not equation.curve.element.has_bounds:
         return equation, solve_sampled(equation.response, equation.curve, given)
-    unbounded = bool(np.isinf(equation.curve.edge(np.zeros(1))).any())
+    unbounded = math.isinf(equation.curve.edge(np.zeros(1)).item())
     solve = solve_proportional if unbounded else solve_bounded
     return equation, solve(equation.response, equation.curve, given)
 

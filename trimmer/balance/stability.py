@@ -113,8 +113,7 @@ def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> Places | in
     if not (on_axis & (response.roots.real > 0)).any() and (response.gain.real * gains >= 0).all():
         return 0
     poles = closed_loop_poles(response, gains.astype(complex))
-    sizes = np.abs(poles)
-    drifting = (poles.real > _ROUNDING * sizes) & (np.abs(poles.imag) <= _NEARLY_REAL * sizes)
+    drifting = (poles.real > 0) & (np.abs(poles.imag) <= _NEARLY_REAL * np.abs(poles))
     return np.asarray(np.where(known, drifting.sum(axis=1), 0))
 
 

@@ -180,7 +180,8 @@ class _Neighbourhood:
         if highest == 0 and self.lag == 0 and self.small.gentlest > 0:
             return True
         return (
-            self.order <= 2
+            self.small.gentlest > 0  # else N may be behind its direction
+            and self.order <= 2
             and self._is_decided(distance, smallest)
             and highest < self.small.gentlest * math.sqrt(smallest)
         )

@@ -163,7 +163,8 @@ def sampled_limit_cycles(
     undecided = np.zeros(len(gaps), dtype=bool)
     for row in np.flatnonzero(again):
         cycles, undecided[row] = _searched_again(values[row], gaps[row], *chosen)
-        amplitude, omega = np.array([(cycle.amplitude, cycle.omega) for cycle in cycles]).reshape(-1, 2).T
+        amplitude = np.array([cycle.amplitude for cycle in cycles], dtype=float)
+        omega = np.array([cycle.omega for cycle in cycles], dtype=float)
         stable = np.array([cycle.stable for cycle in cycles], dtype=bool)
         found.append(_Columns(np.full(len(cycles), row), amplitude, omega, stable))
     return _in_rows(found, again, undecided)
@@ -214,7 +215,7 @@ def _searched_again(
 
 def _in_rows(found: list[_Columns], again: Flags, undecided: Flags) -> SampledLimitCycles:
     """Put the limit cycles of each trimmer into a row."""
-    nothing = np.zeros(0)
+    nothing = np.empty(0)
     found = found or [_Columns(nothing.astype(np.intp), nothing, nothing, nothing.astype(bool))]
     rows = np.concatenate([each.rows for each in found])
     amplitude = np.concatenate([each.amplitude for each in found])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -59,7 +60,7 @@ class Contact:
                 begin, end = np.array(of_side).T
                 pieces = Pieces(begin, end, np.ones(len(begin)))
                 fixed = piecewise(self.distance, factors, part.stiffness * offset, pieces)
-                total = _sum(total, self._with_onsets(fixed, side, pieces))
+                total = total + self._with_onsets(fixed, side, pieces)
         return total
 
     def _with_onsets(self, fixed: Harmonics, side: int, pieces: Pieces) -> Harmonics:
@@ -114,7 +115,7 @@ class Contact:
 
     def _stretch_at(self, time: float) -> float:
         distance = float(self.distance.at(np.array(time)))
-        return distance - float(np.clip(distance, self.offsets.get(-1, -np.inf), self.offsets[1]))
+        return distance - min(max(distance, self.offsets.get(-1, -math.inf)), self.offsets[1])
 
     def _made(self, time: float, decay: Decay, released: int) -> tuple[float, int]:
         """Return when and on which side contact is made next; side 0 if not within two periods."""
@@ -137,11 +138,3 @@ class Contact:
         moments = crossings(force, time, time + period)
         falling = moments[np.sign(force.slope(moments)) == -side]
         return float(falling[0]) if len(falling) else None
-
-
-def _sum(one: Harmonics, other: Harmonics) -> Harmonics:
-    return Harmonics(
-        one.coefficients + other.coefficients,
-        one.direct + other.direct,
-        one.conjugate + other.conjugate,
-    )

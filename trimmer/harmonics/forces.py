@@ -24,6 +24,13 @@ class Harmonics:
     direct: Complexes
     conjugate: Complexes
 
+    def __add__(self, other: Harmonics) -> Harmonics:
+        return Harmonics(
+            self.coefficients + other.coefficients,
+            self.direct + other.direct,
+            self.conjugate + other.conjugate,
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class Pieces:

@@ -111,7 +111,7 @@ def _gain_ends(factored: ZeroPoleGain, excess: Callable[[float], float]) -> tupl
     lower, upper = _root_range(factored, _REACH)
     low_slope = float(factored.exponents[factored.roots == 0].sum())
     high_slope = -float(factored.relative_degree)
-    if low_slope * excess(lower) > 0:
+    if low_slope and low_slope * excess(lower) >= 0:  # the lowest break itself is no crossing
         lower *= math.exp(-excess(lower) / low_slope - 1)
     if high_slope * excess(upper) < 0:
         upper *= math.exp(-excess(upper) / high_slope + 1)

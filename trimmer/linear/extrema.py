@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -52,7 +53,7 @@ def stationary_gains(system: ZeroPoleGain) -> Iterator[tuple[float, bool]]:
     """
     places = np.concatenate([system.roots, -system.roots])
     residues = np.concatenate([system.exponents, system.exponents])
-    on_axis = [float(root.imag) for root in system.roots if root.real == 0 and root.imag > 0]
+    on_axis = [float(root.imag) for root in system.roots if root.real == 0]
     for omega, falls in _sign_changes(
         system.log_gain_slope_terms, system, _zeros_of_fractions(places, residues)
     ):
@@ -95,15 +96,14 @@ def _sign_changes(
     if beside.size == 0:
         return
     between = np.sqrt(beside[:-1]) * np.sqrt(beside[1:])
-    previous, previous_sign = 0.0, 0.0
+    told: list[tuple[float, bool]] = []
     for omega in (beside[0] / 2, *between, beside[-1] * 2):
         values = terms(omega)
-        sign = np.sign(values.sum())
-        if abs(values.sum()) <= _ROUNDING * np.abs(values).sum():
-            continue
-        if sign * previous_sign < 0:
-            yield polished_root(lambda x: float(terms(x).sum()), previous, omega), bool(sign < 0)
-        previous, previous_sign = omega, sign
+        if abs(values.sum()) > _ROUNDING * np.abs(values).sum():
+            told.append((omega, bool(values.sum() < 0)))
+    for (lower, fell), (upper, falls) in pairwise(told):
+        if falls is not fell:
+            yield polished_root(lambda x: float(terms(x).sum()), lower, upper), falls
 
 
 @dataclass(frozen=True)

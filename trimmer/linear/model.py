@@ -111,7 +111,7 @@ def pin_model(
     from_displacement, from_velocity = B[:, :1], B[:, 1:]
     with np.errstate(all="ignore"):
         # What is computed from the model next needs products of its entries.
-        _require_finite(parameters, A @ A, A @ B)
+        _require_finite(parameters, A @ np.hstack([A, B]))
     if channels is InputChannels.DISPLACEMENT_ONLY:
         pin_input, feedthrough, states = from_displacement, np.zeros((1, 1)), STATES
     else:

@@ -118,7 +118,7 @@ class ZeroPoleGain(Shown):
 
     def log_gain_slope_terms(self, omega: float) -> Reals:
         """Share of each of ``roots`` in d ln|G| / d omega, s; 0 for a root that lies at j omega itself."""
-        return self._slope_terms(omega).imag * -1.0
+        return -self._slope_terms(omega).imag
 
     def phase_slope_terms(self, omega: float) -> Reals:
         """Share of each of ``roots`` in d(phase) / d omega, s; 0 for a root on the axis."""
@@ -148,7 +148,7 @@ def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexa
     A, scales = _balanced(system.A)
     row, column = system.C * scales, system.B / scales[:, None]
     held: list[Reals] = []
-    markov, bound = float(system.D[0, 0]), abs(float(system.D[0, 0]))
+    markov = bound = float(system.D[0, 0])
     while abs(markov) <= _ROUNDING * bound:
         if len(held) == system.nstates:
             raise _zero_system()
@@ -174,7 +174,7 @@ def _eigenvalues(matrix: Reals) -> Complexes:
 def _balanced(matrix: Reals) -> tuple[Reals, Reals]:
     """Scale the states so that rows and columns are of like size; return the matrix and the scales."""
     if matrix.size == 0:
-        return matrix, np.ones(0)
+        return matrix, np.empty(0)
     balanced, _, _, scales, _ = dgebal(matrix, scale=1, permute=0)
     return balanced, scales
 

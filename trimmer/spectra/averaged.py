@@ -146,7 +146,7 @@ class AveragedSpectrum(Tabular):
         inside = np.arange(self.window.half_width, self.density.size - 1)
         at = self.frequency[inside]
         inside = inside[(at >= self.trusted.lowest) & (at <= self.trusted.highest)]
-        if not inside.size or not self.density.any():
+        if not inside.size:
             return ()
         noise = np.array([self._noise(place) for place in inside.tolist()])
         factor = float(chi2.isf(_FALSE_ALARM / inside.size, freedom)) / freedom
@@ -168,7 +168,7 @@ class AveragedSpectrum(Tabular):
         bins = (line.frequency - larger.frequency) / self.bin_width
         if abs(bins) < self.window.half_width:
             return False
-        around = bins + np.linspace(-0.5, 0.5, 5)
+        around = np.linspace(bins - 0.5, bins + 0.5, 5)
         leaked = larger.amplitude * float(np.abs(self.window.transform(around, self.segment)).max())
         return line.amplitude > 2.0 * leaked
 
@@ -248,12 +248,13 @@ def averaged_spectrum(
     if not _SMALLEST_SQUARED < scale < _LARGEST_SQUARED:
         raise SignalError(f"samples of the size of {scale:g} cannot be squared; use another unit")
     weights = window.samples(segment)
-    total, number = np.zeros(segment // 2 + 1), 0
+    half = segment // 2
+    total, number = np.zeros(half + 1), 0
     for stretch in stretches:
         segments = _segments(stretch.values.size, segment)
         if segments:
             frequency, density = welch(
-                stretch.values / scale, rate, weights, noverlap=segment // 2, detrend="constant"
+                stretch.values / scale, rate, weights, noverlap=half, detrend="constant"
             )
             total, number = total + segments * density, number + segments
     return AveragedSpectrum(

@@ -52,7 +52,7 @@ class SimulatedLines(Shown):
         try:
             lines = np.asarray(self.displacement)
         except ValueError:  # nested lists of unequal length
-            lines = np.empty(0)
+            lines = np.array(None)
         if lines.ndim != 1 or lines.size == 0 or lines.dtype.kind not in "fc" or not np.isfinite(lines).all():
             raise SignalError("displacement must be finite complex amplitudes in one dimension, at least one")
         object.__setattr__(self, "displacement", lines.astype(np.complex128))
@@ -230,7 +230,7 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
         peak.frequency / order
         for peak in peaks(spectrum, 20)
         if peak.frequency in signal.trusted
-        and (order := max(1, round(peak.frequency / simulated.frequency)))
+        and (order := round(peak.frequency / simulated.frequency))
         and abs(peak.frequency / order - simulated.frequency) <= NEAR * simulated.frequency
     ]
     if not near:
@@ -264,7 +264,7 @@ def _fit(signal: Signal, simulated: SimulatedLines, frequency: float) -> Harmoni
     rate, samples = signal.sample_rate, signal.values.size
     window = Window.HANN
     highest = min(0.5 * rate * (1.0 - window.half_width / samples), signal.trusted.highest)
-    count = min(simulated.displacement.size, math.floor(highest / step), (samples - 1) // 2)
+    count = min(simulated.displacement.size, math.floor(highest / step))
     if count < simulated.period_count:
         raise SignalError(
             f"the measurement is {signal.trusted.sentence}, and samples at {rate:g} Hz show no drive at "

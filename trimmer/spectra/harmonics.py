@@ -116,9 +116,9 @@ def fit_harmonics(
     Raises:
         ChoiceError: if there is no such window.
         SignalError: if samples, rate, drive or window cannot be used; or if the samples do not determine the
-            harmonics: there are fewer than unknowns, the record holds fewer periods of the drive than half
-            the window's main lobe has bins (1 rectangular, 2 Hann), or a harmonic is nearer to half the
-            sample rate than half of that.
+            harmonics: the record holds fewer periods of the drive than half the window's main lobe has bins
+            (1 rectangular, 2 Hann), or a harmonic is nearer to half the sample rate than half of that. Then
+            there are at least as many samples as unknowns.
     """
     values = checked_samples(signal)
     rate = checked_rate(sample_rate)
@@ -162,13 +162,9 @@ def _checked_count(samples: int, rate: float, drive: float, count: int | None, w
             f"a drive of {drive:g} Hz is not seen in samples at {rate:g} Hz, only what is up to "
             f"{highest:.6g} Hz"
         )
-    wanted = min(most, MOST_HARMONICS, (samples - 1) // 2) if count is None else count
+    wanted = min(most, MOST_HARMONICS) if count is None else count
     if not 1 <= wanted <= most:
         raise SignalError(f"{wanted} harmonics of {drive:g} Hz: samples at {rate:g} Hz determine 1 to {most}")
-    if samples < 2 * wanted + 1:
-        raise SignalError(
-            f"{samples} samples are too few for {wanted} harmonics; {2 * wanted + 1} are needed"
-        )
     return wanted
 
 

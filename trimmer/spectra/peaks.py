@@ -187,8 +187,7 @@ def _is_maximum(amplitude: Reals, bins: Places) -> Flags:
 def _left(spectrum: Spectrum, lines: _Lines, candidates: Places) -> Reals:
     """Take the lines off the amplitudes at and beside candidates and lines; shape of all bins."""
     left = spectrum.amplitude.copy()
-    near = np.add.outer(lines.bins, np.arange(-_SKIRT - 1, _SKIRT + 2)).ravel()
-    near = np.concatenate([near, np.add.outer(candidates, np.arange(-2, 3)).ravel()])
+    near = np.concatenate([_near(lines.bins, _SKIRT + 1).ravel(), _near(candidates, 2).ravel()])
     near = np.unique(near[(near >= 0) & (near < left.size)])
     left[near] = np.abs(spectrum.lines[near] - _leakage(spectrum, lines, near))
     return left
@@ -200,16 +199,16 @@ def _new_bins(spectrum: Spectrum, lines: _Lines, candidates: Places, left: Reals
     A peak that is no sine, as of a vibration that dies out, leaves something beside it too. So what was
     hidden must be larger than what the fit of the line beside it leaves at that line.
     """
-    at_candidates = _inside(spectrum, np.add.outer(candidates, np.arange(-1, 2)).ravel())
+    at_candidates = _inside(spectrum, _near(candidates, 1).ravel())
     beside = np.abs(np.subtract.outer(at_candidates, lines.bins)).min(axis=1, initial=_SKIRT)
     at_candidates = at_candidates[beside > 1]
-    hidden = _inside(spectrum, np.add.outer(lines.bins, np.arange(-_SKIRT, _SKIRT + 1)).ravel())
-    lobe = spectrum.window.half_width + 1
+    hidden = _inside(spectrum, _near(lines.bins, _SKIRT).ravel())
     distance = np.abs(np.subtract.outer(hidden, lines.bins))
-    around = np.clip(np.add.outer(lines.bins, np.arange(1 - lobe, lobe)), 0, left.size - 1)
-    misfit = np.where(distance <= _SKIRT, left[around].max(axis=1, initial=0.0), 0.0).max(axis=1, initial=0.0)
-    hidden = hidden[(distance.min(axis=1, initial=_SKIRT) >= lobe) & (left[hidden] > misfit)]
-    bins = np.union1d(at_candidates, hidden)
+    # Within the lobe of a line nothing is larger than its misfit.
+    lobe = np.minimum(_near(lines.bins, spectrum.window.half_width), left.size - 1)
+    misfit = np.where(distance <= _SKIRT, left[lobe].max(axis=1, initial=0.0), 0.0).max(axis=1, initial=0.0)
+    hidden = hidden[left[hidden] > misfit]
+    bins = np.unique(np.concatenate([at_candidates, hidden]))
     return np.asarray(bins[_is_maximum(left, bins) & (left[bins] > threshold[bins])])
 
 
@@ -242,7 +241,7 @@ def _shown(spectrum: Spectrum, lines: _Lines, bins: Places) -> Complexes:
 
 def _added(spectrum: Spectrum, lines: _Lines, bins: Places) -> _Lines:
     """Add lines at bins, fitted to what is left there when the others are taken off."""
-    around = _around(bins)
+    around = _near(bins, 1)
     left = spectrum.lines[around] - _leakage(spectrum, lines, around)
     new = _Lines(bins, bins.astype(float), spectrum.lines[bins])
     for _ in range(_FIRST_STEPS):
@@ -257,7 +256,7 @@ def _added(spectrum: Spectrum, lines: _Lines, bins: Places) -> _Lines:
 def _relaxed(spectrum: Spectrum, lines: _Lines) -> _Lines:
     """Fit each line again without the others and its own mirror image, until all stay where they are."""
     window, count = spectrum.window, spectrum.samples
-    around = _around(lines.bins)
+    around = _near(lines.bins, 1)
     for _ in range(_SWEEPS):
         itself = lines.amplitudes[:, None] * window.transform(around - lines.places[:, None], count)
         left = spectrum.lines[around] - _leakage(spectrum, lines, around) + itself
@@ -267,9 +266,9 @@ def _relaxed(spectrum: Spectrum, lines: _Lines) -> _Lines:
     return lines
 
 
-def _around(bins: Places) -> Places:
-    """List each bin with its two neighbours, shape (number, 3)."""
-    return np.asarray(bins[:, None] + np.arange(-1, 2))
+def _near(bins: Places, reach: int) -> Places:
+    """List each bin with those within a reach of it, shape (number, 2 reach + 1)."""
+    return np.asarray(bins[:, None] + np.arange(-reach, reach + 1))
 
 
 def _fitted(spectrum: Spectrum, lines: _Lines, left: Complexes) -> _Lines:
@@ -280,7 +279,7 @@ def _fitted(spectrum: Spectrum, lines: _Lines, left: Complexes) -> _Lines:
         lines: Lines as they are now.
         left: What each line alone shows around its bin, shape (number, 3).
     """
-    bins = _around(lines.bins)
+    bins = _near(lines.bins, 1)
     shape, ahead, behind = _shape(spectrum, bins, np.add.outer([0.0, _STEP, -_STEP], lines.places))
     slope = (ahead - behind) / (2.0 * _STEP)
     amplitudes = _product(shape, left) / _product(shape, shape)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import replace
 
 import control
 import mpmath
 import pytest
 
-from tests.trimmer.balance.loops import s
+from tests.trimmer.balance.loops import GAP, THESIS_LOOP, s
 from tests.trimmer.elements.oracle import ExactBacklash
 from trimmer.balance.solve import harmonic_balance, limit_cycles
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -229,3 +230,41 @@ def test_zero_frequency_and_infinite_amplitude_are_undecided_if_the_static_gain_
     assert region.amplitudes[0] > 1e5
     for static_gain in (-0.999, -1.001):
         assert harmonic_balance(static_gain / (s + 1) ** 2, FrictionBacklash(1.0)).certificate.complete
+
+
+def test_next_to_a_double_integrator_a_relay_with_hysteresis_has_its_limit_cycle() -> None:
+    """-1/G = w²/(0.01 (1 + j w)) is behind the axis by atan w, N of the relay by half of asin(1/A).
+
+    Both go to zero with the same phase, and N is behind as well: so the phase alone excludes nothing.
+    The solution below is that of SciPy's fsolve.
+    """
+    element = Relay(math.pi / 2.0, hysteresis=0.5, dead_zone=0.5)
+    balance = harmonic_balance(0.01 * (s + 1) / s**2, element)
+    (cycle,) = balance.limit_cycles
+    assert (cycle.amplitude, cycle.omega) == pytest.approx((12.5399045, 0.0399363), rel=1e-6)
+    assert balance.certificate.complete
+    assert balance.confirmed
+
+
+def test_only_beyond_a_range_that_was_not_given_limit_cycles_may_be_missing() -> None:
+    """The phase of (s + 3)/(s + 1)**3 nears -180 degrees with the third power of 1/w: no bound shows it."""
+    system = (s + 3) / (s + 1) ** 3
+    with pytest.warns(UndecidedWarning) as told:
+        assert limit_cycles(system, Relay(1.0)) == ()
+    assert "are not excluded; give omega_range" in str(told[-1].message)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert limit_cycles(system, Relay(1.0), omega_range=(0.1, 10.0)) == ()
+        assert len(limit_cycles(1 / (s + 1) ** 3, Relay(1.0))) == 1
+
+
+def test_an_omega_that_is_frozen_is_positive_and_finite() -> None:
+    element = ViscousBacklash(GAP, 1.0)  # gamma is 0.5 at 0.5 rad/s, and 4600 at the frequency of the loop
+    cycles = limit_cycles(THESIS_LOOP, element, frozen_omega=0.5)
+    assert cycles
+    for cycle in cycles:
+        gain = complex(element.describing_function(cycle.amplitude, 0.5))
+        assert 1.0 + gain * complex(THESIS_LOOP(1j * cycle.omega)) == pytest.approx(0.0, abs=1e-9)
+    for wrong in (0.0, -1.0, math.inf, math.nan):
+        with pytest.raises(ValueError, match="frozen_omega must be positive and finite"):
+            limit_cycles(THESIS_LOOP, element, frozen_omega=wrong)

@@ -65,10 +65,10 @@ def test_sizes_meet_up_to_equality_and_where_a_bound_is_missing() -> None:
 
 
 def test_a_box_is_open_if_both_its_disks_and_its_sizes_meet() -> None:
-    def left(centre: complex, smallest_gain: float, largest: float = 9.0) -> int:
+    def left(centre: complex, smallest_gain: float, largest: float = 9.0, smallest: float = 3.0) -> int:
         one = Cells(*(np.array([each]) for each in (0.1, 0.2, 1.0, 2.0)))
         # |N| is between 4 and 6, and 1/G reaches far.
-        given = EnclosedCells(one, disks(3 + 4j, 1.0), enclosure(centre, 1.0, 3.0, largest))
+        given = EnclosedCells(one, disks(3 + 4j, 1.0), enclosure(centre, 1.0, smallest, largest))
         return len(given.open(smallest_gain))
 
     assert left(-3 - 4j, 0.0) == 1
@@ -76,6 +76,8 @@ def test_a_box_is_open_if_both_its_disks_and_its_sizes_meet() -> None:
     assert left(-3 - 4j, 9.5) == 0
     assert left(-3 - 4j, 0.0, largest=3.9) == 0
     assert left(-3 - 4j, 0.0, largest=4.1) == 1
+    assert left(-3 - 4j, 0.0, smallest=5.9) == 1
+    assert left(-3 - 4j, 0.0, smallest=6.1) == 0
 
 
 def test_disks_are_refined_to_the_boxes_themselves() -> None:
@@ -100,6 +102,9 @@ def test_a_column_is_cut_until_the_inverse_changes_by_a_twentieth() -> None:
     assert columns.parts.tolist() == [7, 22, 2, 1, 32]
     narrow = _Columns(lower, lower + 1e-12, columns.enclosure, columns.block)
     assert narrow.parts.tolist() == [1, 1, 1, 1, 1]
+    for width, parts in ((1.9e-12, 1), (2.1e-12, 32)):
+        least = _Columns(zeros, zeros + width, columns.enclosure, columns.block)
+        assert least.parts.tolist()[4] == parts
 
 
 def test_too_many_columns_are_left_as_they_are() -> None:
@@ -173,9 +178,30 @@ def test_the_first_grid_holds_the_solution_and_counts_what_it_compared() -> None
     assert 0 < len(boxes) < 32
     assert boxes.cells.hold(np.array([u]), np.array([0.5])).any()
     assert boxes.cells.hold(np.array([u]), np.array([1.5])).any()
+    sides = {*zip(boxes.cells.x_lower.tolist(), boxes.cells.x_upper.tolist(), strict=True)}
+    assert sides == {(0.0, 1.0), (1.0, 2.0)}
     none, size = first_grid(Problem(ConstantResponse(5j), CURVE, table, 0.0))
     assert len(none) == 0
     assert size == 0
+
+
+class Widening:
+    """1/G = -N(0.7), within 12.7 % of it times the width, below x = 1; N(0.7) beyond, which N never meets."""
+
+    def enclose(self, lower: np.ndarray, upper: np.ndarray) -> Enclosure:
+        gain = complex(CURVE.value(np.array([0.7]), np.zeros(1))[0])
+        centre = np.where(lower < 1.0, -gain, gain)
+        radius = np.where(lower < 1.0, math.expm1(0.12) * abs(gain) * (upper - lower), 0.0)
+        return Enclosure(centre, 0.0 * centre, radius, radius, abs(gain) - radius, abs(gain) + radius)
+
+
+def test_only_columns_with_a_possible_row_are_cut_and_compared_again() -> None:
+    """One of two is cut into ceil(0.12 / 0.05) = 3 parts, which need no further cut."""
+    table = GainTable.of(CURVE, np.array([0.0, 1.0, 2.0]))
+    boxes, size = first_grid(Problem(Widening(), CURVE, table, 0.0))
+    assert size == 64 * (2 + 3)
+    assert np.unique(boxes.cells.x_lower) == pytest.approx([0.0, 1.0 / 3.0, 2.0 / 3.0])
+    assert np.unique(boxes.cells.x_upper) == pytest.approx([1.0 / 3.0, 2.0 / 3.0, 1.0])
 
 
 def test_cut_columns_are_counted_again() -> None:

@@ -74,6 +74,12 @@ def test_at_the_edge_the_corner_counts_that_is_farthest_inside(power: float, cor
     ]
 
 
+def test_at_an_edge_that_is_the_same_everywhere_the_upper_corner_counts_and_beyond_it_nothing_is() -> None:
+    disks = ElementCurve(Sloping()).disks(cells((0.5, 1.5, -2.0, 3.0), (1.0, 1.5, -2.0, 3.0)))
+    assert disks.centre[0] == pytest.approx(1.0 + 9j)
+    assert disks.exists.tolist() == [True, False]
+
+
 def test_a_bound_of_its_own_takes_the_place_of_that_from_the_slope() -> None:
     curve = ElementCurve(Sloping(depends_on_frequency=False, own_reach=0.25))
     disks = curve.disks(cells((0.2, 0.6, 1.0, 4.0), (0.1, 0.2, -1.0, 1.0)))
@@ -125,6 +131,11 @@ def test_a_table_has_a_row_for_each_u_and_a_column_for_each_block() -> None:
     box = table.box
     assert (box.u_lower[0], box.u_upper[0]) == (0.0, pytest.approx(math.exp(2.0)))
     assert (box.x_lower[0], box.x_upper[0]) == (-1.0, 2.0)
+
+
+def test_a_table_goes_up_to_the_larger_end_of_an_edge_that_falls() -> None:
+    table = GainTable.of(ElementCurve(Sloping(-1.0)), np.array([-1.0, 0.0, 2.0]))
+    assert table.u_breaks == pytest.approx(np.linspace(0.0, math.e, 33))
 
 
 def test_a_table_of_an_element_without_frequency_has_one_column() -> None:

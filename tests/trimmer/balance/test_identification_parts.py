@@ -5,21 +5,22 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-import control
 import numpy as np
 import pytest
 
-from tests.trimmer.balance.loops import GAP, THESIS_LOOP, s
-from trimmer.balance import feasible_frequencies as feasible
-from trimmer.balance.feasible_frequencies import BandEnd, FeasibleBand, feasible_bands
+from tests.trimmer.balance.loops import GAP, THESIS_LOOP
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.feasible_frequencies import BandEnd, FeasibleBand
 from trimmer.balance.identification import (
     IdentifiedTimeConstant,
     _at_limit,
     _intervals,
     _nearest,
+    _time_constants,
     _turning_points,
     identify_time_constant,
 )
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -42,75 +43,6 @@ def test_a_band_holds_its_ends() -> None:
     assert "no end" in repr(band(0.0, math.inf))
 
 
-def test_neighbouring_bands_are_joined_where_the_border_is_only_touched(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    ends = [BandEnd(each, each / 100.0) for each in (10.0, 40.0, 90.0)]
-    monkeypatch.setattr(feasible, "_limits", lambda G, gap: ends[:0:-1])
-    monkeypatch.setattr(feasible, "_touching", lambda G: ends[:1])
-    G = 1 / (s + 1)
-    # Places between: 0.01, 20, 60 and 90e3 Hz.
-    tried: list[float] = []
-
-    def solvable(*frequencies: float):
-        def at(frequency: float) -> bool:
-            tried.append(frequency)
-            return round(frequency, 6) in frequencies
-
-        return at
-
-    assert [each.frequencies for each in feasible_bands(G, GAP, solvable(20.0, 60.0))] == [(10.0, 90.0)]
-    assert tried == pytest.approx([0.01, 20.0, 60.0, 9e4])
-    (joined,) = feasible_bands(G, GAP, solvable(20.0, 60.0))
-    assert (joined.lower, joined.upper) == (ends[0], ends[2])
-    assert [each.frequencies for each in feasible_bands(G, GAP, solvable(20.0, 9e4))] == [
-        (10.0, 40.0),
-        (90.0, math.inf),
-    ]
-    assert [each.frequencies for each in feasible_bands(G, GAP, solvable(0.01, 60.0))] == [
-        (0.0, 10.0),
-        (40.0, 90.0),
-    ]
-    assert feasible_bands(G, GAP, solvable()) == ()
-
-
-def test_without_ends_a_frequency_among_the_roots_stands_for_all() -> None:
-    between = feasible._between
-    assert between((s + 8) / ((s + 1) * (s + 27)), 0.0, math.inf) == pytest.approx(6.0 / (2.0 * math.pi))
-    assert between(8 / (s * (s + 4) ** 2), 0.0, math.inf) == pytest.approx(4.0 / (2.0 * math.pi))
-    assert between(1 / s**2, 0.0, math.inf) == 1.0
-
-
-@pytest.mark.parametrize("G", [5 * (s + 3) / (s**2 + 2 * s + 9), (2 * s + 1) / (s + 4)])
-def test_a_system_is_integrated_in_either_form(G: control.TransferFunction) -> None:
-    omega = np.array([0.7, 3.0])
-    expected = response_at(G, omega) / (1j * omega)
-    assert response_at(feasible._integrated(G), omega) == pytest.approx(expected)
-    assert response_at(feasible._integrated(control.ss(G)), omega) == pytest.approx(expected)
-
-
-def test_where_the_pin_only_just_touches_n_is_negative_imaginary() -> None:
-    for gamma in (0.2, 3.0):
-        element = ViscousBacklash(1.0, gamma)
-        gain = complex(element.describing_function(1.0 / (float(element.domain(1.0)) * (1.0 - 1e-12)), 1.0))
-        assert abs(gain.real) < 1e-4 * abs(gain)
-        assert feasible._touching_size(math.log(gamma)) == pytest.approx(-gain.imag, rel=1e-12)
-
-
-def test_ends_where_the_pin_only_just_touches_have_their_load() -> None:
-    # 1/G = ± size (s + 0.3 (s² + 1)) is imaginary at 1 rad/s only: ± j size, with the size of gamma = 0.8.
-    gamma = 0.8
-    size = feasible._touching_size(math.log(gamma))
-    for sign, count in ((1.0, 1), (-1.0, 0)):
-        G = sign / (size * (s + 0.3 * (s**2 + 1)))
-        ends = list(feasible._touching(G))
-        assert len(ends) == count
-        for end in ends:
-            assert end.frequency == pytest.approx(1.0 / (2.0 * math.pi))
-            assert end.time_constant == pytest.approx(gamma, rel=1e-8)
-            assert end.limit_cycle is None
-
-
 def test_turning_points_are_minima_and_maxima_between_samples() -> None:
     frequencies = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
 
@@ -119,6 +51,11 @@ def test_turning_points_are_minima_and_maxima_between_samples() -> None:
 
     found = list(_turning_points(value, frequencies, [value(each) for each in frequencies]))
     assert found == pytest.approx([1.3, 3.3], abs=1e-4)
+    few = frequencies[:-1]
+    later = [value(each - 1.4) for each in few]  # the last three hold a turning point too
+    assert list(_turning_points(lambda each: value(each - 1.4), few, later)) == pytest.approx(
+        [0.7, 2.7], abs=1e-4
+    )
     assert list(_turning_points(value, frequencies, frequencies)) == []
     assert list(_turning_points(value, frequencies, [1.0] * 6)) == []
     assert len(list(_turning_points(value, [0.0, 1.0, 2.0], [5.0, 5.0, 1.0]))) == 0
@@ -180,10 +117,12 @@ def test_the_nearest_end_is_that_of_the_nearest_band() -> None:
 def test_a_load_without_a_time_constant_is_told_from_n_itself(time_constant: float) -> None:
     element = ViscousBacklash(GAP, time_constant)
     exact = {0.0: FrictionBacklash(GAP), math.inf: InertiaBacklash(GAP)}[time_constant]
-    for u in (0.3, 0.9):
+    edge = ElementCurve(exact).edge(np.zeros(1)).item()
+    for u in (0.01 * edge, 0.3, 0.9, 0.99 * edge):
         inverse = -complex(exact.describing_function(GAP / u))
         assert _at_limit(element, inverse, 691.0) == pytest.approx([u], rel=1e-10)
-        assert _at_limit(element, inverse * (1.0 + 1e-5j), 691.0).size == 0
+        if 0.1 < u < 1.0:
+            assert _at_limit(element, inverse * (1.0 + 1e-5j), 691.0).size == 0
         assert _at_limit(element, -inverse, 691.0).size == 0
 
 
@@ -216,3 +155,41 @@ def test_an_identification_holds_what_was_given() -> None:
     (interval,) = result.intervals
     assert interval.lowest < 2e-4 < interval.highest
     assert interval.frequencies == pytest.approx((given.frequency - 0.5, given.frequency + 0.5))
+
+
+def test_a_table_tells_each_time_constant_with_its_limit_cycle() -> None:
+    (cycle,) = limit_cycles(THESIS_LOOP, FrictionBacklash(GAP))[-1:]
+    told = identify_time_constant(THESIS_LOOP, GAP, cycle.frequency)
+    assert told.frequency_uncertainty == 0.0
+    (found,) = told.time_constants
+    rows = [list(row) for row in told._table().rows()]
+    expected = found.limit_cycle
+    assert rows == [
+        [
+            *(0.0, expected.amplitude, expected.omega, expected.frequency),
+            *(expected.stable, expected.crossing_angle),
+        ]
+    ]
+    assert repr(told).count("M/D within the uncertainty: 0 to 0 s") == 1
+
+
+def test_limit_cycles_with_another_load_are_those_of_the_solver() -> None:
+    told = identify_time_constant(THESIS_LOOP, GAP, 740.0)
+    found = told.limit_cycles_with(3e-4)
+    assert [each.frequency for each in found] == pytest.approx(
+        [each.frequency for each in limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 3e-4))], rel=1e-10
+    )
+
+
+def test_the_time_constant_is_that_of_the_load_at_its_frequency() -> None:
+    """-1/G at 691 rad/s is made to be N of gap 1 and omega M/D = 0.7 at u = 0.6."""
+    gamma = 0.7
+    element = ViscousBacklash(1.0, gamma)
+    omega = 691.0
+    u = 0.6
+    gain = complex(element.describing_function(float(element.amplitude_scale) / u, 1.0))
+    response = InverseResponse(-gain / (1j * omega + 9.0), np.array([-9.0]), np.empty(0), 1.0)
+    (found,) = _time_constants(response, 1.0, omega / (2.0 * math.pi))
+    assert found.time_constant == pytest.approx(gamma / omega, rel=1e-9)
+    assert found.limit_cycle.omega == pytest.approx(omega, rel=1e-12)
+    assert found.amplitude == pytest.approx(float(element.amplitude_scale) / u, rel=1e-9)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trimmer.balance.inverse_response import InverseResponse
-from trimmer.balance.linear_part import LinearGain, parted, with_feedback
+from trimmer.balance.linear_part import LinearGain, _cleaned, parted, with_feedback
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.element import Element
 from trimmer.elements.relay import Relay
@@ -104,6 +104,19 @@ def test_a_loop_that_loses_its_highest_derivative_is_refused(rest: float, sign: 
     assert with_feedback(given, LinearGain(damping=-0.3 * sign)).poles == pytest.approx([-4.0])
 
 
+def test_a_highest_derivative_that_is_more_than_rounding_is_kept() -> None:
+    """Of 2**-13 (s + 1000) all but 2**-53 s is taken away; powers of two, so that nothing is rounded."""
+    given = response(2.0**-13, [-1000.0], [])
+    found = with_feedback(given, LinearGain(damping=-(2.0**-13) * (1.0 - 2.0**-40)))
+    assert (found.gain, found.poles.tolist()) == (2.0**-53, [-1000.0 * 2.0**40])
+
+
+def test_roots_are_put_in_order_of_magnitude_and_on_the_axis_where_only_rounding_keeps_them_off() -> None:
+    found = _cleaned(np.array([-1e3, 1e-12 + 2j, 1.0, -2.0 - 2j, 1e-9 + 3j]))
+    assert found.tolist() == [1.0, 2j, -2.0 - 2j, 1e-9 + 3j, -1e3]
+    assert _cleaned(np.array([1e-15 + 1e-3j])).tolist() == [1e-15 + 1e-3j]
+
+
 AMPLITUDES = np.array([1.2, 3.0, 40.0])
 PLAY, VISCOUS = FrictionBacklash(1.0), ViscousFriction(0.7)
 
@@ -139,3 +152,8 @@ def test_of_a_linear_element_nothing_is_left(element: Element, damping: float) -
     assert rest is None
     assert linear.damping == pytest.approx(damping)
     assert linear.constant == 0.0
+
+
+def test_what_is_left_of_one_term_is_that_term() -> None:
+    assert parted(PLAY + VISCOUS)[1] == PLAY
+    assert parted(VISCOUS + PLAY + Relay(0.5))[1] == PLAY + Relay(0.5)

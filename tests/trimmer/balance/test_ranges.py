@@ -205,6 +205,18 @@ def test_a_certificate_is_complete_only_without_doubts() -> None:
     assert len(both.other_doubts) == 2
 
 
+def test_what_is_told_of_results_is_exact() -> None:
+    told = "<Certificate: complete, 1 to 9 rad/s, 0 undecided regions>"
+    assert repr(CERTIFICATE) == told
+    not_so = told.replace("complete", "not complete").replace("0 undecided regions", "1 undecided region")
+    assert repr(replace(CERTIFICATE, undecided=(REGION,))) == not_so
+    rows = [list(row) for row in HarmonicBalance((CYCLE,), CERTIFICATE)._table().rows()]
+    assert rows == [[0.5, CYCLE.omega, 2.0, True, 1e-12, 1.0, False, 0]]
+    assert [each.unit for each in HarmonicBalance((), CERTIFICATE)._table().columns][:3] == [
+        *("unit of the element's input", "rad/s", "Hz"),
+    ]
+
+
 def test_a_region_says_why_it_is_undecided() -> None:
     assert "touch or coincide" in REGION.reason
     assert "smallest amplitude" in replace(REGION, at_edge=True).reason

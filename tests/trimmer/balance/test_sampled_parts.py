@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import THIRD_ORDER, s
+from trimmer.balance import sampled
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.inverse_response import InverseResponse
@@ -20,6 +22,7 @@ from trimmer.balance.sampled import (
     _linear_part_may_vanish,
     _may_hold,
     _range_of_roots,
+    _solutions,
     _starts,
     _with_edge,
     solve_sampled,
@@ -91,6 +94,11 @@ def test_a_cell_may_hold_a_zero_within_a_widened_disk() -> None:
     reach = 1.5 * math.sqrt(2.0)
     shifts = np.array([0.0, 0.99 * reach, 1.01 * reach, np.nan])
     assert _may_hold(square[:, None] + shifts).tolist() == [True, True, False, False]
+    assert _may_hold(square[:, None] - shifts).tolist() == [True, True, False, False]
+    assert _may_hold(square[:, None] + 1j * shifts).tolist() == [True, True, False, False]
+    # The farthest corner of all counts.
+    narrow = np.array([-1.0, 1.0, -3j, 3j])[:, None]
+    assert _may_hold(narrow + np.array([4.4, 4.6])).tolist() == [True, False]
 
 
 def test_where_many_cells_are_left_the_linear_function_has_to_vanish_near() -> None:
@@ -107,6 +115,12 @@ def test_where_many_cells_are_left_the_linear_function_has_to_vanish_near() -> N
     assert [vanishes(0.0, x) for x in (1.49, -1.49, 1.51, -1.51)] == [True, True, False, False]
     assert not vanishes(1.0, 1.6)
     assert not vanishes(1.6, 1.0)
+    # At the margin itself it is kept, whichever way round the derivatives lie.
+    for q in (1j, -1j):
+        square = np.array([0.0, 1.0, q, 1.0 + q]) - 0.5 * (1.0 + q)
+        for shift, kept in ((1.5, True), (-1.5, True), (1.5j, True), (-1.5j, True), (1.6, False)):
+            moved = (square + shift)[:, None]
+            assert _linear_part_may_vanish(moved, moved.mean(axis=0)).tolist() == [kept]
 
 
 def test_of_parallel_slopes_the_linear_function_tells_nothing() -> None:
@@ -143,6 +157,13 @@ def test_places_are_added_towards_both_ends_of_n() -> None:
         assert np.abs(added - (-1.3 + 0.3 * share)).min() < 1e-11
         assert np.abs(added - (0.7 - 0.7 * share)).min() < 1e-11
     assert _with_edge(Ending(), v).tolist() == v.tolist()
+    shares = 0.5 ** np.arange(40.0)
+    expected = np.concatenate([v, [-1.3, 0.7], -1.3 + 0.3 * shares, 0.7 - 0.7 * shares])
+    assert np.abs(added[:, None] - expected).min(axis=1).max() < 1e-11
+    assert np.abs(added[:, None] - expected).min(axis=0).max() < 1e-11
+    # Downwards from a place that exists as upwards.
+    (inside,) = set(_with_edge(Ending(math.exp(0.25)), np.array([0.0, 1.0]))[:2]) - {0.0}
+    assert inside == pytest.approx(0.25, abs=1e-11)
 
 
 def test_the_first_cells_hold_the_solution() -> None:
@@ -191,6 +212,57 @@ def test_solutions_that_agree_in_both_are_one() -> None:
     assert kept_u.tolist() == [1.0, 1.0, 2.0]
     assert kept_x.tolist() == [3.0, 3.0 + 2e-5, 3.0]
     assert _distinct(np.empty(0), np.empty(0))[0].size == 0
+    assert _distinct(np.array([1.0, 2.0, 2.000002, 1.0]), np.zeros(4))[0].tolist() == [1.0, 2.0]
+
+
+RANGE = (-1.0, 2.0)
+
+
+def solved(
+    monkeypatch: pytest.MonkeyPatch,
+    u: list[float],
+    x: list[float],
+    steps: list[tuple[list[float], list[float]]],
+    off: complex | list[complex] = 0.0,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Go on from u and x by given steps, relative in u; N + 1/G is ``off`` times 1/G at the end."""
+    left = [*steps]
+
+    def step(
+        inverse: object, curve: object, at_u: np.ndarray, at_x: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        assert at_u.size > 0
+        assert np.isfinite(at_u).all()
+        assert np.isfinite(at_x).all()
+        by_u, by_x = left.pop(0)
+        return np.array(by_u) * at_u, np.array(by_x)
+
+    one = response(1 / (s + 7))
+    curve = SimpleNamespace(value=lambda at_u, at_x: one.value(at_x) * (np.asarray(off) - 1.0))
+    monkeypatch.setattr(sampled, "_starts", lambda *given: (np.array(u), np.array(x)))
+    monkeypatch.setattr(sampled, "newton_step", step)
+    with np.errstate(all="ignore"):
+        found = _solutions(one, curve, None, RANGE)
+    assert left == []
+    return found
+
+
+def test_steps_are_shortened_to_half_and_end_when_they_are_small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The larger of both counts, without its sign; what is no number does not move."""
+    moves = [([2.0, -0.1, -2.0], [0.3, -0.8, 0.2]), ([1e-10, -1e-10, 0.3], [0.0, 1e-10, 0.0]), ([0.0], [0.0])]
+    u, x = solved(monkeypatch, [1.0, 2.0, 3.0, math.nan, 5.0], [0.0, 0.0, 0.0, 0.0, math.inf], moves)
+    assert u == pytest.approx([1.5, 2.0 * (1.0 - 0.0625), 1.5 * 1.3])
+    assert x == pytest.approx([0.075, -0.5, 0.05])
+
+
+def test_only_zeros_within_the_range_are_solutions(monkeypatch: pytest.MonkeyPatch) -> None:
+    def kept(u: list[float], x: list[float], off: list[complex]) -> list[float]:
+        return solved(monkeypatch, u, x, [([0.0] * len(u), [0.0] * len(u))], off)[0].tolist()
+
+    assert kept([1.0, 2.0, 3.0], [0.0] * 3, [0.9e-7, 1.1e-7, 0.0]) == [1.0, 3.0]
+    assert kept([1.0, 2.0, 3.0], [0.0] * 3, [-0.5, 0.5j, -0.5j]) == []
+    assert kept([1.0, 2.0, 3.0, 4.0], [-1.0, -1.1, 2.0, 2.1], [0.0] * 4) == [1.0, 3.0]
+    assert kept([0.99e-8, 1.01e-8, 0.99e8, 1.01e8], [0.0] * 4, [0.0] * 4) == [1.01e-8, 0.99e8]
 
 
 def test_a_relay_without_its_bounds_is_solved_within_a_given_range_only() -> None:
@@ -204,6 +276,15 @@ def test_a_relay_without_its_bounds_is_solved_within_a_given_range_only() -> Non
     assert len(searched.result.undecided) == 0
     assert (searched.outside_excluded, searched.smallest_gain) == (False, 0.0)
     assert solve_sampled(response(THIRD_ORDER), curve, (2.0, 5.0)).result.u.size == 0
+
+
+def test_too_many_cells_are_cut_no_further(monkeypatch: pytest.MonkeyPatch) -> None:
+    curve, inverse = ElementCurve(Relay(1.0)), response(THIRD_ORDER)
+    cells, first = _first_cells(inverse, curve, (math.log(0.5), math.log(5.0)))
+    monkeypatch.setattr(sampled, "_MOST_CELLS", cells.v_lower.size - 1)
+    assert solve_sampled(inverse, curve, (0.5, 5.0)).result.examined == first
+    monkeypatch.setattr(sampled, "_MOST_CELLS", cells.v_lower.size)
+    assert solve_sampled(inverse, curve, (0.5, 5.0)).result.examined >= first + 4 * cells.v_lower.size
 
 
 def test_nothing_is_unproven_of_an_element_with_bounds() -> None:

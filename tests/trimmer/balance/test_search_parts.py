@@ -108,19 +108,30 @@ def test_a_solution_is_found_once_and_settles_its_neighbours() -> None:
     found, settled = _settled(PROBLEM, beside, nothing)
     assert settled.all()
     assert found.u == pytest.approx([u[0]], rel=1e-12)
-    assert len(found.regions) == 1
+    # The region of the first is kept, twice as wide as its box.
+    assert found.regions.u_lower == pytest.approx([u[0] - 0.65 * d], abs=1e-9)
+    assert found.regions.u_upper == pytest.approx([u[0] + 1.55 * d], abs=1e-9)
     again, settled = _settled(PROBLEM, beside, found)
     assert settled.all()
     assert again.u.size == 1
     both, _ = _settled(PROBLEM, Cells(u[1:] - d, u[1:] + d, x[1:] - d, x[1:] + d), found)
     assert both.u == pytest.approx(u, rel=1e-12)
     assert len(both.regions) == 2
+    wide = Cells(u - 2.0 * d, u + 2.0 * d, x - 2.0 * d, x + 2.0 * d)
+    both, settled = _settled(PROBLEM, wide, found)
+    assert both.u == pytest.approx(u, rel=1e-12)
+    assert settled.all()
+    # Of a box that may hold several nothing is settled.
+    all_of_it = Cells(*(side[None] for side in (u.min() - d, u.max() + d, x.min() - d, x.max() + d)))
+    none, settled = _settled(PROBLEM, all_of_it, nothing)
+    assert (none.u.size, settled.tolist()) == (0, [False])
 
 
 def test_the_sine_of_a_crossing_is_that_of_the_angle() -> None:
     assert sine_of_crossing(3 + 0j, 2j) == 1.0
     assert sine_of_crossing(2j, 3 + 0j) == -1.0
     assert sine_of_crossing(1 + 2j, 3 + 1j) == pytest.approx((1.0 - 6.0) / math.sqrt(50.0))
+    assert sine_of_crossing(1 + 1j, 2 + 2j) == 0.0
     assert math.isnan(sine_of_crossing(0j, 1j))
 
 
@@ -161,6 +172,19 @@ def test_other_unstable_poles_are_those_above_the_axis_and_real_ones_of_the_mean
     found = other_unstable_poles(swinging, gains, amplitudes, np.array([3.0, 0.1]))
     # Near 3 rad/s the pair is that of the limit cycle itself.
     assert found.tolist() == [0, 1]
+    # Of two pairs, at 3 and at 30 rad/s, the slow one grows.
+    pairs = loop_equation(1 / ((s**2 - 0.2 * s + 9) * (s**2 + 2 * s + 900)), Relay(1.0))
+    found = other_unstable_poles(pairs, gains, amplitudes, np.array([3.0, 30.0]))
+    assert found.tolist() == [0, 1]
+    # A growth of a billionth is rounding, beside the size of the pole itself.
+    for growth, count in ((0.9e-9, 0), (1.1e-9, 1)):
+        for size in (1e3, 1e-3):
+            poles = np.array([-1.0, size * (growth + 1j), size * (growth - 1j)])
+            loop = LoopEquation(
+                InverseResponse(1.0, poles, np.empty(0, complex), 1.0), ElementCurve(Relay(1.0))
+            )
+            found = other_unstable_poles(loop, np.zeros(1, complex), np.ones(1), np.array([-1e9]))
+            assert found.tolist() == [count]
     drifting = InverseResponse.of(ZeroPoleGain.of(1 / ((s - 1) * (s + 3))))
     # (s - 1)(s + 3) + N: a positive real root up to N = 3.
     assert np.asarray(_drifting_poles(drifting, np.array([0.0, 2.9, 3.1, np.nan]))).tolist() == [1, 1, 0, 0]
@@ -168,3 +192,41 @@ def test_other_unstable_poles_are_those_above_the_axis_and_real_ones_of_the_mean
     assert np.asarray(_drifting_poles(resting, np.array([-2.9, -3.1]))).tolist() == [0, 1]
     assert np.asarray(_drifting_poles(resting, np.array([5.0, -3.1]))).tolist() == [0, 1]
     assert np.asarray(_drifting_poles(resting, np.array([0.0, 5.0]))).tolist() == 0
+
+
+@pytest.mark.parametrize("size", [1e4, 1e-4])
+def test_a_double_real_pole_that_rounding_parts_counts_twice(size: float) -> None:
+    poles = size * np.array([1.0 + 0.5e-7j, 1.0 - 0.5e-7j, -2.0, 0.0])
+    given = InverseResponse(1.0, poles, np.empty(0, complex), 1.0)
+    assert np.asarray(_drifting_poles(given, np.array([0.0, np.nan]))).tolist() == [2, 0]
+    apart = InverseResponse(1.0, size * np.array([1.0 + 2e-7j, 1.0 - 2e-7j]), np.empty(0, complex), 1.0)
+    assert np.asarray(_drifting_poles(apart, np.zeros(1))).tolist() == 0
+
+
+def test_poles_of_the_mean_are_added_to_those_that_swing() -> None:
+    # (s - 1)(s + 3) + N has a root right of the axis up to N = 3; of the relay N is 1/A here.
+    loop = loop_equation(1 / ((s - 1) * (s + 3)), Relay(0.5 * math.pi))
+    found = other_unstable_poles(loop, np.array([4.0 + 0j, 4.0]), np.array([1.0, 0.2]), np.array([1.0, 1.0]))
+    assert found.tolist() == [1, 0]
+
+
+def test_an_index_is_one_where_loebs_criterion_holds_and_else_minus_one() -> None:
+    result = find_all(PROBLEM)
+    cycles = limit_cycles_at(LoopEquation(RESPONSE, CURVE), result.u, result.x)
+    assert sorted(cycle.index for cycle in cycles) == [-1, 1]
+    assert all(cycle.stable == (cycle.index == 1) for cycle in cycles)
+
+
+def test_the_crossing_angle_counts_how_n_changes_with_frequency() -> None:
+    carried = ViscousBacklash(1.0, 0.8)
+    loop = LoopEquation(RESPONSE, ElementCurve(carried))
+    (cycle,) = limit_cycles_at(loop, np.array([0.6]), np.array([0.3]))
+    step = 1e-6
+
+    def rest(amplitude: float, x: float) -> complex:
+        gain = complex(carried.describing_function(amplitude, math.exp(x)))
+        return gain + complex(RESPONSE.value(np.array([x]))[0])
+
+    A, x = cycle.amplitude, 0.3
+    by_a, by_x = rest(A + step, x) - rest(A - step, x), rest(A, x + step) - rest(A, x - step)
+    assert math.sin(cycle.crossing_angle) == pytest.approx(abs(math.sin(np.angle(by_x / by_a))), rel=1e-6)

@@ -1,12 +1,17 @@
+"""Whether limit cycles are stable: simulations beside them, and exact multipliers where the mean drifts."""
+
 from __future__ import annotations
 
+import control
 import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, s, simulate_play
+from trimmer import InertiaBacklash, LimitCycle, PeriodicOrbit, Relay, periodic_orbits
 from trimmer.balance.solve import limit_cycles
 from trimmer.balance.stability import sine_of_crossing
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.elements.element import Element
 
 UNSTABLE, STABLE = limit_cycles(THESIS_LOOP, FRICTION)
 
@@ -46,3 +51,25 @@ def test_sign_of_loebs_criterion_against_the_shift_of_a_pole() -> None:
     assert rises_with_gain
     assert sine_of_crossing(by_amplitude, by_omega) > 0
     assert sine_of_crossing(-by_amplitude, by_omega) < 0
+
+
+def both(system: control.TransferFunction, element: Element) -> tuple[LimitCycle, PeriodicOrbit]:
+    (cycle,) = limit_cycles(system, element)
+    (orbit,) = (each for each in periodic_orbits(system, element) if each.prediction is not None)
+    return cycle, orbit
+
+
+def test_a_real_unstable_pole_of_the_loop_makes_a_relays_cycle_unstable() -> None:
+    # 1 + N G = (s^2 + 1)(s - 0.5) at the limit cycle; the largest exact multiplier is 130.
+    cycle, orbit = both(control.tf([1], [1, -0.5, 1, -1.5]), Relay(1.0))
+    assert abs(orbit.multipliers).max() == pytest.approx(129.737, rel=1e-4)
+    assert (cycle.stable, orbit.stable) == (False, False)
+
+
+def test_a_mean_that_runs_away_makes_a_cycle_with_play_unstable() -> None:
+    # The mean of the input passes a play with the gain 1, and 1 + G(s) has the real root p > 0, as G(0) < -1.
+    numerator, denominator = [2.9, -1.0], np.polymul([1, 0.38, 1], [1, 0.8])
+    (root,) = (each.real for each in np.roots(np.polyadd(numerator, denominator)) if each.imag == 0)
+    cycle, orbit = both(control.tf(numerator, denominator), InertiaBacklash(1.0))
+    assert abs(orbit.multipliers).max() == pytest.approx(np.exp(root * orbit.period), rel=1e-3)
+    assert (cycle.stable, orbit.stable) == (False, False)

@@ -17,7 +17,7 @@ from trimmer.elements.expansion import Expansion
 
 @dataclass(frozen=True)
 class Plane:
-    """F = p (u - u0) + q (x - x0), as N = p (u - u0) and 1/G = q (x - x0), with disks round the slopes.
+    """F = p (u - u0) + q (x - x0), as N = p (u - u0) + r (x - x0) and 1/G the rest, with disks of slopes.
 
     The slopes may differ from p by ``u_radius`` and from q by ``x_radius``, of which 1/G has its ``share``.
     """
@@ -31,23 +31,26 @@ class Plane:
     share: float = 0.5
     edge: float = np.inf
     bent: float = 0.0
+    r: complex = 0.3 - 0.8j
     limits: Cells = field(default_factory=lambda: cells(-np.inf, np.inf, -np.inf, np.inf))
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
+        assert np.all(lower <= upper)
         centre, slope = self.value_and_slope(0.5 * (lower + upper))
         nothing = np.zeros(lower.shape)
         return Enclosure(centre, slope, nothing, nothing + self.share * self.x_radius, nothing, nothing)
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
         away = x - self.x
-        return self.q * away * (1.0 + self.bent * away), self.q * (1.0 + 2.0 * self.bent * away)
+        value, slope = self.q * away * (1.0 + self.bent * away), self.q * (1.0 + 2.0 * self.bent * away)
+        return value - self.r * away, slope - self.r
 
     def expansion(self, u: Reals, x: Reals) -> Expansion:
         away = u - self.u
         return Expansion(
-            self.p * away * (1.0 + self.bent * away),
+            self.p * away * (1.0 + self.bent * away) + self.r * (x - self.x),
             self.p * (1.0 + 2.0 * self.bent * away),
-            np.zeros(u.shape, complex),
+            np.full(u.shape, self.r),
         )
 
     def variation(self, regions: Cells) -> tuple[Reals, Reals]:
@@ -139,7 +142,7 @@ def test_a_linear_f_is_decided_exactly() -> None:
 
 
 def test_parallel_slopes_prove_nothing_of_uniqueness() -> None:
-    plane = Plane(1.0 + 2.0j, -2.0 - 4.0j, 0.0, 0.0)
+    plane = Plane(1.0 + 2.0j, -2.0 - 4.0j, 0.0, 0.0, r=0.5)
     with np.errstate(all="ignore"):
         found = plane.test(cells(-1.0, 1.0, -1.0, 1.0))
     assert not found.single[0]
@@ -226,3 +229,31 @@ def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> No
     (alone,) = (solve_in(*halves(plane), boxes.take(np.array([2])), np.array([1.4]), np.array([2.3])),)
     assert alone[2].tolist() == [True]
     assert alone[0] == pytest.approx([1.0], abs=1e-12)
+
+
+@pytest.mark.parametrize("away", [(0.2, 0.0), (-0.2, 0.0), (0.0, 0.2), (0.0, -0.2)])
+def test_newtons_method_goes_on_until_both_steps_are_small(away: tuple[float, float]) -> None:
+    """u and x do not depend on each other here: one of them is right from the start."""
+    plane = Plane(1.0, 1.0j, 1.0, 2.0, bent=0.4)
+    boxes = cells(0.5, 1.5, 1.5, 2.5)
+    u, x, solved = solve_in(*halves(plane), boxes, np.array([1.0 + away[0]]), np.array([2.0 + away[1]]))
+    assert solved.tolist() == [True]
+    assert (u[0], x[0]) == (pytest.approx(1.0, abs=1e-14), pytest.approx(2.0, abs=1e-14))
+
+
+def test_a_small_u_has_as_many_right_digits_as_a_large_one() -> None:
+    plane = Plane(1.0, 1.0j, 1e-6, 2.0, bent=2e5)
+    u, _, solved = solve_in(
+        *halves(plane), cells(0.5e-6, 2e-6, 1.9, 2.1), np.array([1.5e-6]), np.array([2.0])
+    )
+    assert solved.tolist() == [True]
+    assert u[0] == pytest.approx(1e-6, rel=1e-12)
+
+
+def test_a_box_that_holds_one_of_several_solutions_need_not_go_on() -> None:
+    """Bent by -1, F vanishes at u = 1 and at u = 2; the third box holds the first of the two."""
+    plane = Plane(1.0, 1.0j, 1.0, 2.0, bent=-1.0)
+    boxes = Cells(np.array([0.9, 1.9, 0.7]), np.array([1.1, 2.1, 1.45]), np.full(3, 1.8), np.full(3, 2.2))
+    u, _, solved = solve_in(*halves(plane), boxes, np.array([1.001, 2.001, 1.2]), np.full(3, 2.0))
+    assert solved.tolist() == [True, True, False]
+    assert u[:2] == pytest.approx([1.0, 2.0], abs=1e-12)

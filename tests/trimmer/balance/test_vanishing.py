@@ -48,6 +48,11 @@ def test_the_parts_of_a_neighbourhood_by_hand() -> None:
             np.array([1j * side / 6j, 1j * side / (2 + 3j), -1j * side / (1 + 3j)])
         )
         assert part.small is small
+        double = InverseResponse(5.0, np.array([3j, 3j, -3j, -3j, -2.0]), np.array([-1.0 + 0j]), 10.0)
+        twice = _Neighbourhood.of(double, small, 3.0, side)
+        factor = 5.0 * (6j) ** 2 * (2 + 3j) / (1 + 3j)  # of C d², where (j side)² = -1
+        assert (twice.order, twice.size) == (2, pytest.approx(abs(factor) / 4.0))
+        assert twice.heading == pytest.approx(np.angle(factor / -1j))
 
 
 def test_bounds_of_the_size_hold_and_are_of_second_order() -> None:
@@ -98,6 +103,50 @@ def test_phases_that_differ_exclude_each_other(heading: float, empty: bool) -> N
     # N's phase is within 4 √0.001 = 0.13 ahead of its direction.
     part = neighbourhood(small_gains_of_backlash(0.0), heading=heading)
     assert part._is_empty(0.001) is empty
+
+
+def test_a_size_counts_with_all_that_it_may_have_grown() -> None:
+    """|1/G| is d exp(±g) at most, g = 3 d + 9 d²/(2 - 6 d) here; a load that coasts far has a larger N."""
+    distance = 0.05
+    growth = 0.15 + 0.0225 / 1.7
+    base = distance * math.exp(growth)
+    for reach, empty in ((1.001 * base, True), (0.999 * base, False), (base * math.exp(growth), True)):
+        small = SmallGains(-1j, 1.0, 1e3, reach=reach)
+        part = _Neighbourhood(1.0, 1.0, 1, 1.0, 0.0, np.array([3j]), 1e3, reach, small)
+        assert part._least_gain(distance) == reach
+        assert part._is_empty(distance) is empty
+
+
+def test_what_is_just_equal_is_not_excluded() -> None:
+    # |1/G| is the least |N|, 0.25; nor does the phase tell.
+    small = SmallGains(-1j, 1.0, 1e3, reach=0.25)
+    assert not neighbourhood(small, heading=0.0, order=2, lag=1e3)._is_empty(0.5)
+    # N is ahead by 2 sqrt(0.25) = 1 at most, and behind by 0.25 at most.
+    steep = SmallGains(-1j, 1.0, 0.0, steepest=2.0, gentlest=0.0, behind=1.0, reach=1.0)
+    assert not neighbourhood(steep, heading=1.0)._is_empty(0.25)
+    assert neighbourhood(steep, heading=1.0 + 1e-12)._is_empty(0.25)
+    assert not neighbourhood(steep, heading=-0.25)._is_empty(0.25)
+    assert neighbourhood(steep, heading=-0.25 - 1e-12)._is_empty(0.25)
+
+
+def test_with_equal_limits_only_what_falls_behind_all_that_n_does_is_excluded() -> None:
+    """At d = 0.01 -1/G is behind by 0.1 less a remainder of 0.0056, and N by ``behind`` times exp(g) d."""
+    grown = 0.01 * math.exp(0.1 + 0.01 / 1.8)
+    for behind, empty in ((0.094 / grown, True), (0.095 / grown, False)):
+        small = SmallGains(-1j, 1.0, 0.0, steepest=50.0, gentlest=0.0, behind=behind, reach=1.0)
+        assert neighbourhood(small, heading=0.0, turns=-10j)._is_empty(0.01) is empty
+    # Ahead by as much, it is ahead of all N for a double pole only; or where N is never ahead.
+    for order, steepest, empty in ((1, 0.1, False), (2, 0.1, True), (1, 0.0, True), (2, 50.0, False)):
+        small = SmallGains(-1j, 1.0, 0.0, steepest=steepest, gentlest=0.0, behind=0.0, reach=1.0)
+        assert neighbourhood(small, heading=0.0, order=order, turns=10j)._is_empty(0.01) is empty
+
+
+def test_where_both_phases_stay_equal_a_gain_that_is_ahead_excludes() -> None:
+    """Without other roots -1/G stays in its direction, where N never is; not so where it coasts."""
+    for gentlest, lag, order, empty in ((0.7, 0.0, 3, True), (0.0, 0.0, 3, False), (0.7, 1e-3, 3, False)):
+        small = SmallGains(-1j, 1.0, lag, gentlest=gentlest, reach=1.0)
+        part = _Neighbourhood(0.0, 1.0, order, 1.0, 0.0, np.zeros(0, complex), lag, 1.0, small)
+        assert part._is_empty(0.1) is empty
 
 
 def test_what_lags_behind_counts_too() -> None:
@@ -165,8 +214,10 @@ def test_the_distance_is_the_largest_that_is_found_by_halving() -> None:
     # |1/G| = 2 d² is within 0.003 up to √0.0015; the phase is a quarter turn ahead.
     part = _Neighbourhood(0.0, 1.0, 2, 2.0, 1.5, np.zeros(0, complex), 0.0, 0.003, play)
     assert part.empty_up_to() == pytest.approx(math.sqrt(0.0015), rel=1e-12)
+    larger = _Neighbourhood(0.0, 1.0, 2, 5.0, 1.5, np.zeros(0, complex), 0.0, 0.003, play)
+    assert larger.empty_up_to() == pytest.approx(math.sqrt(0.003 / 5.0), rel=1e-12)
     # Half of the distance of the nearest other root, or half of the place, if these are nearer.
-    near = _Neighbourhood(0.0, 1.0, 2, 2.0, 1.5, np.array([40.0, 20.0 + 0j]), 0.0, 0.003, play)
+    near = _Neighbourhood(0.0, 1.0, 2, 2.0, 1.5, np.array([40.0, 36.0 + 0j]), 0.0, 0.003, play)
     assert near.empty_up_to() == pytest.approx(0.5 / 40.0)
     low = _Neighbourhood(0.01, 1.0, 2, 2.0, 1.5, np.zeros(0, complex), 0.0, 0.003, play)
     assert low.empty_up_to() == pytest.approx(0.005)

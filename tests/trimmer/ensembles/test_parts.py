@@ -81,6 +81,12 @@ def test_points_tell_how_far_n_is_from_the_inverse() -> None:
     assert not points.loud[1, 0]
 
 
+def test_a_point_is_loud_a_little_beyond_the_largest_gain_too() -> None:
+    # |1/G| = omega sqrt(omega² + 1)/4 is 1.12 at 2 rad/s, 1.64 at 2.47 and 1.66 at 2.49; e**0.5 is 1.65.
+    points = grid_at(THREE, np.repeat([[2.0, 2.47, 2.49]], 3, axis=0))
+    assert points.loud[0].tolist() == [True, True, False]
+
+
 def test_inside_is_where_n_has_such_a_lag() -> None:
     points = grid([0.0] * 6, [-0.1, 0.0, 0.1, 1.5, 0.5 * math.pi, 2.0])
     assert points.inside[0].tolist() == [False, False, True, True, False, False]
@@ -146,6 +152,7 @@ def test_a_step_is_urgent_by_its_turn_if_both_its_ends_are_loud() -> None:
     lag = [0.1, 0.1, 0.8, 3.1, -3.1]
     assert _urgency(grid([0.9] * 5, lag))[0] == pytest.approx([0.0, 0.7, 2.3, 0.0])
     assert _urgency(grid([0.9] * 5, lag, [True, True, False, True, True]))[0].tolist() == [0.0] * 4
+    assert _urgency(grid([0.9] * 4, [0.8, 0.1, 0.1, -0.9]))[0] == pytest.approx([0.7, 0.0, 1.0])
     # A touch counts half a turn for either step.
     assert _urgency(grid([0.3, 0.01, 0.3], 0.4))[0] == pytest.approx([math.pi, math.pi])
     assert _urgency(grid([0.3, 0.01, 0.3], 0.4, [True, False, True]))[0].tolist() == [0.0, 0.0]

@@ -13,18 +13,14 @@ from tests.trimmer.ensembles.known_responses import THREE
 from trimmer.displacement import Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import (
+    Crossings,
     _enclosures,
     crossings,
 )
-from trimmer.ensembles.grid import grid_at
+from trimmer.ensembles.grid import Grid, grid_at
 from trimmer.ensembles.limit_cycles import (
-    SampledLimitCycles,
     _check,
-    _Columns,
-    _found,
-    _in_rows,
     _near_poles,
-    sampled_limit_cycles,
 )
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import Solutions, polished
@@ -81,6 +77,28 @@ def test_crossings_of_some_trimmers_enclose_their_solutions() -> None:
     one = solved.part(np.arange(solved.u.size) == 0)
     assert [len(each) for each in one] == [1] * 6
     assert one.sine[0] == solved.sine[0]
+
+
+def test_a_trimmer_that_stays_urgent_is_refined_three_times_and_doubtful(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    points: list[tuple[int, int]] = []
+
+    def stubborn(grid: Grid) -> np.ndarray:
+        points.append(grid.omega.shape)
+        urgency = np.zeros((len(grid.omega), grid.omega.shape[1] - 1))
+        urgency[-1, ::7] = 1.0
+        return urgency
+
+    omegas = np.repeat(np.geomspace(0.01, 30.0, 120)[None], 3, axis=0)
+    plain = crossings(THREE, omegas)
+    monkeypatch.setattr("trimmer.ensembles.crossings._urgency", stubborn)
+    found = crossings(THREE, omegas)
+    assert points == [(3, 120), (1, 140), (1, 160), (1, 180)]
+    assert found.doubtful.tolist() == [False, False, True]
+    assert found.rows.tolist() == plain.rows.tolist()
+    for both in (plain, found):
+        assert polished(THREE.part(both.rows), both).found.all()
 
 
 def test_enclosures_are_halved_round_each_change_of_sign() -> None:
@@ -183,70 +201,50 @@ def test_roots_that_are_exact_stay() -> None:
     assert found.all()
 
 
-def test_rows_are_filled_in_order_of_frequency() -> None:
-    one = _Columns(np.array([2, 0]), np.array([3.0, 1.0]), np.array([9.0, 8.0]), np.array([True, False]))
-    two = _Columns(np.array([2, 2]), np.array([5.0, 4.0]), np.array([7.0, 9.0]), np.array([False, False]))
-    again, undecided = np.array([False, True, False]), np.array([False, True, True])
-    found = _in_rows([one, two], again, undecided)
-    assert found.count.tolist() == [1, 0, 3]
-    assert np.nan_to_num(found.omega).tolist() == [[8.0, 0.0, 0.0], [0.0, 0.0, 0.0], [7.0, 9.0, 9.0]]
-    assert np.nan_to_num(found.amplitude).tolist() == [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [5.0, 3.0, 4.0]]
-    assert found.stable.tolist() == [[False] * 3, [False] * 3, [False, True, False]]
-    assert found.exists.tolist() == [False, False, True]
-    assert found.frequency[0, 0] == pytest.approx(4.0 / math.pi)
-    assert found.searched_again is again
-    assert found.undecided is undecided
-    assert "3 trimmers" in found.message
-    assert "For 2 nothing is certain" in found.message
-    assert "4 limit cycles of 3 trimmers" in repr(found)
-    table = found._table()
-    assert [list(row) for row in table.rows()] == [
-        [0, 1.0, 8.0, pytest.approx(4.0 / math.pi), False],
-        [2, 5.0, 7.0, pytest.approx(3.5 / math.pi), False],
-        [2, 3.0, 9.0, pytest.approx(4.5 / math.pi), True],
-        [2, 4.0, 9.0, pytest.approx(4.5 / math.pi), False],
-    ]
-    certain = SampledLimitCycles(*[*vars(found).values()][:5], undecided=np.zeros(3, bool))
-    assert "certain" not in certain.message.replace("certificate", "")
+def test_a_lag_is_certain_up_to_a_margin_at_either_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    # K/(s (s + 1)) needs the lag atan(1/omega).
+    gains = np.array([4.0, 9.0])
+    loops = Responses(np.stack([0.0 * gains, gains], axis=1), np.array([[1.0, 1.0, 0.0]] * 2), np.ones(2))
+    omegas = np.repeat(np.geomspace(0.01, 90.0, 300)[None], 2, axis=0)
+    found = crossings(loops, omegas)
+    lags = -np.angle(polished(loops.part(found.rows), found).gain)
+    to_end = np.minimum(lags, 0.5 * math.pi - lags)
+    nearest = np.array([to_end[found.rows == row].min() for row in range(2)])
+    assert (lags < 0.25 * math.pi).any()
+    assert (lags > 0.25 * math.pi).any()
+    assert not found.doubtful.any()
+    for margin in (*(nearest - 0.003), *(nearest + 0.003)):
+        monkeypatch.setattr("trimmer.ensembles.crossings.MARGIN", margin)
+        assert crossings(loops, omegas).doubtful.tolist() == (nearest < margin).tolist()
 
 
-def test_numbers_and_rows_mix_and_keep_their_places() -> None:
-    thesis = TrimmerParameters.thesis()
-    varied = sampled_limit_cycles({"m2": [thesis.m2, 1.1 * thesis.m2], "k1": thesis.k1}, gap=[4e-5, 8e-5])
-    plain = sampled_limit_cycles({}, gap=4e-5)
-    assert varied.omega[0] == pytest.approx(plain.omega[0], rel=1e-9)
-    assert varied.omega[1] != pytest.approx(plain.omega[0], rel=1e-4)
-    with pytest.raises(ValueError, match="rows of one length"):
-        sampled_limit_cycles({"m2": [[thesis.m2]]}, gap=4e-5)
-
-
-def test_a_trimmer_is_searched_again_where_the_curves_nearly_touch(monkeypatch: pytest.MonkeyPatch) -> None:
-    # K/((s + 0.3)(s + 1)) for two K.
-    loops = Responses(
-        np.array([[0.0, 9.0], [0.0, 20.0]]), np.array([[1.0, 1.3, 0.3]] * 2), np.array([1.0, 3.0])
-    )
-    gaps, near = np.array([2.0, 3.0]), np.array([-0.31, -1.05], complex)
-    angles = {"sine": np.sin(np.radians(90.0)), "found": True}
-
-    def pretended(responses: Responses, enclosures: object) -> Solutions:
-        solutions = polished(responses, enclosures)
-        first = enclosures.rows == 0
-        return solutions._replace(
-            sine=np.where(first, angles["sine"], 1.0), found=np.where(first, angles["found"], True)
+def test_a_first_step_is_newtons_within_the_amplitudes_that_exist(monkeypatch: pytest.MonkeyPatch) -> None:
+    """N(u) = omega² - j omega, over 4; a step of u ends halfway to 0 or 2 at most, one of x within 0.1."""
+    one = THREE.part(np.zeros(1, int))
+    play = FrictionBacklash(1.0)
+    for u, omega in ((0.3, 1.0), (1.0, 0.3), (1.9, 1.2), (1.98, 0.35), (1.2, 1.25)):
+        start = Crossings(np.zeros(1, int), *(np.array([each]) for each in (omega, omega, u, False)))
+        gain, by_u, _ = play.expansion(np.array([1.0 / u]))
+        inverse, by_x = complex(omega**2, -omega) / 4.0, complex(2.0 * omega**2, -omega) / 4.0
+        rest = complex(gain[0]) - inverse
+        monkeypatch.setattr("trimmer.ensembles.polishing.STEPS", 0)
+        before = polished(one, start)
+        assert before.residual == pytest.approx([abs(rest) / abs(inverse)])
+        assert (before.u.tolist(), before.found.tolist()) == ([u], [False])
+        slope = complex(by_u[0])
+        step_u, step_x = np.linalg.solve(
+            [[slope.real, -by_x.real], [slope.imag, -by_x.imag]], [-rest.real, -rest.imag]
         )
+        monkeypatch.setattr("trimmer.ensembles.polishing.STEPS", 1)
+        after = polished(one, start)
+        assert after.u == pytest.approx([min(max(u + step_u, 0.5 * u), 0.5 * (u + 2.0))])
+        assert np.log(after.omega / omega) == pytest.approx([min(max(step_x, -0.1), 0.1)])
 
-    plain = _found(loops, gaps, near)
-    assert plain.again.tolist() == [False, False]
-    assert set(plain.rows.tolist()) == {0, 1}
-    for row, amplitude, omega in zip(plain.rows, plain.amplitude, plain.omega, strict=True):
-        s = 1j * omega / loops.reference[row]
-        gain = complex(FrictionBacklash(gaps[row]).describing_function(amplitude))
-        assert gain == pytest.approx(-(s + 0.3) * (s + 1.0) / (9.0, 20.0)[row], rel=1e-9)
-    monkeypatch.setattr("trimmer.ensembles.limit_cycles.polished", pretended)
-    for degrees, again in ((2.1, False), (1.9, True), (-1.9, True), (-2.1, False)):
-        angles["sine"] = np.sin(np.radians(degrees))
-        found = _found(loops, gaps, near)
-        assert found.again.tolist() == [again, False]
-        assert not found.stable[found.rows == 0].any() or degrees > 0
-    angles.update(sine=1.0, found=False)
-    assert _found(loops, gaps, near).again.tolist() == [True, False]
+
+@pytest.mark.parametrize(("share", "found"), [(0.5e-6, True), (2e-6, False)])
+def test_a_solution_may_lie_beside_its_enclosure_by_a_millionth(share: float, found: bool) -> None:
+    u, omega = by_hand(4.0)
+    one = THREE.part(np.zeros(1, int))
+    for lower, upper in ((0.99, 1.0 - share), (1.0 + share, 1.01)):
+        ends = (np.array([each]) for each in (lower * omega, upper * omega, u, False))
+        assert polished(one, Crossings(np.zeros(1, int), *ends)).found.tolist() == [found]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import itertools
+import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ from tests.trimmer.branches.stop_oscillator import of_pyharm
 from trimmer.branches.continuation import continuation
 from trimmer.branches.settings import FollowSettings
 from trimmer.errors import UnsupportedMotionError
+from trimmer.harmonics import balance
 from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Stop
@@ -101,3 +104,37 @@ def test_what_cannot_be_balanced() -> None:
     )
     with pytest.raises(UnsupportedMotionError, match="moves on"):
         harmonic_balance_of(pulled, np.zeros((1, 3), dtype=complex))
+
+
+class Stubborn:
+    """Equations of one unknown that are given by hand, and where they were evaluated."""
+
+    scale = 2.0
+
+    def __init__(self, residual: Callable[[float], float], slope: Callable[[float], float]) -> None:
+        self.residual, self.slope = residual, slope
+        self.asked: list[float] = []
+
+    def imbalance(self, unknowns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        x = float(unknowns[0])
+        self.asked.append(x)
+        return np.array([self.residual(x), 0.0]), np.diag([self.slope(x), 1.0])
+
+
+def test_a_step_that_goes_too_far_is_halved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Newton's method for atan x = 0 diverges from 3 in full steps; a quarter of the first one helps."""
+    equations = Stubborn(math.atan, lambda x: 1.0 / (1.0 + x**2))
+    monkeypatch.setattr(balance, "_Equations", lambda *given: equations)
+    found = harmonic_balance_of(None, np.array([[3.0 + 0j]]), 7)
+    step = 10.0 * math.atan(3.0)
+    assert equations.asked[:4] == pytest.approx([3.0, 3.0 - step, 3.0 - step / 2.0, 3.0 - step / 4.0])
+    assert found.coefficients[0, 0] == pytest.approx(0.0, abs=1e-14)
+    assert (found.periods, found.converged) == (7, True)
+
+
+def test_after_eight_halvings_the_search_ends_where_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    equations = Stubborn(lambda x: -3.0, lambda x: 1.0)
+    monkeypatch.setattr(balance, "_Equations", lambda *given: equations)
+    found = harmonic_balance_of(None, np.array([[5.0 + 0j]]))
+    assert equations.asked == [5.0, *(5.0 + 3.0 * 0.5**k for k in range(8))]
+    assert (found.coefficients[0, 0], found.residual, found.periods) == (5.0, 1.5, 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,7 +16,6 @@ from trimmer.harmonics.balance import (
     _Equations,
     harmonic_balance_of,
 )
-from trimmer.harmonics.contact import Contact
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Pieces, piecewise
 from trimmer.harmonics.rubbing import friction_harmonics
@@ -99,61 +99,6 @@ def test_friction_of_a_sine_is_a_square_wave() -> None:
     half = friction_harmonics(distance, 0.5 * 1e-3 * OMEGA, 2.0)
     assert half.coefficients[0] == pytest.approx(2.0 / 3.0)
     assert half.coefficients[1] == pytest.approx(8.0 / math.pi * math.sin(2.0 * math.pi / 3.0))
-
-
-@pytest.mark.parametrize("law", list(ContactLaw))
-def test_a_stop_that_is_always_in_contact_is_a_spring(law: ContactLaw) -> None:
-    distance = Waveform(np.array([5.0, 1.0 + 0.5j]), 2.0)
-    part = Stop(BETWEEN, 3.0, 0.1, 0.5, law)
-    harmonics = Contact(part, distance).harmonics()
-    assert harmonics.coefficients == pytest.approx([13.5, (3.0 + 0.2j) * (1.0 + 0.5j)], abs=1e-12)
-    assert harmonics.direct[1, 1] == pytest.approx(3.0 + 0.2j)
-
-
-def test_a_contact_that_is_never_made_has_no_force() -> None:
-    for part in (Stop(BETWEEN, 3.0, 0.1, 9.0), Play(BETWEEN, 3.0, 0.1, 9.0), Play(BETWEEN, 3.0, 0.0, 9.0)):
-        harmonics = Contact(part, Waveform(np.array([0.5, 1.0 + 0.5j]), 2.0)).harmonics()
-        for each in vars(harmonics).values():
-            assert not each.any()
-
-
-def test_offsets_and_forces_of_either_side() -> None:
-    distance = Waveform(np.array([0.25, 1.0 + 0.5j]), 2.0)
-    play = Contact(Play(BETWEEN, 3.0, 0.4, 0.5, ContactLaw.TRUNCATED), distance)
-    assert play.offsets == {1: 0.25, -1: -0.25}
-    assert Contact(Stop(BETWEEN, 3.0, 0.4, 0.5), distance).offsets == {1: 0.5}
-    assert play.law is ContactLaw.TRUNCATED
-    assert Contact(Play(BETWEEN, 3.0, 0.0, 0.5, ContactLaw.TRUNCATED), distance).law is ContactLaw.PULLING
-    times = np.array([0.0, 0.7])
-    for side in (1, -1):
-        expected = 3.0 * (distance.at(times) - 0.25 * side) + 0.4 * distance.slope(times)
-        assert play.force(side).at(times) == pytest.approx(expected)
-    # How far the spring is stretched beyond the slot: 1.25 - 0.25, and nothing within it.
-    assert play._stretch_at(0.0) == pytest.approx(1.0)
-    assert play._stretch_at(0.5 * distance.period) == pytest.approx(-0.75 + 0.25)
-    inside = Waveform(np.array([0.1, 0.1 + 0j]), 2.0)
-    assert Contact(play.part, inside)._stretch_at(0.0) == 0.0
-    assert Contact(Stop(BETWEEN, 3.0, 0.4, 0.5), inside)._stretch_at(0.0) == 0.0
-
-
-def test_contact_is_made_and_released_at_known_times() -> None:
-    # s = sin 2t beyond ±0.5 from asin(0.5)/2 on; force 3 (s - 0.5) + 0.4 s' vanishes later.
-    distance = Waveform(np.array([0.0, -1j]), 2.0)
-    contact = Contact(Play(BETWEEN, 3.0, 0.4, 1.0), distance)
-    nothing = Decay(0.0, 7.5, 0.0)
-    assert contact._made(0.0, nothing, 0) == (pytest.approx(math.pi / 12.0), 1)
-    assert contact._made(0.3, nothing, 0) == (pytest.approx(math.pi / 12.0 + math.pi / 2.0), -1)
-    at = math.pi / 12.0
-    assert contact._made(at, nothing, 1) == (pytest.approx(at + math.pi / 2.0), -1)
-    # 3 sin + 0.8 cos = √9.64 sin(x + 0.2606) = 1.5
-    size, lead = math.hypot(3.0, 0.8), math.atan2(0.8, 3.0)
-    end = 0.5 * (math.pi - math.asin(1.5 / size) - lead)
-    assert contact._released(0.3, 1) == pytest.approx(end)
-    assert contact._released(0.3, -1) == pytest.approx(end + math.pi / 2.0)
-    small = Contact(Play(BETWEEN, 3.0, 0.4, 3.0), distance)
-    assert small._made(0.2, nothing, 0) == (0.2, 0)
-    always = Contact(Stop(BETWEEN, 3.0, 0.4, -9.0), distance)
-    assert always._released(0.0, 1) is None
 
 
 def two_bodies(**rest) -> Mechanism:
@@ -251,6 +196,16 @@ def test_forces_act_on_both_their_ends() -> None:
     step[10] = step[15] = 0.0  # the imaginary parts of the means
     ahead, behind = (equations.imbalance(_as_real(q) + sign * step)[0] for sign in (1.0, -1.0))
     assert slope @ step == pytest.approx(0.5 * (ahead - behind), abs=1e-9)
+
+
+def test_viscous_friction_is_a_damper_between_its_ends() -> None:
+    rubbing = _Equations(two_bodies(frictions={"rub": Friction(("belt", "blade"), 0.0, viscous=0.8)}), 5, 2)
+    plain = two_bodies()
+    drag = {**plain.links, "drag": Link(("belt", "blade"), 0.0, 0.9 + 0.8)}
+    damped = _Equations(replace(plain, links=drag), 5, 2)
+    assert rubbing.linear == pytest.approx(damped.linear)
+    assert rubbing.driving == pytest.approx(damped.driving)
+    assert rubbing.driving[1, 0] == pytest.approx(4.0 + 1.7 * 0.7)
 
 
 def test_a_force_without_a_drive_sets_the_scale() -> None:

@@ -11,8 +11,18 @@ from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, exact_response, trimmers
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
+from trimmer.errors import WrongTypeError
 from trimmer.generated import linear_trimmer
-from trimmer.linear.model import INPUTS, STATES, InputChannels, linear_model, pin_model, transfer_function
+from trimmer.linear.model import (
+    INPUTS,
+    STATES,
+    InputChannels,
+    _require_finite,
+    _without_leading_zeros,
+    linear_model,
+    pin_model,
+    transfer_function,
+)
 from trimmer.parameters import ParameterError, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
@@ -106,6 +116,26 @@ def test_reference_values_of_the_thesis_trimmer() -> None:
     assert system.dcgain() == pytest.approx(0.9569377990430622, rel=1e-14)
     assert abs(system(200j * np.pi)) == pytest.approx(0.9990132848467925, rel=1e-13)
     assert abs(exact_response(200 * np.pi)) == pytest.approx(0.9990132848467925, rel=1e-15)
+
+
+def test_zeros_before_a_polynomial_are_dropped_and_nothing_else() -> None:
+    assert _without_leading_zeros(np.array([0.0, 0.0, 3.0, 0.0, 2.0, 0.0])).tolist() == [3.0, 0.0, 2.0, 0.0]
+    assert _without_leading_zeros(np.zeros(4)).tolist() == [0.0]
+
+
+@pytest.mark.parametrize("build", [linear_model, pin_model, transfer_function])
+def test_what_is_no_trimmer_is_named(build) -> None:
+    with pytest.raises(WrongTypeError, match="parameters"):
+        build(3.0)
+
+
+def test_any_number_that_is_none_is_told_with_the_lightest_body() -> None:
+    light = dataclasses.replace(THESIS, m3=1e-9, m4=1e-8)
+    finite, lost = np.ones((2, 2)), np.array([1.0, np.inf])
+    _require_finite(light, finite, finite)
+    for results in ((finite, lost), (lost, finite), (np.array([np.nan]),)):
+        with pytest.raises(ParameterError, match="lightest body has m3 = 1e-09 kg"):
+            _require_finite(light, *results)
 
 
 def test_a_pin_that_touches_nothing_gives_a_zero_transfer_function() -> None:

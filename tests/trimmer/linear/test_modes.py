@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 
 from tests.trimmer.trimmers import trimmers
+from trimmer.errors import WrongTypeError
 from trimmer.generated import linear_trimmer
 from trimmer.linear.model import linear_model
 from trimmer.linear.modes import modes, undamped_modes
@@ -101,3 +102,21 @@ def test_a_free_trimmer_has_an_undamped_mode_of_frequency_zero() -> None:
     rigid = undamped_modes(free)[0]
     assert rigid.omega == pytest.approx(0.0, abs=1e-3)
     assert rigid.shape == pytest.approx((1, 1, 1, 1), rel=1e-6)
+
+
+def test_without_springs_bodies_drift_or_creep_and_are_in_order() -> None:
+    loose = dataclasses.replace(THESIS, **dict.fromkeys(("k1", "k2", "k3", "k4", "k5"), 0.0))
+    found = modes(loose)
+    assert len(found) == 8
+    assert all(mode.omega_damped == 0 for mode in found)
+    sizes = [mode.omega_natural for mode in found]
+    assert sizes == sorted(sizes)
+    assert found[-1].damping_ratio == pytest.approx(1.0)
+    exact = np.linalg.eigvals(linear_model(loose).A)
+    assert sizes[4:] == pytest.approx(np.sort(np.abs(exact))[4:], rel=1e-9)
+
+
+@pytest.mark.parametrize("function", [modes, undamped_modes])
+def test_what_is_no_trimmer_has_no_modes(function) -> None:
+    with pytest.raises(WrongTypeError, match="parameters"):
+        function(3.0)

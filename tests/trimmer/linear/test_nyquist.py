@@ -14,7 +14,8 @@ from trimmer.displacement import Body, Displacement
 from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.model import InputChannels, pin_model, transfer_function
-from trimmer.linear.nyquist import PointOnLocusError, encirclements
+from trimmer.linear.nyquist import PointOnLocusError, _in_right_half_plane, _meet_on_axis, encirclements
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
@@ -122,3 +123,29 @@ def test_an_improper_system_is_refused() -> None:
 def test_the_point_must_be_finite(point: float) -> None:
     with pytest.raises(ValueError, match="must be finite"):
         encirclements(control.tf([1], [1, 1]), point)
+
+
+def test_only_roots_right_of_the_axis_are_counted() -> None:
+    assert _in_right_half_plane((0.0, 2j, -1.0 + 1j, 1e-9 - 3j, 4.0)) == 2
+    assert _in_right_half_plane(()) == 0
+
+
+@pytest.mark.parametrize(
+    ("zeros", "poles", "met"),
+    [
+        ((2j, -2j), (), True),
+        ((2j, -2j), (2j, -2j), False),
+        ((2j, -2j), (2j + 1e-14j, -2j), False),
+        ((2j, -2j), (2.1j, -2.1j), True),
+        ((2j, -2j), (-1e-13 + 2j, -1e-13 - 2j), True),
+        ((2j, -2j, 3j, -3j), (2j, -2j), True),
+        ((-1.0 + 2j, -1.0 - 2j), (), False),
+        ((1.0 + 2j, 1.0 - 2j), (3j, -3j), False),
+        ((-1.0, 0.0), (), True),
+        ((), (3j, -3j), False),
+    ],
+)
+def test_a_zero_on_the_axis_meets_unless_a_pole_hides_it(
+    zeros: tuple[complex, ...], poles: tuple[complex, ...], met: bool
+) -> None:
+    assert _meet_on_axis(ZeroPoleGain(1.0, zeros, poles)) is met

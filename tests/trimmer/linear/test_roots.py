@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from trimmer.linear import crossings, extrema, modes
+from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.modes import Mode
 from trimmer.linear.time_response import SteadyState, TimeResponse
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
@@ -26,9 +27,43 @@ def test_gain_phase_and_slopes_of_a_few_roots() -> None:
     turn = (TWO_ROOTS.phase(omega + step) - TWO_ROOTS.phase(omega - step)) / (2 * step)
     assert TWO_ROOTS.phase_slope_terms(omega).sum() == pytest.approx(turn, rel=1e-7)
     assert TWO_ROOTS.relative_degree == 2
+    assert repr(TWO_ROOTS) == "<ZeroPoleGain: gain -3, 1 zero and 3 poles>"
     assert TWO_ROOTS.exponents.tolist() == [1.0, -1.0, -1.0, -1.0]
     # G(0) = -3 * 2 / (26 * -4).
     assert TWO_ROOTS.static_gain == pytest.approx(6 / 104)
+
+
+def test_phases_of_roots_on_either_side_and_of_a_negative_gain() -> None:
+    # The arrow from 2 to j points up and to the left, the one from -2 to the right.
+    half = math.atan(0.5)
+    assert float(ZeroPoleGain(1.0, (2.0 + 0j,), ()).phase(1.0)) == pytest.approx(math.pi - half)
+    assert float(ZeroPoleGain(1.0, (-2.0 + 0j,), ()).phase(1.0)) == pytest.approx(half)
+    assert float(ZeroPoleGain(-1.0, (), (2.0 + 0j,)).phase(1.0)) == pytest.approx(half)
+    assert float(ZeroPoleGain(0.1, (-2.0 + 0j,), ()).phase(1.0)) == pytest.approx(half)
+    assert ZeroPoleGain(1.0, (3j,), ()).phase([1.0, 4.0]).tolist() == [-math.pi / 2, math.pi / 2]
+
+
+def test_a_slow_pole_is_no_rounding() -> None:
+    assert ZeroPoleGain.of(control.tf([1.0], [1.0, 1e-20])).poles == (pytest.approx(-1e-20),)
+
+
+def test_a_markov_parameter_that_is_rounding_is_none() -> None:
+    """0.1 + 0.2 - 0.3 is 6e-17 in doubles; the next one is -0.1 - 0.4 + 0.9."""
+    found = ZeroPoleGain.of(control.ss(np.diag([-1.0, -2.0, -3.0]), [[0.1], [0.2], [-0.3]], [[1.0] * 3], 0.0))
+    assert found.gain == pytest.approx(0.4, rel=1e-12)
+    # 0.1 (s + 2)(s + 3) + 0.2 (s + 1)(s + 3) - 0.3 (s + 1)(s + 2) = 0.4 s + 0.6.
+    assert found.zeros == (pytest.approx(-1.5),)
+    assert ZeroPoleGain.of(control.ss([[-1.0]], [[1.0]], [[3.0]], -2.0)).gain == -2.0
+
+
+def test_coefficients_that_are_no_numbers_are_named() -> None:
+    for system, name in (
+        (control.TransferFunction([1.0, math.inf], [1.0, 2.0]), "numerator"),
+        (control.TransferFunction([1.0], [1.0, math.nan]), "denominator"),
+        (control.ss([[-1.0]], [[math.nan]], [[1.0]], 0.0), "B"),
+    ):
+        with pytest.raises(UnsupportedSystemError, match=f"^{name} of the system holds"):
+            ZeroPoleGain.of(system)
 
 
 def test_a_root_at_the_frequency_itself_has_no_slope() -> None:
@@ -93,6 +128,53 @@ def test_ends_of_the_plot_are_followed_as_far_as_it_takes(gain: float, level: fl
     )
 
 
+@pytest.mark.parametrize("reach", [1e-6, 1e6])
+def test_a_crossing_at_the_end_of_the_range_is_found(reach: float) -> None:
+    """Without roots beside the origin the range goes from 1e-6 to 1e6 rad/s: crossings at its very ends."""
+    assert crossings.gain_crossings(control.tf([reach], [1.0, 0.0])) == (pytest.approx(reach, rel=1e-14),)
+    assert crossings.gain_crossings(control.tf([1.0, 0.0], [reach])) == (pytest.approx(reach, rel=1e-14),)
+
+
+@pytest.mark.parametrize("order", [1, -1, 2, -3])
+def test_straight_ends_are_followed_until_a_fold_beyond_the_level(order: int) -> None:
+    """|G| = (crossing / omega)**order is 1 at the crossing; a range that holds it already stays."""
+    roots = (0j,) * abs(order)
+    for crossing in (1e-20, 1e-3, 1e20):
+        gain = crossing ** float(order)
+        system = ZeroPoleGain(gain, *((), roots) if order > 0 else (roots, ()))
+        found = crossings._gain_ends(system, lambda omega, system=system: float(system.log_gain(omega)))
+        expected = (min(1e-6, crossing / math.e), max(1e6, crossing * math.e))
+        assert found == pytest.approx(expected, rel=1e-10)
+    level = ZeroPoleGain(5.0, (-1.0 + 0j,), (-2.0 + 0j,))
+    for excess in (3.0, 0.0, -3.0):
+        assert crossings._gain_ends(level, lambda omega, excess=excess: excess) == (1e-6, 2e6)
+
+
+def test_curves_are_parted_at_their_ends_extrema_and_roots_above_the_origin() -> None:
+    system = ZeroPoleGain(1.0, (0j, 3j, -3j), (-1.0 + 2j, -1.0 - 2j, 0.5j, -0.5j))
+    assert crossings._breaks(system, (0.1, 90.0), iter([7.0, 3.0])) == [0.1, 0.5, 3.0, 7.0, 90.0]
+
+
+def test_half_turns_are_told_in_the_order_in_which_they_are_passed() -> None:
+    """The phase of 1/(s + 1)**9 falls through -pi to -4 pi; that of its inverse rises through them."""
+    poles = (-1.0 + 0j,) * 9
+    omegas = [math.tan(k * math.pi / 9.0) for k in (1, 2, 3, 4)]
+    falling = list(crossings._half_turns(ZeroPoleGain(1.0, (), poles), 0.01, 100.0))
+    assert [k for _, k in falling] == [-1, -2, -3, -4]
+    rising = list(crossings._half_turns(ZeroPoleGain(1.0, poles, ()), 0.01, 100.0))
+    assert [k for _, k in rising] == [1, 2, 3, 4]
+    for found in (falling, rising):
+        assert [omega for omega, _ in found] == pytest.approx(omegas, rel=1e-12)
+
+
+def test_jumps_at_roots_on_the_axis_are_no_half_turns() -> None:
+    """Above 3j the phase of (s² + 9)/(s + 1)**3 is less by -pi than below; it passes no half turn between."""
+    system = ZeroPoleGain(1.0, (3j, -3j), (-1.0 + 0j,) * 3)
+    below, above = (list(crossings._half_turns(system, *ends)) for ends in ((0.1, 3.0), (3.0, 50.0)))
+    assert below == [(pytest.approx(math.tan(math.pi / 3.0)), -1)]
+    assert above == []
+
+
 def test_zeros_of_a_sum_of_fractions() -> None:
     # 2 / (s - 1) + 3 / (s - 4) = (5 s - 11) / ...
     found = extrema._zeros_of_fractions(np.array([1.0 + 0j, 4.0]), np.array([2.0, 3.0]))
@@ -107,6 +189,33 @@ def test_places_of_a_resonance_and_its_antiresonance() -> None:
     assert (low, falls, rises) == (pytest.approx(7.0, rel=1e-14), False, True)
     grid = np.linspace(9, 13, 400_001)
     assert high == pytest.approx(grid[np.argmax(system.log_gain(grid))], abs=1e-4)
+
+
+def test_the_only_peak_of_two_poles_is_where_the_closed_form_says() -> None:
+    # |1/((s + 1.4)² + 2.25)| is largest at sqrt(1.5² - 1.4²), between no two of its roots' numbers.
+    assert list(extrema.stationary_gains(ZeroPoleGain(1.0, (), (-1.4 + 1.5j, -1.4 - 1.5j)))) == [
+        (pytest.approx(math.sqrt(0.29), rel=1e-13), True)
+    ]
+
+
+def test_a_root_on_the_axis_is_an_extremum_to_the_last_digit() -> None:
+    found = list(extrema.stationary_gains(ZeroPoleGain(1.0, (0.3j, -0.3j), (-1.0 + 0j, 0.7j, -0.7j, 0j))))
+    assert found == [(0.3, False), (0.7, True)]
+
+
+def test_all_extrema_of_the_phase_are_found() -> None:
+    # The lead (s + 1)/(s + 100) is largest at 10 rad/s.
+    assert list(extrema.stationary_phases(ZeroPoleGain(1.0, (-1.0 + 0j,), (-100.0 + 0j,)))) == [
+        pytest.approx(10.0, rel=1e-13)
+    ]
+    # Four of them, counted on a grid of the slope.
+    zeros = (-0.9 + 3.3j, -0.9 - 3.3j, -1.7 + 4.3j, -1.7 - 4.3j)
+    system = ZeroPoleGain(1.0, zeros, (-1.2 + 4.1j, -1.2 - 4.1j, -2.0 + 2.8j, -2.0 - 2.8j))
+    grid = np.linspace(0.5, 12.0, 2000)
+    slopes = np.array([system.phase_slope_terms(omega).sum() for omega in grid])
+    places = np.flatnonzero(np.diff(np.sign(slopes)))
+    assert len(places) == 4
+    assert list(extrema.stationary_phases(system)) == pytest.approx(grid[places], abs=0.01)
 
 
 def test_numbers_of_a_mode() -> None:

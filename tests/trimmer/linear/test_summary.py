@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import dataclasses
 
+import control
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -11,11 +12,11 @@ from trimmer.displacement import Body, Displacement
 from trimmer.linear.crossings import gain_crossings, real_axis_crossings
 from trimmer.linear.extrema import antiresonances, resonance_peaks
 from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.low_pass import bandwidth
+from trimmer.linear.low_pass import asymptotic_roll_off, bandwidth, bandwidth_crossings
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.linear.modes import modes
 from trimmer.linear.nyquist import encirclements
-from trimmer.linear.summary import summarise
+from trimmer.linear.summary import _encirclements, summarise
 from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
@@ -39,6 +40,8 @@ def test_the_summary_says_what_the_state_space_says(channels: InputChannels) -> 
     assert summary.gain_crossings == pytest.approx(gain_crossings(system), rel=1e-9)
     assert summary.low_pass is not None
     assert summary.low_pass.bandwidth == pytest.approx(bandwidth(system), rel=1e-9)
+    assert summary.low_pass.crossings == pytest.approx(bandwidth_crossings(system), rel=1e-9)
+    assert summary.roll_off == pytest.approx(asymptotic_roll_off(system))
     assert summary.encirclements == encirclements(system)
     for found, expected in (
         (summary.real_axis_crossings, real_axis_crossings(system)),
@@ -46,6 +49,30 @@ def test_the_summary_says_what_the_state_space_says(channels: InputChannels) -> 
         (summary.antiresonances, antiresonances(system)),
     ):
         assert [item.omega for item in found] == pytest.approx([item.omega for item in expected], rel=1e-9)
+
+
+def test_the_summary_follows_the_cutter_from_the_guard_by_both_channels_unless_told() -> None:
+    summary = summarise(THESIS)
+    assert (summary.output.label, summary.channels) == ("q2-q4", InputChannels.DISPLACEMENT_AND_VELOCITY)
+    assert summarise(THESIS, "q3", "displacement").output == Displacement(Body(3))
+
+
+def test_the_summary_tells_its_modes() -> None:
+    summary = summarise(THESIS)
+    first = summary.modes[0]
+    rows = [list(row) for row in summary._table().rows()]
+    assert len(rows) == len(summary.modes)
+    assert rows[0] == [
+        *(first.frequency, first.omega_natural, first.omega_damped),
+        *(first.damping_ratio, first.eigenvalue),
+    ]
+    counts = f"{len(summary.modes)} modes, {len(summary.peaks)} peaks"
+    assert f"output q2-q4, {counts}, roll-off {summary.roll_off:.4g} dB" in repr(summary)
+
+
+def test_a_locus_through_minus_one_has_no_encirclements() -> None:
+    assert _encirclements(control.tf([8], [1, 3, 3, 1])) is None
+    assert _encirclements(control.tf([9], [1, 3, 3, 1])) == 2
 
 
 def test_a_pin_that_touches_nothing_is_an_error() -> None:

@@ -156,3 +156,29 @@ def test_two_instants_suffice() -> None:
 def test_the_first_instant_that_does_not_rise_is_named(later: float) -> None:
     with pytest.raises(ValueError, match=rf"but 0\.5 s is followed by {later} s"):
         time_response(FIRST_ORDER, [0.0, 0.25, 0.5, later, 0.2], np.zeros(5))
+
+
+def test_a_gain_without_dynamics_is_steady_at_once() -> None:
+    steady = steady_state(control.tf([-2.0], [1.0]), 3.0, 1.5)
+    assert (steady.omega, steady.amplitude, steady.phase) == (3.0, 3.0, math.pi)
+
+
+def test_signals_are_numbered_where_there_are_several() -> None:
+    times = np.array([0.0, 0.5, 1.0])
+    two = control.ss(-np.eye(2), np.eye(2), [[1.0, 2.0]], np.zeros((1, 2)))
+    inputs = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])
+    response = time_response(two, times, inputs, [7.0, 8.0])
+    assert list(response.named) == ["input 1", "input 2", "output 1"]
+    assert response.named["input 2"].tolist() == [4.0, 5.0, 6.0]
+    table = response._table()
+    assert [each.name for each in table.columns] == [
+        *("time", "input 1", "input 2", "output 1", "state 1", "state 2"),
+    ]
+    first = next(list(row) for row in table.rows())
+    assert first == [0.0, 1.0, 4.0, 23.0, 7.0, 8.0]
+    alone = time_response(FIRST_ORDER, times, times)
+    assert list(alone.named) == ["input", "output"]
+    assert [list(row) for row in alone._table().rows()][2] == [
+        *(1.0, 1.0, pytest.approx(math.exp(-1.0)), pytest.approx(math.exp(-1.0))),
+    ]
+    assert "3 samples from 0 to 1 s" in repr(alone)

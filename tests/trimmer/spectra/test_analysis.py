@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.errors import SignalWarning
+from trimmer.signals.band import Band
 from trimmer.signals.read import read_signal
 from trimmer.signals.signal import Signal
 from trimmer.signals.write import write_signal
@@ -75,3 +79,24 @@ def test_a_limit_cycle_is_left_out_under_a_drive_and_the_note_says_why(signal: S
     for options in ({"closed_loop": True}, {"drive_frequency": None}, {"limit_cycle_frequencies": ()}):
         given = {"drive_frequency": DRIVE, "limit_cycle_frequencies": CYCLES} | options
         assert analyse_signal(signal, **given).notes == ()
+
+
+def test_of_a_converted_signal_only_peaks_within_its_band_are_told() -> None:
+    times = np.arange(4000) / 2000.0
+    values = sum(
+        size * np.cos(2 * np.pi * frequency * times)
+        for size, frequency in ((9.0, 50.0), (3.0, 150.0), (2.0, 250.0), (1.0, 350.0), (7.0, 700.0))
+    )
+    plain = Signal(values, 2000.0, "v", "m/s", trusted=Band(100.0, 400.0))
+
+    def frequencies(converted: int, limit: int) -> list[float]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SignalWarning)
+            told = analyse_signal(replace(plain, converted=converted), limit=limit)
+        return [round(each.peak.frequency) for each in told.peaks]
+
+    assert frequencies(0, 3) == [50, 700, 150]
+    assert frequencies(-1, 9) == [150, 250, 350]
+    assert frequencies(1, 2) == [150, 250]
+    with pytest.raises(ValueError, match="limit"):
+        frequencies(1, 0)

@@ -133,7 +133,89 @@ def test_samples_whose_squares_are_out_of_range_are_refused() -> None:
     for scale in (1e-141, 1e141):
         with pytest.raises(SignalError, match="cannot be squared"):
             averaged_spectrum(Signal(scale * values / np.abs(values).max(), RATE))
+    large = -1e141 * (1.0 + np.abs(values))
+    for stretches in ([large, values], [values, large]):
+        with pytest.raises(SignalError, match="cannot be squared"):
+            averaged_spectrum([Signal(each, RATE) for each in stretches])
     assert averaged_spectrum(Signal(np.zeros(400), RATE)).density.max() == 0.0
+    usual = averaged_spectrum(Signal(values, RATE))
+    assert (usual.segment, usual.window) == (averaged_spectrum(Signal(values, RATE), 8).segment, Window.HANN)
     signal = Signal(values, RATE, trusted=Band(1.0, 90.0))
     assert averaged_spectrum(signal).trusted == Band(1.0, 90.0)
     assert averaged_spectrum(signal).left_out == 0
+
+
+@pytest.mark.parametrize(
+    ("place", "below", "above"),
+    [
+        (100, range(60, 99), range(102, 140)),
+        (20, range(1, 19), range(22, 60)),
+        (190, range(150, 189), range(192, 201)),
+        (1, range(0), range(3, 41)),
+        (200, range(160, 199), range(0)),
+    ],
+)
+def test_noise_is_the_median_of_forty_bins_on_either_side(place: int, below: range, above: range) -> None:
+    density = 1.0 + np.sqrt(np.arange(201.0))
+    near = np.array([*below, *above])
+    factor = 1.0 / (1.0 - 2.0 / 90.0) ** 3
+    assert averaged(density)._noise(place) == pytest.approx(np.median(density[near]) * factor, rel=1e-12)
+    grey = averaged(density * np.arange(201.0) ** 4, colour=2)._noise(place)
+    assert grey == pytest.approx(place**4 * np.median(density[near]) * factor, rel=1e-12)
+
+
+def test_lines_are_looked_for_up_to_both_ends_of_the_trusted_band() -> None:
+    density = np.ones(201)
+    density[[2, 50, 120, 199]] = 30.0, 40.0, 90.0, 50.0
+    assert [round(each.frequency) for each in averaged(density).lines(9)] == [240, 398, 100, 4]
+    within = averaged(density, trusted=Band(100.0, 240.0)).lines(9)
+    assert [round(each.frequency) for each in within] == [240, 100]
+    # Below the main lobe of the mean, and at half the sample rate, nothing is looked for.
+    edges = np.ones(201)
+    edges[[1, 200]] = 90.0
+    assert averaged(edges).lines(9) == ()
+    assert averaged(density, trusted=Band(101.0, 101.9)).lines(9) == ()
+    assert averaged(np.zeros(201)).lines(9) == ()
+    # Only the top of a broad peak counts, not its flanks.
+    for flank in ([90.0, 60.0, 40.0], [40.0, 60.0, 90.0]):
+        broad = np.ones(201)
+        broad[80:83] = flank
+        assert len(averaged(broad).lines(9)) == 1
+    flat = np.ones(201)
+    flat[[80, 81]] = 30.0
+    (line,) = averaged(flat).lines(9)
+    assert line.frequency == pytest.approx(161.0)  # halfway between two equal bins
+
+
+def test_a_line_is_never_less_than_nothing() -> None:
+    density = np.full(201, 5.0)
+    density[100] = 4.0
+    line = averaged(density)._line(100)
+    assert (line.amplitude, line.interval[0]) == (0.0, 0.0)
+    power = 4.0 * 3.0
+    _, gain = averaged(density)._between(100)
+    high = line_interval(power, power, 5.0)[1]
+    assert line.interval[1] == pytest.approx(math.sqrt(2.0 * high) / gain)
+
+
+def test_far_above_the_noise_the_root_of_power_scatters_by_one() -> None:
+    """The mean of its square is freedom plus noncentrality, and that of a root with variance 1 plus 1."""
+    root, half = math.sqrt(6e6), 1.959963984540054
+    expected = [((root + sign * half) ** 2 - 5.0) / 6.0 for sign in (-1.0, 1.0)]
+    assert line_interval(1e6, 1.0, 3.0) == pytest.approx(expected, rel=1e-13)
+    assert line_interval(4e6, 4.0, 3.0) == pytest.approx([4.0 * each for each in expected], rel=1e-13)
+
+
+def test_an_averaged_spectrum_keeps_what_its_signal_was() -> None:
+    values = np.random.default_rng(1).normal(size=400)
+    parts = [Signal(each, RATE, converted=-2) for each in (values, values[:100], values[:30])]
+    given = averaged_spectrum(parts, 4, "blackman-harris")
+    assert (given.window, given.colour) == (Window.BLACKMAN_HARRIS, -2)
+    assert given.left_out == sum(size for size in (400, 100, 30) if size < given.segment) > 0
+    assert given.frequency == pytest.approx(np.arange(given.segment // 2 + 1) * RATE / given.segment)
+    with pytest.raises(ValueError, match="averages"):
+        averaged_spectrum(parts, 0)
+    # 16 samples are the fewest of a segment.
+    assert averaged_spectrum(Signal(values[:16], RATE), 1).segment == 16
+    with pytest.raises(SignalError, match="15 samples are too few"):
+        averaged_spectrum(Signal(values[:15], RATE), 1)

@@ -195,3 +195,8 @@ def test_a_driven_open_loop_has_no_limit_cycle() -> None:
     assert closed is not None
     assert closed.origin == LimitCycleLine(1, 1, 733.6)
     assert only(733.6, limit_cycle_frequencies=[733.6]).explanation is not None
+
+
+def test_what_are_no_peaks_is_named() -> None:
+    with pytest.raises(WrongTypeError, match=r"peaks\[0\]"):
+        classify([3.0], 1.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from trimmer.signals.signal import Signal, SignalError
-from trimmer.spectra.comparison import SimulatedLines, compare_motions
+from trimmer.spectra.comparison import SimulatedLines, compare_motions, found_frequency
 
 RATE = 5000.0
 TIMES = np.arange(6000) / RATE
@@ -71,6 +71,11 @@ def test_subharmonics_are_lines_too() -> None:
     assert compared.frequencies[:2].tolist() == pytest.approx([55.0, 110.0], rel=1e-6)
     assert compared.shift == pytest.approx(0.011, abs=1e-7)
     assert compared.residual < 1e-4
+    velocity = Signal(1e3 * motion(110.0, lines, 1, 0.011, 2), RATE, "v", "mm/s")
+    compared = compare_motions(velocity, SimulatedLines(lines, 110.0, 2))
+    assert compared.residual < 1e-4
+    assert compared.signal.unit == "m/s"
+    assert compared.signal.values == pytest.approx(1e-3 * velocity.values)
 
 
 def test_a_sensor_that_is_mounted_the_other_way_round_is_noticed() -> None:
@@ -103,3 +108,21 @@ def test_what_cannot_be_compared_is_refused() -> None:
         compare_motions(Signal(NOISE, RATE, "x", "m"), SimulatedLines(LINES, 110.0), 4000.0)
     with pytest.raises(SignalError, match="displacement must be finite"):
         SimulatedLines(np.array([np.nan]), 110.0)
+
+
+def test_the_largest_of_several_lines_near_the_drive_is_the_drive() -> None:
+    values = motion(110.0, LINES[:1]) + motion(107.3, 0.2 * LINES[:1])
+    found = found_frequency(Signal(values, RATE, "x", "m"), SimulatedLines(LINES[:1], 109.0))
+    assert found == pytest.approx(110.0, abs=0.05)
+
+
+def test_the_drive_of_a_long_record_is_found_to_a_millionth_of_a_hertz() -> None:
+    times = np.arange(2000) / 20.0
+    signal = Signal(np.cos(2 * np.pi * 2.00437 * times + 0.4), 20.0, "x", "m")
+    assert found_frequency(signal, SimulatedLines([1.0], 2.0)) == pytest.approx(2.00437, abs=1e-6)
+
+
+def test_a_record_shorter_than_two_periods_is_refused() -> None:
+    signal = Signal(NOISE[:20], RATE, "x", "m")
+    with pytest.raises(SignalError, match=r"the record lasts 0\.004 s"):
+        compare_motions(signal, SimulatedLines(np.ones(90), 110.0), 110.0)

@@ -82,3 +82,11 @@ def test_a_drive_that_the_record_cannot_show_is_an_error(tmp_path: Path, capsys)
     write_signal(file, Signal(SINE, RATE, "x", "m"))
     assert main(["spectrum", str(file), "--drive", "2600"]) == 2
     assert "not seen in samples" in capsys.readouterr().err
+
+
+def test_a_limit_cycle_that_is_left_out_is_not_to_be_parted_from_a_mode() -> None:
+    signal = Signal(np.cos(2 * np.pi * 400.0 * np.arange(2000) / 2000.0), 2000.0, "x", "m")
+    with pytest.warns(SignalWarning, match=r"limit cycle 1 at 100\.5 Hz are 0\.5 bins apart"):
+        told = analyse_signal(signal, None, (100.0,), (100.5,))
+    assert len(told.doubts) == 1
+    assert analyse_signal(signal, 400.0, (100.0,), (100.5,)).doubts == ()

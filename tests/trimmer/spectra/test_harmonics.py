@@ -130,3 +130,26 @@ def test_the_number_of_harmonics_is_what_the_samples_determine(samples, drive, c
 def test_a_drive_that_cannot_be_fitted_is_an_error(options, message: str) -> None:
     with pytest.raises((SignalError, WrongTypeError), match=message):
         fit_harmonics(np.zeros(2000), RATE, **options)
+
+
+def test_a_constant_is_explained_whole() -> None:
+    fit = fit_harmonics(np.full(100, 3.0), 100.0, 7.0)
+    assert (fit.mean, fit.explained) == (pytest.approx(3.0), 1.0)
+
+
+@pytest.mark.parametrize("samples", [16, 17, 23, 39, 61])
+def test_as_many_harmonics_as_can_be_are_determined_by_the_samples(samples: int) -> None:
+    """With one period in the record there are (samples - 1) / 2 at most: two unknowns each, and the mean."""
+    values = np.random.default_rng(samples).normal(size=samples)
+    fit = fit_harmonics(values, samples * 0.5, 0.5)
+    most = (samples - 1) // 2
+    assert fit.coefficients.size == min(most, 20)
+    assert fit_harmonics(values, samples * 0.5, 0.5, most).coefficients.size == most
+    with pytest.raises(SignalError, match=f"determine 1 to {most}"):
+        fit_harmonics(values, samples * 0.5, 0.5, most + 1)
+
+
+def test_a_drive_must_have_a_frequency() -> None:
+    for drive in (0.0, -1.0, np.inf, np.nan):
+        with pytest.raises(SignalError, match="must be a positive number of hertz"):
+            fit_harmonics(np.ones(100), 100.0, drive)

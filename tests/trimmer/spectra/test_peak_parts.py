@@ -86,8 +86,10 @@ def test_a_bin_must_exceed_noise_and_a_share_of_the_largest() -> None:
     noise = math.sqrt(math.log(101 / 0.01) / math.log(2.0))
     assert _threshold(given, 1e-4, 0.01) == pytest.approx(np.full(101, noise))
     assert _threshold(given, 0.1, 0.01) == pytest.approx(np.full(101, 500.0))
-    coloured = _threshold(replace(given, lines=lines * given.noise_shape, colour=-1), 0.0, 0.01)
-    assert coloured[10] == pytest.approx(0.1 * coloured[1])
+    grey = replace(given, colour=-1)
+    coloured = _threshold(replace(grey, lines=lines * grey.noise_shape), 0.0, 0.01)
+    assert coloured == pytest.approx(noise * grey.noise_shape)
+    assert grey.noise_shape[10] == pytest.approx(0.1)
 
 
 def test_maxima_lie_within_the_bins_that_are_looked_at() -> None:

@@ -8,10 +8,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from trimmer.errors import WrongTypeError
 from trimmer.signals.band import Band
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.analysis import analyse_signal
 from trimmer.spectra.classification import (
+    OPEN_LOOP,
     ClassifiedPeak,
     Harmonic,
     LimitCycleLine,
@@ -30,7 +32,7 @@ from trimmer.spectra.comparison import (
     compare_motions,
     found_frequency,
 )
-from trimmer.spectra.doubts import aliasing_doubt, band_doubts, resolution_doubts
+from trimmer.spectra.doubts import _SAME, aliasing_doubt, band_doubts, resolution_doubts
 from trimmer.spectra.harmonics import fit_harmonics
 from trimmer.spectra.peaks import (
     Peak,
@@ -127,6 +129,8 @@ def test_lines_are_compared_one_by_one() -> None:
     assert simulated == pytest.approx([5.0, -2.0, -1.0, -2.0], abs=1e-12)
     rows = [list(row) for row in both._table().rows()]
     assert rows[1] == pytest.approx([100.0, 4.0, 2.0, 20.0 * math.log10(2.0), 0.5 * math.pi])
+    turned = compared(simulated=np.array([-3.0 + 0j, 2j]), measured=np.array([-3.0 + 0j, 4j]))
+    assert [list(row)[1:3] for row in turned._table().rows()] == [[3.0, 3.0], [4.0, 2.0]]
     assert "2 lines at 100 Hz, difference 89.443% rms" in repr(both)
     assert _residual(np.zeros(2, complex), np.ones(2, complex)) == math.inf
 
@@ -182,6 +186,14 @@ def test_simulated_lines_are_complex_numbers_in_a_row() -> None:
     for wrong in ([], [[1.0]], [1, 2], [np.inf], ["a"], [[1.0], [1.0, 2.0]]):
         with pytest.raises(SignalError, match="one dimension"):
             SimulatedLines(wrong, 3.0)
+    with pytest.raises(SignalError, match="frequency must be positive"):
+        SimulatedLines([1.0], -3.0)
+    with pytest.raises(ValueError, match="period_count"):
+        SimulatedLines([1.0], 3.0, 0)
+    with pytest.raises(WrongTypeError, match="simulated"):
+        compare_motions(Signal(np.zeros(40), RATE, "x", "m"), np.ones(3))
+    with pytest.raises(WrongTypeError, match="signal"):
+        compare_motions(np.zeros(40), SimulatedLines([1.0], 3.0))
 
 
 def test_doubts_of_resolution_depend_on_the_length_of_the_record() -> None:
@@ -198,6 +210,10 @@ def test_doubts_of_resolution_depend_on_the_length_of_the_record() -> None:
     assert "at 100 Hz and natural mode 1 at 129 Hz are 2.9 bins apart" in near
     assert "0.1034 s or more" in near
     assert len(doubts(29.0, 100.0, 110.0, 120.0)) == 3
+    # Two that differ by rounding only are the same.
+    for size in (1e5, 1e-5):
+        assert doubts(None, size, size * (1.0 + 0.5 * _SAME)) == []
+        assert len(doubts(None, size, size * (1.0 + 2.0 * _SAME))) == 1
 
 
 def test_peaks_outside_the_band_are_named_up_to_five() -> None:
@@ -248,3 +264,18 @@ def test_an_analysis_is_told_in_a_table() -> None:
     with pytest.raises(ValueError, match="limit"):
         analyse_signal(Signal(values, RATE, "x", "m"), limit=0)
     assert len(peaks(analysis.spectrum, 1)) == 1
+
+
+def test_an_analysis_counts_what_is_explained_and_refuses_what_is_no_signal_or_drive() -> None:
+    times = np.arange(2000) / RATE
+    values = sum(np.cos(2 * np.pi * frequency * times) for frequency in (100.2, 433.0, 700.0))
+    signal = Signal(values, RATE, "x", "m")
+    assert "3 peaks, 1 explained" in repr(analyse_signal(signal, natural_frequencies=(100.0,)))
+    driven = analyse_signal(signal, 100.2, limit_cycle_frequencies=(433.0,))
+    assert driven.notes == (OPEN_LOOP,)
+    assert analyse_signal(signal, 100.2, limit_cycle_frequencies=(433.0,), closed_loop=True).notes == ()
+    with pytest.raises(WrongTypeError, match="signal"):
+        analyse_signal(values)
+    for drive in (0.0, -1.0, math.inf):
+        with pytest.raises(SignalError, match="the frequency of the drive must be positive and finite"):
+            analyse_signal(signal, drive)
