@@ -7,7 +7,8 @@ import re
 from collections.abc import Iterator
 
 EXCLUDED = (
-    "docstrings, annotations, decorators, assertions, `__all__`, `if TYPE_CHECKING`, `__repr__`, `__str__`",
+    "docstrings, annotations, decorators, overloads, assertions, `__all__`, `if TYPE_CHECKING`, `__repr__`, "
+    "`__str__`",
     "the wording of errors and warnings (but not whether they are raised)",
     "strings",
     "settings: a module's constants that are plain numbers (tolerances, limits, sizes); arguments and fields "
@@ -79,6 +80,8 @@ def is_dead(node: ast.AST, parent: ast.AST) -> bool:
         case ast.Expr(value=ast.Constant()):
             return True
         case ast.FunctionDef(name=name) if name in PRINTED:
+            return True
+        case ast.FunctionDef(decorator_list=[ast.Name(id="overload")]):
             return True
         case ast.If(test=test) if _named(test) in ("TYPE_CHECKING", "__name__"):
             return True

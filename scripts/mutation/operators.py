@@ -105,7 +105,7 @@ WRAPPERS = frozenset(
 """Functions of one argument that can be left out without an error at once."""
 UNORDERED = frozenset(
     [
-        *("range", "min", "max", "hypot", "isclose", "zip", "map", "next", "filter", "print"),
+        *("range", "min", "max", "hypot", "isclose", "zip", "map", "next", "filter", "print", "brentq"),
         *("minimum", "maximum", "fmin", "fmax", "allclose", "array_equal", "logical_and", "logical_or"),
         "union1d",
     ]

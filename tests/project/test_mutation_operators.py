@@ -59,6 +59,7 @@ def test_changes_of_a_kind(tmp_path: Path, source: str, kind: Kind, expected: se
     "source",
     [
         '"""A docstring with 1 + 1."""',
+        "@overload\ndef f(x: int = 1) -> int: ...",
         "x: tuple[int, 3]",
         "def f(x: 'a' = None) -> g(1, 2):\n    pass",
         "@decorator(1, 2)\ndef f():\n    pass",

@@ -15,8 +15,8 @@ from trimmer.motion.threshold_component import ThresholdComponent
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 from trimmer.orbits.pieces import mode_on, switching_phases
-from trimmer.orbits.steady_response import Flight, flight_of, steady_response
-from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
+from trimmer.orbits.steady_response import Flight, flight_of, steady_response, switch_of
+from trimmer.orbits.trigonometric import OddPolynomial
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -26,12 +26,14 @@ if TYPE_CHECKING:
     from trimmer.motion.switched_component import Component
 
 
-ORDERS = (1, 3, 5, 7, 9, 11, 13, 15)
+ORDERS = range(1, 17, 2)
 """Harmonics that are balanced, one after the other."""
-HARMONICS = 63
-"""Highest harmonic of the element's output that moves the linear system."""
-SLOWING = 3
-"""Number of states of a load that slows down: position, velocity, and the share of it that remains."""
+HARMONICS = 32
+"""Number of odd harmonics of the element's output that move the linear system."""
+DIFFERENCE = 1e-5
+"""Of phases, rad, for the velocity of a load."""
+NO_STATES = np.array([])
+"""Those of a component without memory, or with one that its mode is."""
 
 
 def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterator[tuple[Start, float]]:
@@ -49,7 +51,7 @@ def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterato
     balanced = _highest(loop, amplitude, omega)
     if balanced is None:
         return
-    coefficients = np.zeros((HARMONICS + 1) // 2, dtype=complex)
+    coefficients = np.zeros(HARMONICS, dtype=complex)
     coefficients[: len(balanced.harmonics)] = balanced.harmonics
     given = OddPolynomial(coefficients)
     output = steady_response(loop.element, given, balanced.omega)
@@ -66,13 +68,12 @@ def _start(loop: ClosedLoop, given: OddPolynomial, output: Complexes, omega: flo
     state[: model.nstates] = (np.exp(1j * phase * given.numbers) @ responses).imag
     sizes[: model.nstates] = abs(responses).sum(axis=0)
     state[-1] = 1.0
-    chosen = []
+    chosen, largest = [], given.largest()
+    # Of a load position, velocity, and if it slows down the share of it that remains.
     for first, component in zip(layout.first_states, loop.modes.system.components, strict=True):
         own = slice(first, first + component.state_count)
         mode, state[own] = _on(component, given, omega, phase)
-        sizes[own] = np.array([1.0, omega, 0.0])[: component.state_count] * given.largest()
-        if component.state_count == SLOWING:
-            sizes[own.stop - 1] = 1.0
+        sizes[own] = np.array([largest, omega * largest, 1.0])[: component.state_count]
         chosen.append(mode)
     return Start(loop.modes.number(tuple(chosen)), state, sizes)
 
@@ -99,22 +100,12 @@ def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[
         middles = [0.5 * (flight.leave + flight.meet), 0.5 * (flight.meet + end)]
         return middles if flight.meet - flight.leave > end - flight.meet else middles[::-1]
     for relay in (each for each in components if isinstance(each, RelayComponent)):
-        switch = _after_switch(given, 1 if relay.of_rate else 0)
-        return [] if switch is None else [switch]
+        switch = switch_of(relay, given)
+        return [] if switch is None else [switch + 0.5 * math.pi]
     for switched in (each for each in components if isinstance(each, ThresholdComponent)):
         switches = switching_phases(switched, given)
         return [] if switches is None else [0.5 * sum(switches)]
     return []
-
-
-def _after_switch(given: OddPolynomial, derivative: int) -> float | None:
-    """Return a quarter of a period after the input of a relay, or its rate, falls through zero."""
-
-    def switching(phase: Reals) -> Reals:
-        return given(phase, derivative)
-
-    switch = falls_through_zero(switching, -0.5, 6.5)
-    return None if switch is None else switch + 0.5 * math.pi
 
 
 def _on(component: Component, given: OddPolynomial, omega: float, phase: float) -> tuple[int, Reals]:
@@ -126,11 +117,11 @@ def _on(component: Component, given: OddPolynomial, omega: float, phase: float) 
             mode, states = _of_load(flight, omega, phase, component.time_constant)
             return mode, states[: component.state_count]
         case RelayComponent():
-            positive = float(given(phase, 1 if component.of_rate else 0)) > 0
-            return (PLUS if positive else MINUS), np.zeros(component.state_count)
+            positive = float(given(phase, int(component.of_rate))) > 0
+            return (PLUS if positive else MINUS), NO_STATES
         case CornerComponent() | ThresholdComponent():
-            return mode_on(component, given, phase), np.zeros(component.state_count)
-    return 0, np.zeros(component.state_count)
+            return mode_on(component, given, phase), NO_STATES
+    return 0, NO_STATES
 
 
 def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -> tuple[int, Reals]:
@@ -139,9 +130,8 @@ def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -
     mirrored = turns % 2 == 1
     if flight.leave + since >= flight.meet:
         return (UPPER if mirrored else LOWER), np.array([0.0, 0.0, 1.0])
-    step = 1e-4 * (flight.meet - flight.leave)
-    around = flight.position(flight.leave + since + step * np.array([-1.0, 0.0, 1.0]))
+    around = flight.position(flight.leave + since + DIFFERENCE * np.array([-1.0, 0.0, 1.0]))
     sign = -1.0 if mirrored else 1.0
-    velocity = omega * (around[2] - around[0]) / (2.0 * step)
+    velocity = omega * (around[2] - around[0]) / (2.0 * DIFFERENCE)
     share = math.exp(-since / (omega * time_constant)) if time_constant > 0 else 0.0
     return FREE, np.array([sign * around[1], sign * velocity, share])

@@ -106,6 +106,7 @@ class Zeros:
 
 def zeros(equation: HalfPeriodEquation, interval: Interval) -> Zeros:
     """Find all zeros of the half-period equation on an interval of half periods, s."""
+    # From the first piece to the last, halves in their order.
     pending, found, undecided = _first_pieces(interval), [], []
     examined = 0
     while pending:
@@ -120,7 +121,7 @@ def zeros(equation: HalfPeriodEquation, interval: Interval) -> Zeros:
         else:
             middle = 0.5 * (begin + end)
             pending += [(middle, end), (begin, middle)]
-    return Zeros(_without_repetition(sorted(found)), _joined(sorted(undecided)))
+    return Zeros(_without_repetition(sorted(found)), _joined(undecided))
 
 
 def interval_of(equation: HalfPeriodEquation) -> Interval:
@@ -184,7 +185,7 @@ def _tanh(matrices: Reals) -> Reals:
     Unlike exponentials it stays bounded where the system is unstable.
     """
     norm = float(abs(matrices).sum(axis=1).max())
-    doublings = max(0, math.ceil(math.log2(norm / SMALL))) if norm > 0 else 0
+    doublings = int(norm / SMALL).bit_length()
     small = matrices * 2.0**-doublings
     one, square = np.eye(matrices.shape[-1]), small @ small
     odd = ((square + 378.0 * one) @ square + 17325.0 * one) @ square + 135135.0 * one

@@ -65,7 +65,7 @@ def _extremes_of(coefficients: Reals, end: float) -> list[float]:
     scaled = coefficients * end**powers
     slope = scaled[1:] * powers[1:]
     slopes = GRID[:, :-1] @ slope
-    turning = np.flatnonzero(slopes[:-1] * slopes[1:] < 0)
+    turning = np.flatnonzero((slopes[:-1] > 0) != (slopes[1:] > 0))
     roots = (turning + 0.5) / (POINTS - 1)
     for _ in range(NEWTON_STEPS):
         at = roots[:, None] ** powers

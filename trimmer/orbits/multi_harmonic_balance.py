@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 BALANCED = 1e-9
 """Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""
+NO_OUTPUT = 1e3
+"""Imbalance where the element has no steady output."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -119,7 +121,7 @@ def solutions(
     Raises:
         OrbitNotFoundError: if there is no solution near the one before.
     """
-    harmonics, omega = np.array([guess[0] + 0j]), guess[1]
+    harmonics, omega = np.array([guess[0]], dtype=np.complex128), guess[1]
     for order in orders:
         harmonics = np.append(harmonics, np.zeros((order + 1) // 2 - len(harmonics)))
         solution = _solve(system, element, order, harmonics, omega)
@@ -134,21 +136,19 @@ def _solve(
 
     def unpacked(unknowns: Reals) -> tuple[OddPolynomial, float]:
         first, ratio = unknowns[:2]
-        coefficients = np.empty(len(unknowns) // 2, dtype=np.complex128)
-        coefficients[0], coefficients[1:] = first, unknowns[2::2] + 1j * unknowns[3::2]
+        coefficients = np.array([first, *unknowns[2:].view(np.complex128)], dtype=np.complex128)
         return OddPolynomial(amplitude * coefficients), ratio * omega
 
     def imbalance(unknowns: Reals) -> Reals:
         given, trial = unpacked(unknowns)
         output = steady_response(element, given, trial) if trial > 0 else None
         if output is None:
-            return np.full(len(unknowns), 1e3)
+            return np.full(len(unknowns), NO_OUTPUT)
         gains = np.atleast_1d(system(1j * trial * given.numbers))
         residuals = (given.coefficients + gains * output) / amplitude
-        return np.column_stack([residuals.real, residuals.imag]).ravel()
+        return np.asarray(residuals.view(np.float64))
 
-    rest = np.column_stack([harmonics[1:].real, harmonics[1:].imag]).ravel() / amplitude
-    start = np.concatenate([[1.0, 1.0], rest])
+    start = np.append([1.0, 1.0], harmonics[1:].view(np.float64) / amplitude)
     found = scipy.optimize.root(imbalance, start, method="hybr", options={"xtol": 1e-14})
     residual = float(abs(imbalance(found.x)).max())
     if residual > BALANCED:

@@ -99,7 +99,7 @@ def _pieces(motion: Motion) -> Iterator[tuple[Reals, Reals]]:
     begin = 0.0
     modes = motion.loop.modes
     for arc in arcs(modes, motion.log, motion.duration):
-        steps = max(math.ceil(arc.duration / float(modes.tables.step[arc.mode])), 1)
+        steps = math.ceil(arc.duration / float(modes.tables.step[arc.mode]))
         width = arc.duration / steps
         lows = begin + width * np.arange(steps)
         times = (lows[:, None] + 0.5 * width * (1.0 + NODES)).ravel()

@@ -62,15 +62,16 @@ def switching_phases(component: ThresholdComponent, given: OddPolynomial) -> tup
 
     Where the input passes ``on`` several times before it passes ``off``, the first one counts.
     """
-    if given.largest() <= component.on:
+    phases = np.linspace(0.0, 2.0 * math.pi, POINTS)
+    lowest = float(phases[np.argmin(given(phases))])
+    # From there on the input first rises through a limit that is above it.
+    passes = _passes(given, component.on, lowest, 2.0 * math.pi)
+    if not passes:
         return None
-    lowest = float(np.argmin(given(np.linspace(0.0, 2.0 * math.pi, POINTS))) * 2.0 * math.pi / (POINTS - 1))
-    rises = [place for place in _passes(given, component.on, lowest, 2.0 * math.pi) if given(place, 1) > 0]
-    if not rises:
-        return None
-    falls = _passes(given, component.off, rises[0], 2.0 * math.pi)
-    fall = next((place for place in falls if given(place, 1) < 0 and place > rises[0]), None)
-    return None if fall is None else (rises[0], fall)
+    rise = passes[0]
+    falls = _passes(given, component.off, rise, 2.0 * math.pi)
+    fall = next((place for place in falls if given(place, 1) < 0), None)
+    return None if fall is None else (rise, fall)
 
 
 def mode_on(component: Component, given: OddPolynomial, phase: float) -> int:

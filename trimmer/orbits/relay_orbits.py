@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 CLOSE = 1e-3
 """Miss of the return above which a zero is no orbit: the relay switches in between, or the other way."""
-INSTANTS = 9
-"""Instants of half a period at which the sizes of the states are taken."""
+PARTS = 8
+"""Of half a period, at whose ends the sizes of the states are taken."""
 
 
 def relay_orbits(
@@ -106,15 +106,15 @@ def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Rea
         loop.modes.tabulate(number)
     state = np.zeros(layout.size)
     state[: layout.order], state[-1] = start, 1.0
-    step = flow(loop.modes, number, positive / (INSTANTS - 1))
+    step = flow(loop.modes, number, positive / PARTS)
     states = [state]
-    for _ in range(INSTANTS - 1):
+    for _ in range(PARTS):
         states.append(step @ states[-1])
     sizes = abs(np.array(states)).max(axis=0)
     sizes[sizes == 0.0] = 1.0
     problem = Return(loop.modes, mirrored=negative is None, driven=False, sizes=sizes)
     span = positive if negative is None else positive + negative
-    trial = problem.shoot(number, states[INSTANTS // 2], span)
+    trial = problem.shoot(number, states[PARTS // 2], span)
     if trial is None or not trial.miss <= CLOSE:
         return None
     shot = solve(problem, trial.mode, trial.state, trial.span)

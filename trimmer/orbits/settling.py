@@ -119,7 +119,7 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
         total += events
         if reason == DIVERGED:
             return Ending.DIVERGED
-        if reason == REACHED_END and not (np.diff(log.start) > 0).any():
+        if reason == REACHED_END and log.start[-1] == 0:
             return Ending.AT_REST
         if reason == CYCLING:
             return Ending.ACCUMULATED

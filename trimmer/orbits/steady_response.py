@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from trimmer.orbits.trigonometric import OddPolynomial
 
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(80)
+NODE_COUNT = 80
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(NODE_COUNT)
 """Gauss-Legendre quadrature; each piece of an output is smooth, so it is exact to rounding."""
 
 
@@ -97,10 +98,20 @@ def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) 
             return start + velocity * elapsed
         return start - velocity * gamma * np.expm1(-elapsed / gamma)
 
-    meet = falls_through_zero(
-        lambda phase: given(phase) + half_gap - position(phase), leave + 1e-9, leave + math.pi
-    )
+    # The distance to the lower side is the whole gap at first.
+    meet = falls_through_zero(lambda phase: given(phase) + half_gap - position(phase), leave, leave + math.pi)
     return None if meet is None else Flight(leave, meet, position)
+
+
+def switch_of(component: RelayComponent, given: OddPolynomial) -> float | None:
+    """Return the phase at which the output of a relay becomes negative, rad; None if it never does.
+
+    Args:
+        component: The relay.
+        given: Its input, in its unit.
+    """
+    derivative = int(component.of_rate)
+    return falls_through_zero(lambda phase: given(phase, derivative), *_period_around(given))
 
 
 def _of_component(component: Component, given: OddPolynomial, omega: float) -> Complexes | None:
@@ -122,8 +133,7 @@ def _of_component(component: Component, given: OddPolynomial, omega: float) -> C
 
 
 def _relay(component: RelayComponent, given: OddPolynomial) -> Complexes | None:
-    derivative = 1 if component.of_rate else 0
-    switch = falls_through_zero(lambda phase: given(phase, derivative), *_period_around(given))
+    switch = switch_of(component, given)
     if switch is None:
         return None
     return _harmonics(
@@ -144,7 +154,7 @@ def _backlash(component: BacklashComponent, given: OddPolynomial, omega: float) 
 def _period_around(given: OddPolynomial) -> tuple[float, float]:
     """Return a period that begins where the first harmonic rises through zero."""
     begin = -float(np.angle(given.coefficients[0])) - 0.25 * math.pi
-    return begin, begin + 2.0 * math.pi
+    return begin, begin + math.tau
 
 
 def _harmonics(

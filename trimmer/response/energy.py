@@ -16,7 +16,7 @@ from trimmer.contact.assembly import PUSHING, flow_without_stick, offset
 from trimmer.contact.layout import Rows
 from trimmer.contact.statuses import FORWARD, RELAXING, STICK
 from trimmer.mechanism.parts import GROUND
-from trimmer.response.motion_signals import along, contact_force, row_of_each
+from trimmer.response.motion_signals import along, contact_force
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
 
@@ -176,11 +176,11 @@ class _Balance:
         idle = np.zeros(modes.layout.size)
         pushes = self.of(lambda mode: rate if modes[mode].statuses[contact] in PUSHING else idle)
         lost = machine.damping[contact] * self.integral(pushes**2)
-        stretches = row_of_each(self.course, self.stretch(contact))
-        states = np.vstack([log.state, self.ends[1]])
+        stretch, rows = self.stretch(contact), np.arange(len(log.mode))
+        following = np.vstack([log.state[1:], self.ends[1]])
         relaxing = modes.tables.statuses[log.mode, contact] == RELAXING
-        squares = np.einsum("ij,ij->i", stretches, states[:-1]) ** 2
-        at_end = np.einsum("ij,ij->i", stretches, states[1:]) ** 2
+        squares = along(self.course, stretch, rows, log.state) ** 2
+        at_end = along(self.course, stretch, rows, following) ** 2
         at_end[relaxing] = self.relaxed(contact, squares)[relaxing]
         relaxed = (squares - at_end)[relaxing].sum()
         forgotten = (at_end[:-1] - squares[1:]).sum()
@@ -258,7 +258,7 @@ def dry_force(modes: Modes, number: int) -> Signal:
         statuses, found = modes[mode].statuses, np.zeros(modes.layout.size)
         status = statuses[contacts + number]
         if status != STICK:
-            found[-1] = machine.kinetic[number] * (1.0 if status == FORWARD else -1.0)
+            found[-1] = machine.kinetic[number] if status == FORWARD else -machine.kinetic[number]
             return found
         sticking = [i for i, each in enumerate(statuses[contacts:]) if each == STICK]
         held = (modes[mode].flow - flow_without_stick(machine, statuses))[bodies : 2 * bodies]

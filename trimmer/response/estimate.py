@@ -48,7 +48,7 @@ def mean_of(series: Reals) -> Estimate:
         )
     wanted = int(np.ceil(TIMES * correlation_time(series)))
     longest = count // BATCHES
-    lengths = [wanted] if wanted <= longest else [longest, max(longest // 2, 1), max(longest // 4, 1)]
+    lengths = [wanted] if wanted <= longest else [longest, longest // 2, max(longest // 4, 1)]
     return Estimate(float(series.mean()), max(_error(series, length) for length in lengths))
 
 

@@ -27,8 +27,9 @@ def turning_values(course: Course, signal: Signal) -> Reals:
     times, rows, states = _points(course)
     slopes = along(course, rate(course.modes, signal), rows, states)
     turning = np.flatnonzero((rows[1:] == rows[:-1]) & (slopes[1:] * slopes[:-1] < 0))
-    at_ends = (np.diff(rows, prepend=-1) != 0) | (np.diff(rows, append=rows[-1] + 1) != 0)
-    found = along(course, signal, rows[at_ends], states[at_ends])
+    _, firsts = np.unique(rows, return_index=True)
+    ends = np.concatenate([firsts, firsts[1:] - 1, [-1]])
+    found = along(course, signal, rows[ends], states[ends])
     if not len(turning):
         return found
     bracket = times[turning], times[turning + 1], slopes[turning], slopes[turning + 1]
@@ -65,8 +66,8 @@ def _between(
         curvature = np.einsum("ij,ij->i", states, second)
         before = slope * slope_low > 0
         low, high = np.where(before, times, low), np.where(before, high, times)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            following = times - slope / curvature
+        with np.errstate(divide="ignore"):
+            following = times - np.divide(slope, curvature, out=np.zeros_like(slope), where=slope != 0)
         inside = (following >= low) & (following <= high)
-        times = np.where(inside, following, np.where(slope == 0, times, 0.5 * (low + high)))
+        times = np.where(inside, following, 0.5 * (low + high))
     return np.asarray(np.einsum("ij,ij->i", course.states(times), values))

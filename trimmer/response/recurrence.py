@@ -33,8 +33,6 @@ def candidates(states: Reals, sizes: Reals, most: int) -> list[int]:
         most: The largest number.
     """
     longest = min(most, (len(states) - 1) // 2)
-    if longest < 1:
-        return []
     last = states[-1]
     apart = abs((states[-2 : -2 - longest : -1] - last) / sizes).max(axis=1)
     near = np.flatnonzero(apart < NEAR)
@@ -51,7 +49,7 @@ def has_returned(states: Reals, sizes: Reals, periods: int) -> bool:
     if len(states) <= 3 * periods:
         return False
     last = states[-1 : -2 - 3 * periods : -periods]
-    return bool((abs((last[1:] - last[0]) / sizes) < RETURNED).all())
+    return bool((abs((last - last[0]) / sizes) < RETURNED).all())
 
 
 def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:

@@ -102,7 +102,7 @@ def _recurring(flow: ExactFlow, course: Course) -> list[MechanismOrbit]:
     """Return the orbits that recurrences of a motion lead to, up to the first that is stable."""
     sizes = sizes_of(course)
     found: list[MechanismOrbit] = []
-    for first, last in _recurrences(course, sizes)[:MOST_TRIED]:
+    for first, last in _recurrences(course, sizes):
         log = course.log
         begin = log.start[first]
         middle = begin + 0.5 * (log.start[first + 1] - begin)

@@ -32,6 +32,8 @@ NEIGHBOUR = 1e-9
 """Distance of the motion that is followed beside the first one, as a share of the sizes."""
 LEAVES = 1e3
 """Growth of that distance at which the neighbour has left."""
+SEED = 2
+"""Of the direction in which that neighbour lies."""
 BESIDE = 256
 """Drive periods over which both are followed."""
 
@@ -115,7 +117,7 @@ class Seen:
 
 def _neighbour_leaves(flow: ExactFlow, window: Window) -> bool:
     begin = window.begin
-    direction = np.random.default_rng(2).normal(size=flow.size)
+    direction = np.random.default_rng(SEED).normal(size=flow.size)
     step = NEIGHBOUR * window.sizes * direction / np.linalg.norm(direction)
     first = flow.strobe(begin, BESIDE).states
     second = flow.strobe(flow.at(begin.state + step, begin.phase, like=begin), BESIDE).states

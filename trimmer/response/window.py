@@ -29,6 +29,8 @@ SEGMENT = 128
 """Drive periods of a segment of the spectrum, at most."""
 TOGETHER = 8
 """Drive periods that are taken together: a row of each series below."""
+SEED = 0
+"""Of the directions of the small distances that are followed."""
 SMALLEST = 1e-16
 """Growth of a distance over a row below which it counts as lost."""
 
@@ -121,7 +123,7 @@ class Window:
         _, density = welch(self.samples, rate, nperseg=length, axis=0)
         outputs = self.flow.mechanism.outputs
         # Those of ``welch``, which gives none without outputs.
-        frequencies = np.arange(length // 2 + 1) * rate / length
+        frequencies = np.asarray(rate * np.fft.rfftfreq(length), dtype=np.float64)
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
@@ -145,7 +147,7 @@ class _Watch:
         layout = flow.modes.layout
         self.rows = np.array([*output_rows(flow.mechanism, layout).values()]).reshape(-1, layout.size)
         self.sizes = np.ones(flow.size)
-        self.distances = np.linalg.qr(np.random.default_rng(0).normal(size=(flow.size, 2)))[0]
+        self.distances = np.linalg.qr(np.random.default_rng(SEED).normal(size=(flow.size, 2)))[0]
         self.seen: list[tuple[Any, ...]] = []
 
     def over(self, periods: int) -> Window | None:

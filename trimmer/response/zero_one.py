@@ -13,6 +13,8 @@ import numpy as np
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
+SEED = 0
+"""Of the angles, which are the same for each series."""
 ANGLES = 101
 """Number of angles by which the plane turns at each step, of which the median counts."""
 
@@ -24,9 +26,9 @@ def growth_of_walk(series: Reals) -> float:
     apart = series - series.mean()
     if not apart.any():
         return 0.0
-    angles = np.random.default_rng(0).uniform(np.pi / 5, 4 * np.pi / 5, ANGLES)
+    angles = np.random.default_rng(SEED).uniform(np.pi / 5, 4 * np.pi / 5, ANGLES)
     steps = np.arange(1, count + 1)
-    walks = np.cumsum(apart * np.exp(1j * angles[:, None] * steps), axis=1)
+    walks = np.cumsum(np.exp(1j * angles[:, None] * steps) * apart, axis=1)
     lags = np.arange(1, longest + 1)
     squares = np.array(
         [

@@ -125,7 +125,7 @@ class Uncertainty:
         from scipy.special import ndtri
 
         columns = [each.distribution.quantile(shares[:, at]) for at, each in enumerate(self.scatters)]
-        values = np.stack(columns, axis=1) if columns else shares.copy()
+        values = np.column_stack(columns) if columns else shares.copy()
         for joint in self.joints:
             at = [self.places.index(place) for place in joint.places]
             means = np.array([_mean(self.scatters[place].distribution) for place in at])

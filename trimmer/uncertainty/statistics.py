@@ -46,7 +46,7 @@ def share_of(count: int, total: int) -> Share:
     from scipy.stats import binomtest
 
     if not total:
-        return Share(0, 0, 0.0, 1.0)
+        return Share(count, total, lowest=0.0, highest=1.0)
     interval = binomtest(count, total).proportion_ci(CONFIDENCE, method="wilson")
     return Share(count, total, float(interval.low), float(interval.high))
 

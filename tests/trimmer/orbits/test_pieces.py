@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+import scipy.optimize
 
 from trimmer import (
     CoulombFriction,
@@ -23,7 +24,7 @@ from trimmer.elements.element import Element
 from trimmer.motion.backlash_component import BacklashComponent
 from trimmer.motion.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
 from trimmer.motion.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
-from trimmer.orbits.pieces import corner_pieces, mode_on, relay_pieces, switching_phases
+from trimmer.orbits.pieces import _passes, corner_pieces, mode_on, relay_pieces, switching_phases
 from trimmer.orbits.steady_response import flight_of, steady_response
 from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
 
@@ -96,6 +97,56 @@ def test_a_relay_without_dead_zone_has_one_piece_and_too_small_an_input_none() -
     assert mode_on(component, polynomial(1.1), 1.0) == SILENT
 
 
+def test_the_first_rise_from_the_lowest_value_counts() -> None:
+    """2 sin x + 1.2 sin 3x rises to 2.28, falls to 0.8 in the middle, and rises once more."""
+
+    def value(x: float) -> float:
+        return 2 * math.sin(x) + 1.2 * math.sin(3 * x)
+
+    rise = scipy.optimize.brentq(lambda x: value(x) - 1.5, 0.0, 0.5)
+    component = ThresholdComponent(3.0, 1.5, -0.4)
+    fall = scipy.optimize.brentq(lambda x: value(x) + 0.4, 3.0, 3.4)
+    for shift in np.arange(12) * PI / 6 + 0.01:
+        given = polynomial(2 * np.exp(1j * shift), 1.2 * np.exp(3j * shift))
+        found = switching_phases(component, given)
+        assert math.remainder(found[0] - rise + shift, 2 * PI) == pytest.approx(0.0, abs=1e-10)
+        assert found[1] - found[0] == pytest.approx(fall - rise, rel=1e-10)
+        assert mode_on(component, given, PI / 2 - shift) == POSITIVE
+        # Where it is told apart from what falls below the same limit, the positive output ends before.
+        early = switching_phases(ThresholdComponent(3.0, 1.5, 1.5), given)
+        top = scipy.optimize.brentq(lambda x: value(x) - 1.5, 0.6, PI / 2)
+        assert early[1] - early[0] == pytest.approx(top - rise, rel=1e-9)
+
+
+def test_a_relay_without_hysteresis_falls_where_the_input_does_however_slowly() -> None:
+    rise, fall = switching_phases(ThresholdComponent(3.0, 1.2e-5, 1.2e-5), polynomial(2e-5))
+    assert math.remainder(rise - math.asin(0.6), 2 * PI) == pytest.approx(0.0, abs=1e-12)
+    assert fall - rise == pytest.approx(PI - 2 * math.asin(0.6), rel=1e-12)
+
+
+def test_a_peak_between_two_points_switches_nothing() -> None:
+    component = ThresholdComponent(3.0, 1.2, 0.4)
+    assert switching_phases(component, polynomial(1.2 * (1 + 1e-9) * np.exp(0.004j))) is None
+    assert switching_phases(component, polynomial(1.2 * (1 + 1e-4) * np.exp(0.004j))) is not None
+    assert switching_phases(ThresholdComponent(3.0, 1.25, 0.4), polynomial(1.25)) is None
+
+
+@pytest.mark.parametrize("beside", [-1e-9, 1e-9])
+def test_a_zero_at_the_end_of_a_part_may_have_another_sign_there_alone(beside: float) -> None:
+    class Given:
+        """x - 1, whose zero is moved to just outside of the part of the grid that it lies in."""
+
+        def __call__(self, phase):
+            grid = np.linspace(0.0, PI, 721)
+            last = int(np.searchsorted(grid, 1.0))
+            moved = grid[last] + beside if beside > 0 else grid[last - 1] + beside
+            return phase - (moved if np.ndim(phase) == 0 else 1.0)
+
+    grid = np.linspace(0.0, PI, 721)
+    last = int(np.searchsorted(grid, 1.0))
+    assert _passes(Given(), 0.0) == [grid[last] if beside > 0 else grid[last - 1]]
+
+
 def test_the_mode_on_a_phase() -> None:
     corner = CornerComponent(1.0, 1.0, 0.0)
     phases = [0.1, PI / 2, 3.0, -PI / 2]
@@ -139,6 +190,8 @@ def test_the_response_to_a_sine_is_that_of_describing_functions(name: str) -> No
 def test_where_there_is_no_steady_output_there_is_no_response() -> None:
     assert steady_response(Relay(1.0), polynomial(0.0), 1.0) is None
     assert steady_response(FrictionBacklash(1.0), polynomial(0.3), 1.0) is None
+    assert steady_response(Relay(1.0, 0.3, 0.9), polynomial(1.1), 1.0) is None
+    assert flight_of(BacklashComponent(0.5, 0.0), polynomial(0.0), 3.0) is None
 
 
 def test_viscous_friction_differentiates_each_harmonic() -> None:

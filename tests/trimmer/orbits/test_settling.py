@@ -15,7 +15,7 @@ from trimmer.motion.integration import new_log
 from trimmer.motion.taylor import DEGREE
 from trimmer.orbits import settling
 from trimmer.orbits.distinct import _prime_factors, same
-from trimmer.orbits.initial_states import initial_states
+from trimmer.orbits.initial_states import initial_states, quiet_time
 from trimmer.orbits.measures import _extremes_of
 from trimmer.orbits.return_map import follow
 from trimmer.orbits.settling import (
@@ -181,6 +181,51 @@ def test_how_a_motion_ends(name: str) -> None:
 def test_a_motion_with_too_few_steps_is_left() -> None:
     (mode, state), *_ = initial_states(LOOP, 1, 0)
     assert _follow(LOOP, mode, state, 3, []) is Ending.LEFT
+
+
+def test_a_motion_is_looked_at_ever_more_rarely_until_it_is_given_up(monkeypatch) -> None:
+    (mode, state), *_ = initial_states(LOOP, 1, 0)
+    asked: list = []
+    integrate = settling._integrate
+
+    def integrated(loop, mode, state, duration, events, steps):
+        asked.append((duration, events, steps))
+        return integrate(loop, mode, state, duration, events, steps)
+
+    monkeypatch.setattr(settling, "_integrate", integrated)
+    monkeypatch.setattr(settling, "_last_turn", lambda loop, log: None)
+    monkeypatch.setattr(settling, "MOST_EVENTS", 321)
+    assert _follow(LOOP, mode, state, 200_000, []) is Ending.LEFT
+    assert [events for _, events, _ in asked] == [128, 192, 288]
+    assert {duration for duration, _, _ in asked} == {quiet_time(LOOP)}
+    steps = [steps for _, _, steps in asked]
+    assert steps[0] == 200_000 > steps[1] > steps[2]
+    asked.clear()
+    monkeypatch.setattr(settling, "MOST_EVENTS", 320)
+    assert _follow(LOOP, mode, state, 200_000, []) is Ending.LEFT
+    assert [events for _, events, _ in asked] == [128, 192]
+    asked.clear()
+    assert _follow(LOOP, mode, state, 0, []) is Ending.LEFT
+    assert asked == []
+
+
+def test_a_motion_is_polished_again_where_it_has_come_much_nearer(monkeypatch) -> None:
+    (mode, state), *_ = initial_states(LOOP, 1, 0)
+    misses = iter([1e-3, 3e-4, 1.9e-4, None, 1e-4, 0.9e-9, 0.9e-9])
+    tried: list = []
+
+    def last_turn(loop, log):
+        miss = next(misses)
+        return None if miss is None else SimpleNamespace(miss=miss)
+
+    def settles(loop, turn, orbits):
+        tried.append(turn.miss)
+        return len(tried) == 4
+
+    monkeypatch.setattr(settling, "_last_turn", last_turn)
+    monkeypatch.setattr(settling, "_settles", settles)
+    assert _follow(LOOP, mode, state, 10**6, []) is Ending.SETTLED
+    assert tried == [1e-3, 1.9e-4, 0.9e-9, 0.9e-9]
 
 
 def test_only_what_is_new_is_given_back(orbit) -> None:

@@ -27,10 +27,10 @@ from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.corner_component import ABOVE, BELOW, BETWEEN
 from trimmer.motion.relay_component import MINUS, PLUS
 from trimmer.motion.threshold_component import NEGATIVE, POSITIVE, SILENT
-from trimmer.orbits.balanced_start import _after_switch, _of_load, _quiet_phases, _start, balanced_starts
+from trimmer.orbits.balanced_start import _of_load, _quiet_phases, _start, balanced_starts
 from trimmer.orbits.guess import _events, _farthest_from_events, _leaves, _mode, _quiet_phase, starting_point
 from trimmer.orbits.initial_states import _rates, _scales, initial_states, quiet_time
-from trimmer.orbits.steady_response import Flight, flight_of, steady_response
+from trimmer.orbits.steady_response import Flight, flight_of, steady_response, switch_of
 from trimmer.orbits.trigonometric import OddPolynomial
 
 PI = math.pi
@@ -109,6 +109,11 @@ def test_the_quiet_phase_is_the_middle_of_the_first_contact() -> None:
     middle = 0.5 * (math.asin(-0.6) + PI / 2)
     step = 2 * PI / 719
     assert _quiet_phase([Relay(1.0), backlash], 3.0, 5.0) == pytest.approx(middle, abs=step)
+    # Of an even number of phases in contact it is the first after the middle.
+    grid = np.linspace(-PI, PI, 720)
+    inside = grid[(grid > math.asin(-0.19)) & (grid < PI / 2)]
+    assert len(inside) % 2 == 0
+    assert _quiet_phase([FrictionBacklash(2.43)], 3.0, 5.0) == inside[len(inside) // 2]
     assert _quiet_phase([Relay(1.0)], 3.0, 5.0) == PI / 4
     assert _quiet_phase([Saturation(1.5, 1.0)], 3.0, 5.0) in (
         pytest.approx(PI / 2),
@@ -155,11 +160,16 @@ def test_a_flight_gives_place_velocity_and_what_is_left_of_it() -> None:
     assert _of_load(flight, 691.0, 1.6, math.inf)[1][2] == 1.0
 
 
-def test_a_relay_is_begun_a_quarter_of_a_period_after_it_switches() -> None:
+def test_a_relay_switches_where_its_input_or_the_rate_of_that_falls_through_zero() -> None:
     given = OddPolynomial(np.array([2.0 * np.exp(0.4j)]))
-    assert _after_switch(given, 0) == pytest.approx(PI - 0.4 + PI / 2)
-    assert _after_switch(given, 1) == pytest.approx(PI / 2 - 0.4 + PI / 2)
-    assert _after_switch(OddPolynomial(np.zeros(1, dtype=complex)), 0) is None
+    relay, friction = (components_of(each)[0][0] for each in (Relay(1.0), CoulombFriction(1.0)))
+    assert switch_of(relay, given) == pytest.approx(PI - 0.4)
+    assert switch_of(friction, given) == pytest.approx(PI / 2 - 0.4)
+    assert switch_of(relay, OddPolynomial(np.zeros(1, dtype=complex))) is None
+    # Of several falls in a period it is the first from an eighth before the first harmonic rises.
+    for turn in (0.0, 1.0, -2.5):
+        twice = OddPolynomial(np.array([np.exp(1j * turn), -0.9 * np.exp(3j * turn)]))
+        assert switch_of(relay, twice) == pytest.approx(-turn, abs=1e-12)
 
 
 def test_quiet_phases_lie_in_the_middle_of_what_lasts() -> None:
@@ -170,10 +180,10 @@ def test_quiet_phases_lie_in_the_middle_of_what_lasts() -> None:
         flown, contact = (flight.leave + flight.meet) / 2, (flight.meet + flight.leave + PI) / 2
         expected = [flown, contact] if flies_longer else [contact, flown]
         assert _quiet_phases(loop, given, OMEGA) == pytest.approx(expected)
-    for element, derivative in ((Relay(1.0), 0), (CoulombFriction(1.0), 1)):
-        plant = control.tf([1.0], [1.0, 2.0, 5.0, 1.0])
-        loop = ClosedLoop(plant, element)
-        assert _quiet_phases(loop, given, OMEGA) == [_after_switch(given, derivative)]
+    for element, switch in ((Relay(1.0), PI), (CoulombFriction(1.0), PI / 2)):
+        loop = ClosedLoop(control.tf([1.0], [1.0, 2.0, 5.0, 1.0]), element)
+        assert _quiet_phases(loop, given, OMEGA) == pytest.approx([switch + PI / 2])
+        assert _quiet_phases(loop, OddPolynomial(np.zeros(1, dtype=complex)), OMEGA) == []
     loop = ClosedLoop(PLANT, Relay(1.0, 0.3, 1.7))
     (phase,) = _quiet_phases(loop, given, OMEGA)
     middle = 0.5 * (math.asin(2.0 / 3) + PI - math.asin(1.4 / 3))
@@ -232,6 +242,9 @@ def test_rates_are_the_moduli_of_poles_alone_and_in_a_rigid_loop() -> None:
     assert quiet_time(loop) == pytest.approx(50 * PI)
     integrator = ClosedLoop(control.ss([[0.0]], [[3.0]], [[4.0]], [[0.0]]), Relay(1.0))
     assert _rates(integrator) == pytest.approx((12.0, 12.0))
+    for slow, rates in ((1e-9, (50.0, 50.0)), (1e-7, (1e-7, 50.0))):
+        plant = control.ss(np.diag([-slow, -50.0]), [[1.0], [1.0]], [[0.0, 0.0]], [[0.0]])
+        assert _rates(ClosedLoop(plant, Relay(1.0))) == pytest.approx(rates)
     still = ClosedLoop(control.ss([[0.0]], [[0.0]], [[4.0]], [[0.0]]), Relay(1.0))
     assert _rates(still) == (1.0, 1.0)
 
@@ -295,7 +308,8 @@ def test_initial_states_are_responses_to_what_was_drawn(monkeypatch, share: floa
     gap = 4e-5
     loop = ClosedLoop(PLANT, FrictionBacklash(gap))
     monkeypatch.setattr(np.random, "default_rng", lambda seed: AlwaysTheSame(share))
-    (mode, in_box), (_, in_swing) = initial_states(loop, 2, 3)
+    (mode, in_box), (_, in_swing), *others = initial_states(loop, 4, 3)
+    np.testing.assert_array_equal([state for _, state in others], [in_box, in_swing])
     A, B, C = (np.asarray(each) for each in (loop.model.A, loop.model.B, loop.model.C))
     moduli = abs(np.concatenate([np.linalg.eigvals(A), np.linalg.eigvals(A - B @ C)]))
     omega = (moduli.min() / 3) ** (1 - share) * (3 * moduli.max()) ** share

@@ -98,6 +98,8 @@ def test_orbits_are_a_sequence_with_a_search() -> None:
     single = PeriodicOrbits((one,), OrbitSearched(2, False, 1, None, None))
     assert not single.success
     assert single.message.startswith("1 periodic orbit found; 1 guess led to no orbit; searched: ")
+    assert orbits._told() == "2 periodic orbits; the search went to its end"
+    assert single._told() == "1 periodic orbit; 1 guess led to no orbit"
     interrupt = OrbitSearchInterrupted(single)
     assert interrupt.orbits is single
     assert str(interrupt) == single.message
@@ -126,6 +128,7 @@ def test_the_multiplier_nearest_to_one_is_trivial_without_a_drive() -> None:
     assert free.nontrivial_multipliers.tolist() == [-0.99, 0.5, 1e-3]
     assert free.largest_multiplier == 0.99
     assert free.stable
+    assert orbit([1.8, 1.0 - 1e-9, 0.5]).nontrivial_multipliers.tolist() == [1.8, 0.5]
     driven = orbit([1.0 + 1e-9, -0.99], driven=True)
     assert driven.nontrivial_multipliers.tolist() == [1.0 + 1e-9, -0.99]
     assert not driven.stable

@@ -7,6 +7,7 @@ import pytest
 from scipy.signal import lfilter
 from scipy.stats import norm
 
+from trimmer.response import estimate
 from trimmer.response.estimate import Estimate, correlation_time, mean_of
 
 
@@ -35,3 +36,28 @@ def test_few_values_are_taken_as_they_are() -> None:
 def test_the_interval_holds_95_percent() -> None:
     low, high = Estimate(2.0, 0.5).interval
     assert (low, high) == pytest.approx((2 - 0.5 * norm.ppf(0.975), 2 + 0.5 * norm.ppf(0.975)))
+
+
+@pytest.mark.parametrize(
+    ("count", "time", "lengths"),
+    [
+        (160, 2.5, [10]),
+        (160, 2.6, [10, 5, 2]),
+        (160, 0.1, [1]),
+        (175, 9.0, [10, 5, 2]),
+        (64, 9.0, [4, 2, 1]),
+        (48, 9.0, [3, 1, 1]),
+        (32, 9.0, [2, 1, 1]),
+        (32, 0.5, [2]),
+    ],
+)
+def test_batches_are_four_times_of_correlation_long_or_of_some_lengths(
+    monkeypatch: pytest.MonkeyPatch, count: int, time: float, lengths: list
+) -> None:
+    asked: list = []
+    errors = {10: 3.0, 5: 7.0, 2: 5.0, 4: 1.0, 1: 0.5, 3: 0.1}
+    monkeypatch.setattr(estimate, "correlation_time", lambda series: time)
+    monkeypatch.setattr(estimate, "_error", lambda series, length: asked.append(length) or errors[length])
+    found = mean_of(np.arange(float(count)))
+    assert asked == lengths
+    assert found == Estimate(0.5 * (count - 1), max(errors[length] for length in lengths))

@@ -9,8 +9,9 @@ import pytest
 
 from trimmer import ContactLaw, forced_orbit, simulate
 from trimmer.contact.flow import ExactFlow
+from trimmer.contact.statuses import RELAXING
 from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pin, Play, Stop
-from trimmer.response.energy import MechanismEnergy
+from trimmer.response.energy import MechanismEnergy, _Balance
 from trimmer.response.extremes import extremes
 from trimmer.response.measures import Measures, OutputMeasures
 from trimmer.response.motion import MechanismMotion
@@ -96,6 +97,19 @@ def test_each_part_does_the_work_that_its_force_does(motion, times) -> None:
     assert min(energy.contacts.values()) > 0
 
 
+def test_a_spring_that_relaxes_stores_what_its_own_state_says(motion) -> None:
+    balance, course = _Balance(motion.mechanism, motion.course), motion.course
+    assert len(motion.flow.names) == 5
+    statuses = course.modes.tables.statuses[course.log.mode, 0]
+    rows = np.flatnonzero(statuses == RELAXING)
+    assert len(rows)
+    for row in rows:
+        found = balance.stretch(0)(int(course.log.mode[row]))
+        np.testing.assert_array_equal(found, np.eye(course.modes.layout.size)[4])
+        springs = balance.stored(np.eye(course.modes.layout.size)[4], int(row))
+        assert springs == pytest.approx(0.5 * 6000.0)
+
+
 def test_terms_add_up_with_their_signs() -> None:
     parts = {"pins": {"a": 7.0, "b": -2.0}, "forces": {"c": 4.0}, "dampers": {"d": 1.0}}
     parts |= {"contacts": {"e": 0.75}, "frictions": {"f": 0.25, "g": 2.5}}
@@ -103,6 +117,13 @@ def test_terms_add_up_with_their_signs() -> None:
     # 2 + 4 stored, 9 put in, 4.5 lost: 1.5 too much, of 7 at most.
     assert (energy.work, energy.loss) == (9.0, 4.5)
     assert energy.residual == pytest.approx(1.5 / 7)
+    rows = list(energy._table().rows())
+    assert rows[:4] == [
+        ("kinetic, start", 1.0), ("kinetic, end", 3.0), ("stored, start", 0.5), ("stored, end", 4.5)
+    ]  # fmt: skip
+    assert rows[4:7] == [("pins.a", 7.0), ("pins.b", -2.0), ("forces.c", 4.0)]
+    assert [name for name, _ in rows[7:]] == ["dampers.d", "contacts.e", "frictions.f", "frictions.g"]
+    assert energy._told() == "work 9 J, loss 4.5 J; it closes to 2.1e-01 of its largest term"
     still = MechanismEnergy((0.0, 0.0), (0.0, 0.0), {}, {}, {}, {}, {})
     assert (still.residual, still.work, still.loss) == (0.0, 0.0, 0.0)
 
@@ -216,3 +237,16 @@ def test_a_constant_force_does_force_times_way() -> None:
     way = float(motion.displacement("body", 0.9) - motion.displacement("body", 0.0))
     assert motion.energy.forces["weight"] == pytest.approx(3.0 * way, rel=1e-12)
     assert motion.energy.residual < 1e-13
+
+
+def test_a_pin_works_against_the_friction_that_it_rubs() -> None:
+    mechanism = Mechanism(
+        {"body": Body(2.0)},
+        frequency=3.0,
+        pins={"belt": Pin("ground", amplitude=0.05)},
+        links={"spring": Link(("ground", "body"), 400.0, 1.0)},
+        frictions={"rub": Friction(("belt", "body"), 1.5, viscous=0.7)},
+    )
+    energy = simulate(mechanism, 1.1).energy
+    assert energy.residual < 1e-11
+    assert energy.pins["belt"] == energy.work > energy.frictions["rub"] > 0.1

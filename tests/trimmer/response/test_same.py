@@ -102,6 +102,14 @@ def test_an_orbit_is_its_own_shift_and_its_twin_is_half_a_period_later() -> None
 def test_whether_an_orbit_keeps_the_symmetry() -> None:
     assert keeps_symmetry(orbit([[1.0, 20.0]], [[-1.0, -20.0]])) is True
     assert keeps_symmetry(orbit([[1.0, 20.0]], [[-1.0, -19.0]])) is False
+    for shift, kept in (
+        ([0.0, 4e-5], True),
+        ([0.0, 6e-5], False),
+        ([1.9e-6, 0.0], True),
+        ([2.1e-6, 0.0], False),
+    ):
+        found = orbit([[1.0, 20.0]], [[-1.0 + shift[0], -20.0 - shift[1]]])
+        assert keeps_symmetry(found) is kept
     alone = orbit([[1.0, 20.0]], [[-1.0, -20.0]])
     alone.periods = 0
     assert keeps_symmetry(alone) is None

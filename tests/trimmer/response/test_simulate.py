@@ -91,6 +91,10 @@ def test_what_is_not_there_is_named() -> None:
         motion.friction_force("bridge", 0.0)
     with pytest.raises(ValueError, match="end of the motion"):
         motion.output("stroke", 0.02)
+    with pytest.raises(ValueError, match="times must lie between 0 and the end of the motion"):
+        motion.output("stroke", [0.0, 0.005, 0.02])
+    with pytest.raises(ValueError, match="times must lie between 0 and the end of the motion"):
+        motion.output("stroke", [-1e-9, 0.005])
     with pytest.raises(TypeError, match="impulse is an argument for loops"):
         simulate(twin(), 0.01, impulse=1.0)
     with pytest.raises(ValueError, match="duration"):

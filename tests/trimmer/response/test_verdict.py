@@ -38,6 +38,8 @@ KINDS = [
     (0.29, 0.1, True, MotionKind.UNDECIDED),
     (0.75, 0.25, True, MotionKind.UNDECIDED),
     (0.001, 0.01, False, MotionKind.TORUS),
+    (3 * 2.0**-10, 2.0**-10, False, MotionKind.TORUS),
+    (-3 * 2.0**-10, 2.0**-10, False, MotionKind.TORUS),
     (-0.001, 0.01, False, MotionKind.TORUS),
     (-0.001, 0.01, True, MotionKind.UNDECIDED),
     (0.021, 0.01, False, MotionKind.UNDECIDED),
@@ -63,6 +65,11 @@ def test_a_motion_that_swings_wider_and_wider_is_no_torus() -> None:
         found = seen(0.0, 0.01, False, states)
         assert found.steady is steady
         assert (found.kind is MotionKind.TORUS) is steady
+    # A tenth is one of the wider swing.
+    ramp = np.concatenate([np.linspace(0.0, 1.0, 50), np.linspace(0.0, 1.105, 50)])[:, None]
+    for states in (ramp, ramp[::-1]):
+        assert seen(0.0, 0.01, False, states).steady
+        assert not seen(0.0, 0.01, False, states**2).steady
     still = np.zeros((100, 2))
     assert seen(0.0, 0.01, False, still).steady
 

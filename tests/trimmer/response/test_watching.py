@@ -161,6 +161,9 @@ def test_a_motion_is_watched_until_it_is_known_what_it_is(monkeypatch: pytest.Mo
     assert len(begun) == 1
     found, begun = seen_by(monkeypatch, [unknown, None, unknown])
     assert (found.window.periods, len(begun)) == (24, 2)
+    longer = window(growth=unknown.growth, events=np.array([9.0, 8.0, 7.0]))
+    found, _ = seen_by(monkeypatch, [unknown, longer, None])
+    assert found.window.events.tolist() == [1.0, 2.0, 6.0, 9.0, 8.0, 7.0]
     assert seen_by(monkeypatch, [None])[0] is None
     assert not found.leaves
 
@@ -176,10 +179,13 @@ def test_a_neighbour_leaves_where_its_distance_grows_a_thousandfold(growth: floa
 
     def at(state: np.ndarray, phase: float, like: object) -> SimpleNamespace:
         assert (phase, like) == (0.25, begin)
-        assert np.linalg.norm(state / sizes) == pytest.approx(1e-9)
+        moved = (state - begin.state) / sizes
+        assert np.linalg.norm(moved) == pytest.approx(1e-9)
+        direction = np.random.default_rng(2).normal(size=2)
+        assert moved @ direction == pytest.approx(1e-9 * np.linalg.norm(direction))
         return SimpleNamespace(state=state)
 
-    begin = SimpleNamespace(state=np.zeros(2), phase=0.25)
+    begin = SimpleNamespace(state=np.array([1e-3, -50.0]), phase=0.25)
     flow = SimpleNamespace(size=2, strobe=strobe, at=at)
     assert _neighbour_leaves(flow, SimpleNamespace(begin=begin, sizes=sizes)) is leaves
 
