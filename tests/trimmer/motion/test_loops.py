@@ -8,7 +8,7 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.motion.peers import Course, Plant, play, switch
+from tests.trimmer.motion.reference.peers import Course, Plant, play, switch
 from trimmer import (
     ClosedLoop,
     CoulombFriction,

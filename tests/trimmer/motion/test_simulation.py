@@ -10,7 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from tests.trimmer.motion.exact_cases import CASES, COUNT, computed, simulated, tabulated
+from tests.trimmer.motion.reference.exact_cases import CASES, COUNT, computed, simulated, tabulated
 from trimmer import Drive, EventKind, FrictionBacklash, OpenLoop, simulate
 
 NAMES = sorted(CASES)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trimmer.motion.peer_trimmer import Course, Friction, PeerTrimmer
+from tests.trimmer.motion.reference.peer_trimmer import Course, Friction, PeerTrimmer
 from trimmer import (
     Body,
     BodyFriction,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import scipy.signal
 
-from tests.trimmer.motion.peers import Course, Plant, play, switch
+from tests.trimmer.motion.reference.peers import Course, Plant, play, switch
 from trimmer import Element, InertiaBacklash, Relay, periodic_orbits
 
 LOAD = ([20, 8.5], [1, 4.7, 0], InertiaBacklash(0.64), [0.3, -0.7])

@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trimmer.motion.peer_time_stepping import time_stepping
-from tests.trimmer.motion.peer_trimmer import PUSH, Friction, PeerTrimmer
+from tests.trimmer.motion.reference.peer_time_stepping import time_stepping
+from tests.trimmer.motion.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
 from trimmer import (
     Body,
     BodyFriction,

@@ -14,7 +14,7 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from tests.trimmer.motion.exact_flight import (
+from tests.trimmer.motion.reference.exact_flight import (
     Flight,
     Moment,
     Trimmer,
@@ -24,7 +24,7 @@ from tests.trimmer.motion.exact_flight import (
     moved,
     sliding_rate,
 )
-from tests.trimmer.motion.exact_signals import DIGITS, ZERO, Signal
+from tests.trimmer.motion.reference.exact_signals import DIGITS, ZERO, Signal
 
 GRID = 2e-6
 """Distance of the points at which signs are looked at, s; the fastest mode has a period of 9e-4 s."""

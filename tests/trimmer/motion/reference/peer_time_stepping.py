@@ -12,7 +12,7 @@ import math
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from tests.trimmer.motion.peer_trimmer import PUSH, PeerTrimmer
+from tests.trimmer.motion.reference.peer_trimmer import PUSH, PeerTrimmer
 from trimmer.arrays import Reals
 
 

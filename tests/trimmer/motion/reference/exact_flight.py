@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from tests.trimmer.motion.exact_signals import ZERO, Oscillator, Signal, combination
+from tests.trimmer.motion.reference.exact_signals import ZERO, Oscillator, Signal, combination
 from trimmer.parameters import TrimmerParameters
 
 BODIES = 4

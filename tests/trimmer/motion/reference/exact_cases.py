@@ -10,8 +10,8 @@ from pathlib import Path
 import mpmath
 from mpmath import mpf
 
-from tests.trimmer.motion.exact_events import first_instants
-from tests.trimmer.motion.exact_flight import Friction, Moment, Trimmer
+from tests.trimmer.motion.reference.exact_events import first_instants
+from tests.trimmer.motion.reference.exact_flight import Friction, Moment, Trimmer
 from trimmer import (
     Body,
     BodyFriction,
