@@ -22,6 +22,7 @@ def plain(monkeypatch: pytest.MonkeyPatch) -> None:
 def first(tables: Tables, *known: int, at_start: bool = True, recent: int = -1, x: float = 0.0):
     work = kernel._work(tables)
     work.state[:] = x, 1.0
+    work.known_zeros[:] = 0
     work.known_zeros[: len(known)] = known
     return (*first_event_module.first_event(tables, work, 0, at_start, recent), work.touch.tolist())
 
