@@ -48,6 +48,12 @@ def test_no_corrupted_equation_is_proven(declared):
                 replace(equality, closed=closed).prove()
 
 
+def test_the_closed_form_of_the_relay_is_the_one_that_is_shown_as_such(declared):
+    (step,) = (each for each in declared if each.id == "df-threshold-relay")
+    harmonic = next(each for each in step.equalities if each.name == "N_n")
+    assert (harmonic.closed, harmonic.closed != harmonic.derived) == (relay_harmonic(), True)
+
+
 def test_corners_are_continuous():
     for waveform in (saturation_waveform(), dead_zone_waveform()):
         assert all(jump == 0 for jump in waveform.jumps())

@@ -107,6 +107,15 @@ def test_a_course_keeps_all_its_events_however_many(monkeypatch: pytest.MonkeyPa
     assert all(course.begin is instant for course in courses)
 
 
+def test_several_periods_are_kept_in_one_log_that_grows(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(advance_module, "ROWS", 2)
+    flow = bouncing(plays={}, start={"body": (0.1, 0.6)})
+    stretch = advance(flow.modes, flow.rest(), 5, flow.period, True)
+    assert stretch.ending is Ending.REACHED_END
+    assert stretch.states[:, 0] == pytest.approx(0.1 + 0.3 * np.arange(6), rel=1e-14)
+    assert stretch.log.state[:, 0] == pytest.approx(stretch.states[:-1, 0], rel=1e-14)
+
+
 def test_a_strobe_keeps_no_log(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = []
 

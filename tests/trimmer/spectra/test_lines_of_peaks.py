@@ -91,6 +91,16 @@ def test_hidden_lines_are_beside_a_line_and_larger_than_what_its_fit_leaves() ->
     assert _new_bins(flat, silent(57), nothing, beside, threshold[:61]).tolist() == []
 
 
+@pytest.mark.parametrize("unit", [1.0, 1e-5])
+def test_what_is_hidden_does_not_depend_on_the_unit(unit: float) -> None:
+    left = np.full(401, 0.1 * unit)
+    left[[50, 52, 300, 305]] = 0.5 * unit, 0.9 * unit, 2.0 * unit, 0.3 * unit
+    found = _new_bins(
+        spectrum(np.zeros(401)), silent(50, 300), np.empty(0, int), left, np.full(401, 0.2 * unit)
+    )
+    assert found.tolist() == [52]
+
+
 @pytest.mark.parametrize(("window", "bandwidth"), [(Window.RECTANGULAR, 1.0), (Window.HANN, 1.5)])
 def test_noise_is_the_median_of_every_third_bin_beside_the_lines(window: Window, bandwidth: float) -> None:
     """Of noise of 1 the median of |line| is sqrt(ln 2 * 4 bandwidth / samples)."""

@@ -29,6 +29,7 @@ ALONE = {
         ("uncertainty", "plays.bridge.gab"),
         f"mean {GAP}",
     ),
+    "an empty name": ({"plays..gap": {"normal": 1.0}}, ("uncertainty", "plays..gap"), "is no place: write"),
     "no table": ({GAP: 5}, ("uncertainty", GAP), "say how it scatters, as in {"),
     "another key": ({GAP: {"normal": 1.0, "abc": 1.0}}, ("uncertainty", GAP, "abc"), "unknown key; write {"),
     "two ways": ({GAP: {"normal": 1.0, "uniform": "10 %"}}, ("uncertainty", GAP), "in one way, as in {"),
