@@ -14,9 +14,17 @@ PROJECT = Path(__file__).parents[2]
 PAGES = [PROJECT / "README.md", *sorted((PROJECT / "docs").rglob("*.md"))]
 RUN = [page for page in PAGES if any(block.is_run for block in blocks(page.read_text("utf-8")))]
 NAMES = [page.relative_to(PROJECT).as_posix() for page in RUN]
+LONG = {"all-motions.md", "fit.md", "interrupted-map.md", "series.md"}
+"""Pages with seconds of work; `make docs` runs them too."""
 
 
-@pytest.mark.parametrize("page", RUN, ids=NAMES)
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, id=name, marks=[pytest.mark.slow] if page.name in LONG else [])
+        for page, name in zip(RUN, NAMES, strict=True)
+    ],
+)
 def test_fast_blocks(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", "agg")
     run_page(page, tmp_path, slow=False)

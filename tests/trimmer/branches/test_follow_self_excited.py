@@ -139,6 +139,7 @@ def brute_multipliers(mechanism: Mechanism, state: np.ndarray, duration: float) 
     return values[np.argsort(-abs(values))]
 
 
+@pytest.mark.slow
 def test_period_doublings_of_two_blocks_against_brute_force(blocks: FollowedBranch) -> None:
     doublings = [each for each in blocks.special if each.kind is SpecialKind.PERIOD_DOUBLING]
     assert [each.value for each in doublings] == pytest.approx([0.131882753578, 0.697486236508], rel=1e-9)
