@@ -14,14 +14,14 @@ PROJECT = Path(__file__).parents[2]
 PAGES = [PROJECT / "README.md", *sorted((PROJECT / "docs").rglob("*.md"))]
 RUN = [page for page in PAGES if any(block.is_run for block in blocks(page.read_text("utf-8")))]
 NAMES = [page.relative_to(PROJECT).as_posix() for page in RUN]
-LONG = {"all-motions.md", "fit.md", "interrupted-map.md", "series.md"}
-"""Pages with seconds of work; `make docs` runs them too."""
+READ_FIRST = PROJECT / "README.md"
+"""The others are run, whole, by `make docs` too, and otherwise with the slow tests."""
 
 
 @pytest.mark.parametrize(
     "page",
     [
-        pytest.param(page, id=name, marks=[pytest.mark.slow] if page.name in LONG else [])
+        pytest.param(page, id=name, marks=[] if page == READ_FIRST else [pytest.mark.slow])
         for page, name in zip(RUN, NAMES, strict=True)
     ],
 )

@@ -42,6 +42,7 @@ def test_stick_slip_of_two_bodies_in_a_ring():
     assert finest < 2e-4
 
 
+@pytest.mark.slow
 def test_one_stop_and_one_friction():
     stop = Stop(("ground", "body"), 50.0, 2.0, 0.25)
     mechanism = cases.driven_oscillator({"wall": stop}, {"rub": Friction(("ground", "body"), 0.4)})

@@ -117,6 +117,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 def test_how_a_process_ends_is_told(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(WORK, encoding="utf-8")

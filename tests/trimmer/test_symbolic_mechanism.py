@@ -238,6 +238,7 @@ def test_a_contact_with_a_spring_or_a_damper_alone_is_kept():
     assert held == [(True, False), (False, True), (True, False), (False, True)]
 
 
+@pytest.mark.slow
 @settings(max_examples=8)
 @given(mechanisms_with_any_names())
 def test_random_mechanisms_pass_all_checks_of_their_derivation(mechanism):

@@ -61,6 +61,7 @@ def test_the_right_side_that_is_shown_is_the_short_one_without_integrals(steps):
                 assert shorter or derived.has(sympy.Integral), (step.id, equality.name)
 
 
+@pytest.mark.slow
 def test_no_equation_with_a_wrong_factor_is_proven(steps):
     for step in steps:
         for equality in step.equalities:

@@ -37,6 +37,7 @@ def tree(source_tree: SourceTree) -> SourceTree:
     return source_tree
 
 
+@pytest.mark.slow
 def test_everything_that_a_module_loads_is_in_its_closure(tree: SourceTree) -> None:
     run = subprocess.run(
         [sys.executable, "-c", LOADED, *MODULES], capture_output=True, text=True, check=True, cwd=ROOT

@@ -78,6 +78,7 @@ def test_a_file_to_start_from_is_written_once(folder: Path, capsys: pytest.Captu
         read_design_file(folder / f"{name}.toml")
 
 
+@pytest.mark.slow
 def test_a_design_is_written_whole_and_again_from_what_is_kept(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -153,6 +154,7 @@ def test_a_folder_that_cannot_be_made_is_told_before_any_work(
     assert "taken/.kept cannot be made" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_an_interrupted_design_leaves_nothing_half_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

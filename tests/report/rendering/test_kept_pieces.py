@@ -59,6 +59,7 @@ def test_an_unchanged_report_is_written_without_pandoc_and_typst(
     assert second == first
 
 
+@pytest.mark.slow
 def test_only_the_section_that_has_changed_is_converted(
     part: Document, store: StageStore, converted: list[str], tmp_path: Path
 ) -> None:

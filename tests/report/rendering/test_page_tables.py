@@ -55,6 +55,7 @@ def test_narrow_rows_are_blocks_and_none_scrolls_sideways(page: Page) -> None:
     assert without_matrices.evaluate_all(SCROLLING) == 0
 
 
+@pytest.mark.slow
 def test_a_narrow_table_is_the_same_table_for_a_screen_reader(page: Page) -> None:
     wide = heard(page)
     assert ("columnheader", "As derived") in wide

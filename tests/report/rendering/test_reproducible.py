@@ -8,6 +8,8 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
+import pytest
+
 from report.command import KINDS
 from report.rendering.request import Format
 from trimmer.files import check_replaceable
@@ -21,6 +23,7 @@ render(sample(), Path(sys.argv[1]))
 """
 
 
+@pytest.mark.slow
 def test_the_same_document_gives_the_same_bytes(
     rendered: Mapping[Format, Path], tmp_path: Path, project_folder: Path
 ) -> None:

@@ -114,6 +114,7 @@ def test_two_millihertz_beside_the_limit_the_nearest_load_is_told() -> None:
     assert within.message == f"M/D within the uncertainty: 0 to {interval.highest:.6g} s"
 
 
+@pytest.mark.slow
 @settings(max_examples=10, deadline=None)
 @given(st.floats(-8, 2), st.floats(340, 780), st.floats(0, 30))
 def test_a_load_lies_in_an_interval_when_its_limit_cycle_has_such_a_frequency(

@@ -66,6 +66,7 @@ def misses(duration: mpmath.mpf) -> Callable[..., list[mpmath.mpf]]:
     return of
 
 
+@pytest.mark.slow
 def test_the_fold_beside_the_grazing_is_there() -> None:
     with mpmath.workdps(30):
         free = flow(False)

@@ -127,6 +127,7 @@ def test_first_case_of_the_trimmer() -> None:
     assert balanced[1].distance < 0.5 * balanced[0].distance < 0.1
 
 
+@pytest.mark.slow
 def test_symmetry_breaking_of_the_trimmer() -> None:
     branch = follow(twin(), "frequency", 120.0, 122.0)
     kinds = [point.kind for point in branch.special]
@@ -234,6 +235,7 @@ def test_points_are_the_orbits_that_shooting_finds() -> None:
         assert abs(shot.multipliers) == pytest.approx(abs(orbit.multipliers), rel=1e-6, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_static_friction_that_gives_way_ends_the_branch() -> None:
     # Static friction above the kinetic one makes the motion jump where stick is lost.
     mechanism = Mechanism.from_toml(EXAMPLES / "foil-shaver.toml")

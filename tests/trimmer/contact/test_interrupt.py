@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 SCRIPT = """
 import signal, sys
 from trimmer.contact.flow import ExactFlow
@@ -28,6 +30,7 @@ for pause in (0.02, 0.05, 0.1):
 """
 
 
+@pytest.mark.slow
 def test_an_interrupt_within_compiled_code_is_an_interrupt(project_folder: Path) -> None:
     words = [sys.executable, "-c", SCRIPT, str(project_folder / "examples" / "oscillator-stop.toml")]
     ended = subprocess.run(words, cwd=project_folder, capture_output=True, text=True, timeout=120)

@@ -34,6 +34,7 @@ def test_the_noise_of_a_line_is_what_it_scatters_by() -> None:
     assert abs(parts.mean()) < 4 * told / np.sqrt(parts.size)
 
 
+@pytest.mark.slow
 def test_the_noise_is_known_as_well_as_its_freedom_says() -> None:
     rng = np.random.default_rng(9)
     found = [lines(0.01 * rng.normal(size=COUNT)) for _ in range(300)]

@@ -205,6 +205,7 @@ def members(group: int) -> list[int]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks at processes through /proc")
 def test_a_killed_map_goes_on_to_the_same_numbers_and_leaves_no_process(file: Path) -> None:
     process = begun(file)

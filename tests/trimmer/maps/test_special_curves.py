@@ -90,6 +90,7 @@ def sleep(_: int) -> None:
     time.sleep(60.0)
 
 
+@pytest.mark.slow
 def test_an_interrupt_does_not_wait_for_what_is_under_way() -> None:
     threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     begun = time.monotonic()

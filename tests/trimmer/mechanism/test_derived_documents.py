@@ -14,11 +14,19 @@ from trimmer.code_generation import derive_mechanism_sources
 from trimmer.mechanism.mechanism import Mechanism
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+QUICK = {"den-hartog", "oscillator-stop", "second-play", "thesis"}
+"""Together they have links, a play, a stop, frictions, forces and pins."""
 FITTED = re.compile(r"\\resizebox\{\\fitted\}\{!\}\{\$\\displaystyle (.*?)\$\}", re.DOTALL)
 """A formula that LaTeX shrinks to the line, which pandoc does not know."""
 
 
-@pytest.mark.parametrize("file", EXAMPLES, ids=lambda file: file.stem)
+@pytest.mark.parametrize(
+    "file",
+    [
+        pytest.param(file, id=file.stem, marks=[] if file.stem in QUICK else [pytest.mark.slow])
+        for file in EXAMPLES
+    ],
+)
 def test_the_document_of_each_example_can_be_set(file: Path) -> None:
     latex = derive_mechanism_sources(Mechanism.from_toml(file)).latex
     plain, count = FITTED.subn(lambda found: found[1], latex)

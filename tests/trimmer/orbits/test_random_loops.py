@@ -25,6 +25,7 @@ def test_no_stable_orbit_is_missed(number: int) -> None:
     assert all(any(abs(other / each - 1) < 1e-3 for other in found) for each in expected)
 
 
+@pytest.mark.slow
 def test_brute_force_finds_motions() -> None:
     for number, amplitude in ((3, 0.0881), (14, 0.2134), (20, 0.06851), (27, 0.3438)):
         motions = list(sustained(random_loop(number), []))

@@ -68,6 +68,7 @@ def test_an_error_of_the_work_comes_through(cluster) -> None:
         list(ClusterRunner(cluster.scheduler_address).results(math.sqrt, [-1.0]))
 
 
+@pytest.mark.slow
 def test_a_worker_that_is_killed_on_the_way_changes_no_digit(cluster, project_folder: Path) -> None:
     mechanism = Mechanism.from_toml(project_folder / "examples" / "oscillator-stop.toml")
     values = {"frequency": [0.9 + 0.002 * number for number in range(48)]}

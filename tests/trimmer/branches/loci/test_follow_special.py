@@ -64,6 +64,7 @@ def test_grazing_where_the_linear_amplitude_is_the_gap_around_the_resonance(bran
     assert np.isnan(locus.distance).all()
 
 
+@pytest.mark.slow
 def test_period_doublings_meet_and_each_is_one_of_a_branch_over_one_number(branch: FollowedBranch) -> None:
     first, second = (of_kind(branch, SpecialKind.PERIOD_DOUBLING, number) for number in (0, 1))
     locus = follow_special(branch, first, GAP, 30.0, ranges=RANGES)
@@ -77,6 +78,7 @@ def test_period_doublings_meet_and_each_is_one_of_a_branch_over_one_number(branc
         assert_one_number_agrees(branch, locus, at, 1e-9)
 
 
+@pytest.mark.slow
 def test_folds_are_those_of_branches_over_one_number(branch: FollowedBranch) -> None:
     locus = follow_special(branch, of_kind(branch, SpecialKind.FOLD), GAP, 5.0, ranges=RANGES)
     assert locus.reason is LocusEnd.LEFT
