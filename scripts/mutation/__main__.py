@@ -124,7 +124,7 @@ def summarise(wanted: argparse.Namespace) -> None:
                 name: getattr(counts, name)
                 for name in ("drawn", "equivalent", "claims", "tests", "nothing", "texts")
             },
-            "interval": [round(end, 4) for end in counts.interval],
+            "interval": [round(end, 6) for end in counts.interval],
         }
         MEASURED.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
