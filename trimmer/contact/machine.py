@@ -8,7 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
-from trimmer.contact.statuses import PULLS, RELAXES, TRUNCATES
+from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 
 if TYPE_CHECKING:
@@ -76,6 +76,11 @@ def machine_of(mechanism: Mechanism) -> tuple[Machine, Layout]:
 def relaxing_springs(machine: Machine) -> list[tuple[int, int]]:
     """Return the contacts with a relaxing spring, each with the place of its z in the extended state."""
     return [(contact, int(z)) for contact, z in enumerate(machine.relaxing_state) if z != NO_STATE]
+
+
+def free_springs(machine: Machine, statuses: tuple[int, ...]) -> list[tuple[int, int]]:
+    """Return those of ``relaxing_springs`` that touch nothing, and so relax by themselves."""
+    return [(contact, z) for contact, z in relaxing_springs(machine) if statuses[contact] == FREE]
 
 
 def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.machine import relaxing_springs
-from trimmer.contact.statuses import FREE
+from trimmer.contact.machine import free_springs
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
@@ -55,9 +54,8 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
 def _fitted(modes: Modes, mode: int, distances: Reals) -> Reals:
     """Return distances that fit what a mode holds; a spring that has relaxed may have been stretched."""
     fitted: Reals = modes[mode].hold[: len(distances), : len(distances)] @ distances
-    for contact, z in relaxing_springs(modes.machine):
-        if modes[mode].statuses[contact] == FREE:
-            fitted[z] = distances[z]
+    for _, z in free_springs(modes.machine, modes[mode].statuses):
+        fitted[z] = distances[z]
     return fitted
 
 
@@ -72,10 +70,9 @@ def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
     whole = np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
     distances[:] = flow @ whole @ distances
     machine = modes.machine
-    for contact, z in relaxing_springs(machine):
-        # Springs that relax, or that have relaxed, are left out of the flow.
-        if modes[settled].statuses[contact] == FREE:
-            distances[z] *= np.exp(-machine.stiffness[contact] / machine.damping[contact] * duration)
+    # Springs that relax, or that have relaxed, are left out of the flow.
+    for contact, z in free_springs(machine, modes[settled].statuses):
+        distances[z] *= np.exp(-machine.stiffness[contact] / machine.damping[contact] * duration)
 
 
 def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> None:

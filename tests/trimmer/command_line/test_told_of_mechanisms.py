@@ -8,7 +8,7 @@ from types import SimpleNamespace as Made
 import numpy as np
 import pytest
 
-from tests.trimmer.command_line.told import cells
+from tests.trimmer.command_line.told import cells, point_of_branch
 from trimmer.branches.special import SpecialKind
 from trimmer.command_line.mechanisms import (
     follow_text,
@@ -289,17 +289,8 @@ def test_the_yield_is_told_of_all_targets_and_of_each() -> None:
 
 
 def test_multipliers_are_pairs_in_json() -> None:
-    point = Made(
-        value=1.0,
-        period=0.5,
-        stable=True,
-        multipliers=np.array([0.5 - 0.25j]),
-        events_per_period=2,
-        outputs={"x": Made(peak_to_peak=4.0, harmonics=np.array([2.0, 1.0]))},
-        balanced=lambda count: Made(distance=float(count), converged=True),
-    )
-    content = json.loads(json.dumps(follow_text._point(point, None)))
+    content = json.loads(json.dumps(follow_text._point(point_of_branch(), None)))
     assert content["multipliers"] == [[0.5, -0.25]]
     assert content["outputs"] == {"x": {"peak_to_peak": 4.0, "harmonics": [2.0, 1.0]}}
     assert content["balance"] is None
-    assert follow_text._point(point, 3)["balance"] == {"distance": 3.0, "converged": True}
+    assert follow_text._point(point_of_branch(), 3)["balance"] == {"distance": 3.0, "converged": True}

@@ -6,12 +6,13 @@ from pathlib import Path
 
 import pytest
 
+from tests.trimmer.mechanism.hand_made import MECHANISM
 from trimmer.errors import MechanismError
 from trimmer.mechanism import places
 from trimmer.mechanism.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values, replaced
-from trimmer.mechanism.parts import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism.parts import Body, Force, Link, Pin
 from trimmer.mechanism.place_text import parse_place, place_text, quoted, split_assignment, unit_of
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, QUANTITIES
 from trimmer.mechanism.reading import mechanism_of_text, read_mechanism
@@ -54,18 +55,6 @@ def test_every_key_and_entry_of_a_text_has_its_line() -> None:
     }
     assert lines_of_keys(TEXT.replace("\n", "\r\n")) == lines_of_keys(TEXT)
     assert lines_of_keys("") == lines_of_keys("# a = 1\n") == {}
-
-
-MECHANISM = Mechanism(
-    {"motor": Body(0.035), "2. guard": Body(0.03)},
-    frequency=110.0,
-    pins={"pin": Pin("motor", 1.5e-3)},
-    links={"mount": Link(("ground", "motor"), 200e3, 3.5)},
-    plays={"bridge": Play(("2. guard", "pin"), 30e3, 0.4, 40e-6)},
-    frictions={"rub": Friction(("ground", "2. guard"), 0.5)},
-    outputs={"stroke": Output({"motor": 1.0, "2. guard": -2.0})},
-    start={"motor": (3.0, 4.0)},
-)
 
 
 def test_numbers_are_read_and_set_at_their_places() -> None:

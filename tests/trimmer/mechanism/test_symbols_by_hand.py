@@ -7,8 +7,9 @@ from fractions import Fraction
 
 import pytest
 
+from tests.trimmer.mechanism.hand_made import MECHANISM
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism.parts import Body, Force
 from trimmer.mechanism.printed_symbols import (
     _escaped,
     _split,
@@ -20,17 +21,6 @@ from trimmer.mechanism.printed_symbols import (
 )
 from trimmer.mechanism.symbols import is_symbol
 from trimmer.mechanism.units import Unit, UnitError, quantity, unit
-
-MECHANISM = Mechanism(
-    {"motor": Body(0.035), "2. guard": Body(0.03)},
-    frequency=110.0,
-    pins={"pin": Pin("motor", 1.5e-3)},
-    links={"mount": Link(("ground", "motor"), 200e3, 3.5)},
-    plays={"bridge": Play(("2. guard", "pin"), 30e3, 0.4, 40e-6)},
-    frictions={"rub": Friction(("ground", "2. guard"), 0.5)},
-    outputs={"stroke": Output({"motor": 1.0, "2. guard": -2.0})},
-    start={"motor": (3.0, 4.0)},
-)
 
 
 def test_units_multiply_and_rise() -> None:

@@ -7,7 +7,7 @@ would be wrong wherever their events differ, as next to a grazing.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,8 +17,7 @@ from trimmer.arrays import Reals
 from trimmer.contact.assembly import Mode, assemble
 from trimmer.contact.compilation import sources
 from trimmer.contact.flow import Course
-from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import FREE
+from trimmer.contact.machine import Machine, free_springs
 from trimmer.motion.compilation import kept
 from trimmer.motion.linear_combination import copy
 from trimmer.motion.taylor import DEGREE
@@ -105,15 +104,9 @@ class ValueChange:
         """Return the derivative that fits what a mode holds."""
         own, other = self.course.modes[mode], self._other(mode)
         held: Reals = own.hold @ tangent + (other.hold - own.hold) @ state / self.step
-        for _, z in self._relaxing(own):
+        for _, z in free_springs(self.course.modes.machine, own.statuses):
             held[z] = tangent[z]
         return held
-
-    def _relaxing(self, mode: Mode) -> Iterator[tuple[int, int]]:
-        """Yield the contacts whose spring relaxes by itself in a mode, and the places of their stretches."""
-        for contact, z in enumerate(self.course.modes.machine.relaxing_state):
-            if z >= 0 and mode.statuses[contact] == FREE:
-                yield contact, z
 
     def _flown(self, row: int, duration: float, tangent: Reals) -> tuple[Reals, Reals]:
         """Return state and derivative at the end of a segment; springs that relax flow by themselves."""
@@ -125,7 +118,7 @@ class ValueChange:
         stretched = tangent.copy()
         room = np.empty((4, len(state)))
         _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent, room)
-        for contact, z in self._relaxing(own):
+        for contact, z in free_springs(modes.machine, own.statuses):
             rate = modes.machine.stiffness[contact] / modes.machine.damping[contact]
             faster = self.other.stiffness[contact] / self.other.damping[contact] - rate
             decay = np.exp(-rate * duration)

@@ -9,7 +9,7 @@ from types import SimpleNamespace as Made
 import numpy as np
 import pytest
 
-from tests.trimmer.command_line.told import cells
+from tests.trimmer.command_line.told import cells, point_of_branch
 from trimmer.branches.special import SpecialKind
 from trimmer.command_line.mechanisms import follow_text, map_text, respond_text
 from trimmer.command_line.mechanisms import motion_text as of_mechanism
@@ -17,15 +17,7 @@ from trimmer.response.estimate import Estimate
 
 
 def point(value: float) -> Made:
-    return Made(
-        value=value,
-        period=0.5,
-        stable=False,
-        multipliers=np.array([0.5 - 0.25j]),
-        events_per_period=2,
-        outputs={"x": Made(peak_to_peak=4.0, harmonics=np.array([2.0, 1.0]))},
-        balanced=lambda count: Made(distance=float(count), converged=False),
-    )
+    return point_of_branch(value, stable=False, converged=False)
 
 
 def branch(**changes: object) -> Made:
