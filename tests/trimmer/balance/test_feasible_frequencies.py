@@ -113,7 +113,7 @@ def test_only_between_the_sizes_of_the_extreme_loads_does_the_pin_just_touch(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     # With |N| = ln gamma between 0.5 and 4; -1/G = -j size.
-    assert np.exp(feasible._LOG_GAMMAS) == pytest.approx(GAMMA_LIMITS)
+    assert np.exp(feasible._LOG_GAMMAS) == pytest.approx(GAMMA_LIMITS, rel=1e-6, abs=0.0)
     monkeypatch.setattr(feasible, "_LOG_GAMMAS", (0.5, 4.0))
     monkeypatch.setattr(feasible, "_touching_size", lambda log_gamma: log_gamma)
     monkeypatch.setattr(feasible, "real_axis_crossings", lambda G: [SimpleNamespace(omega=691.0)])

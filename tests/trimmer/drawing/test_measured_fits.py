@@ -95,7 +95,7 @@ def test_lines_of_a_fit_are_drawn_over_their_noise() -> None:
     assert_framed(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("frequency, Hz", "amplitude, m")
     silent = of_fit.draw_lines(MadeFit(1e-3 * VALUES, 1e-20 * DEVIATIONS), "second", new_axes())
-    assert silent.get_ylim()[0] == pytest.approx(3e-12)
+    assert silent.get_ylim()[0] == pytest.approx(3e-12, rel=1e-6, abs=0.0)
 
 
 def test_each_output_of_a_fit_has_a_column() -> None:

@@ -180,7 +180,9 @@ def test_backlashes_without_a_time_constant_have_no_slope_by_frequency() -> None
     assert FrictionBacklash(4e-5).gamma(np.ones(2)).tolist() == [GAMMA_LIMITS[0]] * 2
     assert InertiaBacklash(4e-5).gamma(np.ones(2)).tolist() == [GAMMA_LIMITS[1]] * 2
     for time_constant, gamma in ((0.0, GAMMA_LIMITS[0]), (math.inf, GAMMA_LIMITS[1]), (2e-3, 1.382)):
-        assert ViscousBacklash(4e-5, time_constant).gamma(np.array([691.0])) == pytest.approx([gamma])
+        assert ViscousBacklash(4e-5, time_constant).gamma(np.array([691.0])) == pytest.approx(
+            [gamma], rel=1e-6, abs=0.0
+        )
     # θ_c = π/2 + acos(1 - u), and beyond u = 2 there is none.
     for lower, upper in ((0.5, 1.2), (1.5, 2.5), (1.5, 2.0)):
         turn = math.acos(1.0 - min(upper, 2.0)) - math.acos(1.0 - lower) + 1e-9

@@ -180,7 +180,7 @@ def test_the_area_of_the_loops_is_the_imaginary_part(relay: Relay, amplitude: fl
     area = 2 * (2 * relay.hysteresis) * relay.level
     if relay.hysteresis:
         value = complex(relay.describing_function(amplitude))
-        assert value.imag * -np.pi * amplitude**2 == pytest.approx(area, rel=1e-9)
+        assert value.imag * -np.pi * amplitude**2 == pytest.approx(area, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("element", ELEMENTS, ids=repr)

@@ -188,4 +188,4 @@ def test_units_are_those_of_the_system() -> None:
     values = noisy(tone(1))
     found, micro = lines(values), lines(values, unit="um")
     np.testing.assert_allclose(micro.lines, 1e-6 * found.lines, rtol=1e-9)
-    assert micro.deviations == pytest.approx(1e-6 * found.deviations)
+    assert micro.deviations == pytest.approx(1e-6 * found.deviations, rel=1e-6, abs=0.0)

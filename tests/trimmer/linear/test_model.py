@@ -89,7 +89,8 @@ def test_the_response_is_that_of_the_force_balance(build, output, channels) -> N
                 )
             )
         )
-        assert system(1j * omega) == pytest.approx(exact, rel=1e-9)
+        # A state space is solved for all displacements at once, of which this may be by far the smallest.
+        assert system(1j * omega) == pytest.approx(exact, rel=1e-9, abs=1e-18)
 
 
 def test_both_channels_are_the_two_inputs_tied_together() -> None:

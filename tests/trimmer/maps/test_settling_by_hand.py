@@ -65,7 +65,7 @@ def test_a_motion_returns_after_the_fewest_periods_that_are_good_enough(
 ) -> None:
     found = _recurrence(repeating(*back))
     assert found[0] == count
-    assert found[1] == pytest.approx(difference, rel=1e-3)
+    assert found[1] == pytest.approx(difference, rel=1e-3, abs=0.0)
 
 
 def test_returns_are_looked_for_over_so_many_periods() -> None:
@@ -246,7 +246,7 @@ def test_a_neighbour_begins_a_little_aside_where_the_comparison_begins() -> None
     assert found.lyapunov == pytest.approx(0.2, rel=1e-5)
     ((state, like),) = begun
     assert like is before
-    assert state - states[0] == pytest.approx(1e-9 * strobed_sizes(states), rel=1e-6)
+    assert state - states[0] == pytest.approx(1e-9 * strobed_sizes(states), rel=1e-6, abs=0.0)
     lost = _Following(Strobing(beside, Ending.DIVERGED), None, earlier, [])  # type: ignore[arg-type]
     assert _beside(lost, before, 60).kind is MotionKind.UNDECIDED  # type: ignore[arg-type]
     assert _beside(lost, before, 60).lyapunov is None  # type: ignore[arg-type]

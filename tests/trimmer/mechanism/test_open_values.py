@@ -145,7 +145,7 @@ def test_numbers_are_taken_as_floats_or_whole_ones() -> None:
     ],
 )
 def test_units(text: str, si_unit: str, number: float) -> None:
-    assert quantity(text, si_unit) == pytest.approx(number, rel=1e-15)
+    assert quantity(text, si_unit) == pytest.approx(number, rel=1e-15, abs=0.0)
 
 
 @pytest.mark.parametrize(

@@ -59,7 +59,7 @@ def test_an_output_below_the_rounding_of_its_terms_is_zero() -> None:
     left, right = np.array([[1.0, 0.0], [1.0, 1.0]]), np.array([[1.0, 1.0], [1.0 + 1.5e-12, 1.0 + 2.5e-12]])
     # The second one is a difference of two terms of size one.
     found = least_outputs(left, right, "a", np.ones((2, 2)))
-    assert found[1].tolist() == [0.0, pytest.approx(2.5e-12, rel=1e-3)]
+    assert found[1].tolist() == [0.0, pytest.approx(2.5e-12, rel=1e-3, abs=0.0)]
     assert found[0].tolist() == [1.0, 1.0]
 
 
@@ -73,7 +73,7 @@ def test_signals_of_a_component() -> None:
     signals = component_signals(layout, (matrix, sizes), given, output, 1, 2)
     assert signals.input is given
     assert signals.output is output
-    assert signals.input_rate.tolist() == [0.0, -2.0, pytest.approx(2.5e-12, rel=1e-3), *[0.0] * 5]
+    assert signals.input_rate.tolist() == [0.0, -2.0, pytest.approx(2.5e-12, rel=1e-3, abs=0.0), *[0.0] * 5]
     assert signals.input_curvature == pytest.approx(signals.input_rate @ matrix, rel=1e-13)
     assert [each.tolist() for each in signals.states] == np.eye(8)[3:5].tolist()
     assert signals.one.tolist() == np.eye(8)[7].tolist()

@@ -189,7 +189,7 @@ def test_the_rounding_of_a_sum() -> None:
     total = 1.0 + 2.0**-60
     assert kernel._rounding(1.0, 2.0**-60, total) == 2.0**-60
     assert kernel._rounding(2.0**-60, 1.0, total) == 2.0**-60
-    assert kernel._rounding(0.1, 0.2, 0.1 + 0.2) == pytest.approx(-(2.0**-55), rel=1e-9)
+    assert kernel._rounding(0.1, 0.2, 0.1 + 0.2) == pytest.approx(-(2.0**-55), rel=1e-9, abs=0.0)
 
 
 def known(tables: Tables, log: Log, segment: int) -> tuple[int, list[int]]:

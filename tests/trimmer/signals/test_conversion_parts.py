@@ -52,7 +52,7 @@ def test_squares_stay_finite_whatever_the_sign(size: float) -> None:
     assert large.signal.values == pytest.approx(size * one.signal.values, rel=1e-9, abs=1e-12 * abs(size))
     for name in ("noise", "end_error", "end_bound"):
         assert getattr(large, name) == pytest.approx(abs(size) * getattr(one, name), rel=1e-6)
-    assert large.outside == pytest.approx(one.outside, rel=1e-9)
+    assert large.outside == pytest.approx(one.outside, rel=1e-9, abs=0.0)
     still = convert(record(np.zeros(COUNT)), "velocity")
     assert (still.noise, still.outside, still.end_bound) == (pytest.approx(0.0, abs=1e-100), 0.0, 0.0)
 
@@ -116,7 +116,7 @@ def test_powers_add_up_to_the_variance(count: int, line: int) -> None:
     # All bins of both signs, of which those beside 0 Hz are left out.
     weights = 0.5 - 0.5 * np.cos(2 * np.pi * places / count)
     both = np.abs(np.fft.fft(values * weights)) ** 2 / weights.sum() ** 2 / 1.5
-    assert found.total.sum() == pytest.approx(both[2 : count - 1].sum(), rel=1e-3)
+    assert found.total.sum() == pytest.approx(both[2 : count - 1].sum(), rel=1e-3, abs=0.0)
 
 
 def test_the_floor_is_the_median_between_1_over_1_3_and_1_3_times_a_frequency() -> None:

@@ -134,7 +134,7 @@ def test_an_acceleration_is_zero_by_the_terms_that_it_is_made_of(sign: float) ->
     for excess, counts in ((1.5e-12, False), (2.5e-12, True)):
         forces, rates = complementary_forces(np.eye(1), sign * np.array([1.0 + excess]), *bounds)
         assert forces.tolist() == [sign]
-        assert rates.tolist() == [pytest.approx(sign * excess, rel=1e-3) if counts else 0.0]
+        assert rates.tolist() == [pytest.approx(sign * excess, rel=1e-3, abs=0.0) if counts else 0.0]
 
 
 def test_forces_that_meet_a_bound_on_their_way_stay_there() -> None:
