@@ -100,6 +100,15 @@ def test_findings_that_fail_somewhere_are_shown_as_such(page) -> None:
     assert 0.5 * page.samples < second < page.samples
 
 
+@pytest.mark.slow
+def test_the_sign_of_the_output_turns_nearly_everywhere(evidence) -> None:
+    page = robustness(evidence)
+    holds = {row.claim: row.holds for row in page.survivals}
+    assert holds["txt-5.2.1-stable"] == f"all of {page.samples}"
+    turned = int(holds["txt-3.1-output-sign"].split()[0])
+    assert 0.95 * page.samples < turned < page.samples
+
+
 def test_the_largest_effects_come_first_and_the_band_holds_the_value(page) -> None:
     frequency = page.effects[0]
     assert frequency.largest == "k_{2}"
