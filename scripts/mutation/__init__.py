@@ -1,4 +1,4 @@
-"""Which changes of ``derivations`` and ``trimmer`` are noticed: by claims, by tests, by neither.
+"""Which changes of ``derivations``, ``trimmer`` and ``report`` are noticed: by claims, by tests, by neither.
 
     python -m scripts.mutation map                which test file runs which line, and how long that takes
     python -m scripts.mutation run --seed 1       changes the sources at random, one place at a time

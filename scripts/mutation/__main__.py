@@ -76,7 +76,7 @@ def judge_mutants(wanted: argparse.Namespace) -> None:
     missing = [mutant for mutant in mutants if _is_open(before.get(mutant.key), wanted.again)]
     free: SimpleQueue[Judge] = SimpleQueue()
     for tree in trees:
-        free.put(Judge(tree, line_map, known, wanted.both))
+        free.put(Judge(tree, line_map, known, wanted.both, wanted.every))
 
     def judge(mutant: Mutant) -> tuple[Mutant, Outcome]:
         with_tree = free.get()
@@ -115,7 +115,7 @@ def summarise(wanted: argparse.Namespace) -> None:
     print("\n".join(lines(judged, equivalent)))
     if wanted.write:
         if len(judged) < len(keys) or wanted.only:
-            raise SystemExit("error: only a whole run over both packages is kept for the report")
+            raise SystemExit("error: only a whole run over all packages is kept for the report")
         counts = count(judged, equivalent)
         content = {
             "date": date.today().isoformat(),
@@ -175,6 +175,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--processes", type=int, default=2, help="how many at a time (2)")
     parser.add_argument(
         "--both", action="store_true", help="ask tests and claims, even if the first notices it"
+    )
+    parser.add_argument(
+        "--every", action="store_true", help="note all tests that notice a change, not the first; takes long"
     )
     parser.add_argument("--again", action="store_true", help="judge those again that nothing has noticed")
     parser.add_argument(

@@ -14,6 +14,8 @@ LONGEST = 400.0
 """Most processor time, s, as it was recorded, of the test files that are run for a mutant."""
 BATCHES = (4.0, 16.0, 60.0)
 """Recorded times, s, up to which test files are collected and run together."""
+JUDGING = "tests/report/"
+"""Tests of the report, which are run for changes of the report: claims tell of the other packages."""
 LISTED = re.compile(r"SOURCES = \(([^)]*)\)")
 
 
@@ -24,12 +26,14 @@ def chosen(mutant: Mutant, known: LineMap, root: Path) -> list[TestFile]:
     compiled code made of its source or that name its module. If there is none, those that import the source:
     code may have run in another process.
     """
+    of_report = mutant.path.startswith("report/")
     lines = range(mutant.lines[0], mutant.lines[1] + 1)
-    found = [file for file in known.usable if not file.lines.get(mutant.path, frozenset()).isdisjoint(lines)]
+    usable = [file for file in known.usable if of_report or not file.path.startswith(JUDGING)]
+    found = [file for file in usable if not file.lines.get(mutant.path, frozenset()).isdisjoint(lines)]
     if mutant.path in compiled_sources(root):
         # A function's first line is run when its module is imported, so lines say nothing here.
-        found = [file for file in known.usable if _enters(file, mutant.path, root)]
-    found = found or [file for file in known.usable if mutant.path in file.lines]
+        found = [file for file in usable if _enters(file, mutant.path, root)]
+    found = found or [file for file in usable if mutant.path in file.lines]
     named = [file for file in found if _names(file, mutant.path, root)]
     return within([*named, *(file for file in found if file not in named)], LONGEST)
 

@@ -12,7 +12,7 @@ from scripts.mutation.claims import Difference, Judged, compare, judge_all
 from scripts.mutation.line_map import LineMap
 from scripts.mutation.mutants import Mutant
 from scripts.mutation.records import Noticed, Outcome
-from scripts.mutation.tested import failure
+from scripts.mutation.tested import failure, failures
 from scripts.mutation.tree import Tree
 
 CLAIMS_LIMIT = 240.0
@@ -30,12 +30,14 @@ class Judge:
         lines: Which test file runs which line.
         known: What claims the unaltered project gives.
         both: Whether tests and claims are asked even if the first of them has noticed a mutant.
+        every: Whether all tests are asked even if one has noticed it.
     """
 
     tree: Tree
     lines: LineMap
     known: Sequence[Judged]
     both: bool = False
+    every: bool = False
 
     def outcome(self, mutant: Mutant) -> Outcome:
         """Change the source, ask tests and claims, and change it back.
@@ -58,15 +60,17 @@ class Judge:
     def _ask_tests(self, mutant: Mutant, place: Place, before: Outcome) -> Outcome:
         files = chosen(mutant, self.lines, self.tree.root)
         compiling = COMPILING * (place.numba != self.tree.numba)
-        seconds, failed = before.seconds, ""
+        seconds, failed = before.seconds, list[str]()
         for group in batches(files):
             limit = 20.0 + 4.0 * sum(file.seconds for file in group) + compiling
-            ended = run(failure, ([file.path for file in group],), place, limit)
+            ended = run(failures if self.every else failure, ([file.path for file in group],), place, limit)
             seconds += ended.seconds
-            failed = _fault(ended) or ended.value
-            if failed:
+            fault = _fault(ended)
+            failed += [fault] if fault else ended.value if self.every else filter(None, [ended.value])
+            if failed and not self.every:
                 break
-        return replace(before, tests=failed, files=len(files), seconds=seconds)
+        every = tuple(failed) if self.every else ()
+        return replace(before, tests="".join(failed[:1]), files=len(files), seconds=seconds, every=every)
 
     def _ask_claims(self, mutant: Mutant, place: Place, before: Outcome) -> Outcome:
         compiling = COMPILING * (place.numba != self.tree.numba)

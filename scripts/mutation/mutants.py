@@ -11,10 +11,10 @@ from itertools import accumulate, islice
 from pathlib import Path
 from random import Random
 
-from scripts.mutation.exclusions import FOLDERS, live_nodes
+from scripts.mutation.exclusions import is_left_out, live_nodes
 from scripts.mutation.operators import Kind, changes
 
-PACKAGES = ("derivations", "trimmer")
+PACKAGES = ("derivations", "trimmer", "report")
 HEADED = (ast.If, ast.While, ast.For, ast.With, ast.FunctionDef, ast.ClassDef, ast.Try, ast.Match)
 
 
@@ -64,7 +64,7 @@ def sources(root: Path, only: str = "") -> list[Path]:
     """Return the sources that may be changed, in order; only those of a folder or file if one is given."""
     found = (path for package in PACKAGES for path in (root / package).rglob("*.py"))
     names = ((path.relative_to(root).as_posix(), path) for path in found)
-    return [path for name, path in sorted(names) if name.startswith(only) and not name.startswith(FOLDERS)]
+    return [path for name, path in sorted(names) if name.startswith(only) and not is_left_out(name)]
 
 
 def drawn(root: Path, seed: int, count: int, only: str = "") -> list[Mutant]:

@@ -6,8 +6,16 @@ import ast
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from enum import Enum
+from itertools import pairwise
 
-from scripts.mutation.exclusions import is_extreme, is_setting_name
+from scripts.mutation.exclusions import (
+    is_extreme,
+    is_look,
+    is_plain_number,
+    is_setting,
+    is_setting_name,
+    is_setting_word,
+)
 
 Outer = tuple[ast.AST, ...]
 
@@ -26,6 +34,9 @@ class Kind(Enum):
     ARGUMENTS = "swapped arguments"
     FUNCTION = "another function"
     RETURN = "another name returned"
+    KEYWORD = "dropped keyword"
+    DEFAULT = "changed default"
+    SETTING = "changed setting"
 
 
 ARITHMETIC: dict[type[ast.operator], tuple[type[ast.operator], ...]] = {
@@ -146,7 +157,10 @@ def _comparison(node: ast.Compare, outer: Outer) -> Iterator[tuple[Kind, ast.AST
 
 def _constant(node: ast.Constant, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
     value = node.value
-    if isinstance(value, bool):
+    if (kind := _setting_kind(outer)) is not None:
+        for other in _other_values(node):
+            yield kind, other
+    elif isinstance(value, bool):
         yield Kind.CONSTANT, ast.Constant(not value)
     elif isinstance(value, int | float) and not is_extreme(value):
         kind = Kind.INDEX if _is_index(outer) else Kind.CONSTANT
@@ -158,6 +172,16 @@ def _constant(node: ast.Constant, outer: Outer) -> Iterator[tuple[Kind, ast.AST]
             yield kind, ast.UnaryOp(ast.USub(), ast.Constant(value))
         if value and kind is Kind.CONSTANT:
             yield kind, ast.Constant(type(value)(0))
+
+
+def _setting_kind(outer: Outer) -> Kind | None:
+    """Return what a number is if it stands as a default, or as a setting in a call."""
+    match outer[-1] if outer else None:
+        case ast.arguments():
+            return Kind.DEFAULT
+        case ast.keyword(arg=str(name)) if is_setting_word(name):
+            return Kind.SETTING
+    return None
 
 
 def _sign(node: ast.UnaryOp, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
@@ -178,12 +202,31 @@ def _statement(node: ast.stmt, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
 
 
 def _expression(node: ast.Expr, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
-    if isinstance(node.value, ast.Call):
+    if isinstance(node.value, ast.Call | ast.Yield | ast.YieldFrom):
         yield Kind.REMOVAL, ast.Pass()
 
 
-def _assignment(node: ast.Assign, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
-    if all(isinstance(target, ast.Attribute | ast.Subscript) for target in node.targets):
+def _assignment(node: ast.Assign | ast.AnnAssign, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
+    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+    stored = all(isinstance(target, ast.Attribute | ast.Subscript) for target in targets)
+    if stored or _is_given_again(targets, node, outer):
+        yield Kind.REMOVAL, ast.Pass()
+    elif node.value is not None and is_setting(node, outer[-1]):
+        for other in _other_values(node.value):
+            yield Kind.SETTING, _with(node, value=other)
+
+
+def _is_given_again(targets: list[ast.expr], node: ast.stmt, outer: Outer) -> bool:
+    """Say whether an assignment gives a local name another value, so that the code still runs without it."""
+    function = next((each for each in reversed(outer) if isinstance(each, ast.FunctionDef)), None)
+    if function is None or not all(isinstance(target, ast.Name) for target in targets):
+        return False
+    known = _local_names(function, node.lineno)
+    return all(isinstance(target, ast.Name) and target.id in known for target in targets)
+
+
+def _branch(node: ast.If, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
+    if not node.orelse:
         yield Kind.REMOVAL, ast.Pass()
 
 
@@ -191,6 +234,7 @@ def _call(node: ast.Call, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
     name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
     if name in FUNCTIONS and name not in ("real", "imag", "amplitude", "omega", "period", "frequency"):
         yield Kind.FUNCTION, _with(node, func=_renamed(node.func))
+    yield from _keywords(node)
     plain = [argument for argument in node.args if not isinstance(argument, ast.Starred)]
     if len(plain) < len(node.args):
         return
@@ -204,6 +248,36 @@ def _call(node: ast.Call, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
             and ast.dump(first) != ast.dump(second)
         ):
             yield Kind.ARGUMENTS, _with(node, args=[*plain[:place], second, first, *plain[place + 2 :]])
+
+
+def _keywords(node: ast.Call) -> Iterator[tuple[Kind, ast.AST]]:
+    """Yield the call without each of its keywords, and with the values of neighbours swapped."""
+    named = node.keywords
+    for place, keyword in enumerate(named):
+        if keyword.arg is not None and not is_look(keyword.arg):
+            yield Kind.KEYWORD, _with(node, keywords=[*named[:place], *named[place + 1 :]])
+    for first, second in pairwise(named):
+        if first.arg is None or second.arg is None or is_look(first.arg) or is_look(second.arg):
+            continue
+        if not _differ_in_type(first.value, second.value) and ast.dump(first.value) != ast.dump(second.value):
+            swapped = {
+                id(first): ast.keyword(first.arg, second.value),
+                id(second): ast.keyword(second.arg, first.value),
+            }
+            yield Kind.ARGUMENTS, _with(node, keywords=[swapped.get(id(each), each) for each in named])
+
+
+def _other_values(value: ast.expr) -> Iterator[ast.expr]:
+    """Yield other values of a default or setting: twice and half a number, or by orders if it is extreme."""
+    if isinstance(value, ast.Constant) and isinstance(value.value, bool):
+        yield ast.Constant(not value.value)
+    elif is_plain_number(value) and not isinstance(value, ast.Constant | ast.UnaryOp):
+        yield ast.BinOp(value, ast.Mult(), ast.Constant(1000))
+        yield ast.BinOp(value, ast.Div(), ast.Constant(1000))
+    elif isinstance(number := getattr(value, "value", None), int | float) and number:
+        factor = 1000 if is_extreme(number) else 2
+        for other in (number * factor, number / factor):
+            yield ast.Constant(int(other) if isinstance(number, int) else float(f"{other:.12g}"))
 
 
 def _attribute(node: ast.Attribute, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
@@ -296,6 +370,9 @@ WAYS: dict[type[ast.AST], Way] = {
     ast.Break: _statement,
     ast.Expr: _expression,
     ast.Assign: _assignment,
+    ast.AnnAssign: _assignment,
+    ast.If: _branch,
+    ast.Delete: _statement,
     ast.Call: _call,
     ast.Attribute: _attribute,
     ast.Return: _return,

@@ -30,6 +30,7 @@ class Outcome:
         claims: The claim or check that differed, likewise.
         text: A claim that shows something else though its verdict is the same; empty if none does.
         files: How many test files may notice it.
+        every: All tests that failed, where all were asked.
         seconds: Processor time, s.
     """
 
@@ -37,6 +38,7 @@ class Outcome:
     claims: str | None = None
     text: str = ""
     files: int = 0
+    every: tuple[str, ...] = ()
     seconds: float = 0.0
 
     @property
@@ -76,4 +78,5 @@ class Records:
 def _read(row: dict[str, Any]) -> tuple[Mutant, Outcome]:
     fields = row.pop("mutant")
     pairs = {name: tuple(fields[name]) for name in ("lines", "span")}
+    row["every"] = tuple(row.get("every", ()))
     return Mutant(**{**fields, **pairs, "kind": Kind(fields["kind"])}), Outcome(**row)

@@ -6,19 +6,28 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-PACKAGES = ("derivations", "trimmer", "tests")
-OPTIONS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--tb=line")
+PACKAGES = ("derivations", "trimmer", "report", "tests")
+OPTIONS = ("-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--tb=line")
 
 
 def failure(files: Sequence[str]) -> str:
     """Run test files until one test fails; return its name, or what went wrong, empty if all passed."""
+    return next(iter(_failed(files, "-x")), "")
+
+
+def failures(files: Sequence[str]) -> tuple[str, ...]:
+    """Run test files to their end; return the names of all tests that fail, or what went wrong."""
+    return _failed(files)
+
+
+def _failed(files: Sequence[str], *options: str) -> tuple[str, ...]:
     import pytest
 
     watched = _Watch()
-    code = pytest.main([*OPTIONS, *files], plugins=[watched])
+    code = pytest.main([*OPTIONS, *options, *files], plugins=[watched])
     if code in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
-        return ""
-    return watched.failed or f"pytest ended with {code!r}"
+        return ()
+    return tuple(watched.failed) or (f"pytest ended with {code!r}",)
 
 
 def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
@@ -66,15 +75,15 @@ def _watch_entries() -> set[str]:
 
 
 class _Watch:
-    """Keeps the name of the first test or file that fails."""
+    """Keeps the names of the tests and files that fail."""
 
     def __init__(self) -> None:
-        self.failed = ""
+        self.failed: list[str] = []
 
     def pytest_runtest_logreport(self, report: Any) -> None:
-        if report.failed and not self.failed:
-            self.failed = report.nodeid
+        if report.failed and report.nodeid not in self.failed:
+            self.failed.append(report.nodeid)
 
     def pytest_collectreport(self, report: Any) -> None:
-        if report.failed and not self.failed:
-            self.failed = f"{report.nodeid} (not collected)"
+        if report.failed:
+            self.failed.append(f"{report.nodeid} (not collected)")
