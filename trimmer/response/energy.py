@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.contact.assembly import PUSHING, flow_without_stick, offset
+from trimmer.contact.assembly import PUSHING, offset
 from trimmer.contact.layout import Rows
-from trimmer.contact.statuses import FORWARD, RELAXING, STICK
+from trimmer.contact.statuses import RELAXING, STICK
 from trimmer.mechanism.parts import GROUND
-from trimmer.response.motion_signals import along, contact_force
+from trimmer.response.friction_forces import dry_forces, undetermined
+from trimmer.response.motion_signals import along, contact_force, while_status
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
 
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.contact.flow import Course
-    from trimmer.contact.tables import Modes
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Play, Stop
     from trimmer.response.motion_signals import Signal
@@ -43,6 +43,8 @@ class MechanismEnergy(Tabular):
         dampers: Lost in each link.
         contacts: Lost in each play and stop.
         frictions: Lost in each friction, with its viscous part.
+        undetermined: Frictions on pins whose force in stick the motion leaves open at some time. The works of
+            these pins rest on how they share it (``trimmer.response.friction_forces``); no other number does.
         residual: What does not close, as a share of the largest term.
     """
 
@@ -53,6 +55,7 @@ class MechanismEnergy(Tabular):
     dampers: Mapping[str, float]
     contacts: Mapping[str, float]
     frictions: Mapping[str, float]
+    undetermined: tuple[str, ...] = ()
     residual: float = field(init=False)
 
     def __post_init__(self) -> None:
@@ -113,6 +116,10 @@ class _Balance:
              for name, link in self.mechanism.links.items()},
             {name: self.of_contact(number) for number, name in enumerate(self.course.modes.layout.contacts)},
             {name: self.of_friction(name) for name in self.mechanism.frictions},
+            tuple(
+                name for name in undetermined(self.course)
+                if self.mechanism.pins.keys() & set(self.mechanism.frictions[name].between)
+            ),
         )  # fmt: skip
 
     @cached_property
@@ -201,13 +208,18 @@ class _Balance:
         speeds = self.rate(*friction.between)
         lost = friction.viscous * self.integral(speeds**2)
         if name in self.course.modes.layout.frictions:
-            lost += self.integral(self.of(self.dry(name)) * speeds)
+            number = self.course.modes.layout.frictions.index(name)
+            contacts = len(self.course.modes.machine.stiffness)
+            sticks = while_status(self.course, contacts + number, (STICK,))[self.course.nodes.rows]
+            kinetic = float(self.course.modes.machine.kinetic[number])
+            lost += kinetic * self.integral(np.where(sticks, 0.0, abs(speeds)))
         return lost
 
-    def dry(self, name: str) -> Signal:
-        """Return the dry force of a friction as a tension, N."""
-        modes = self.course.modes
-        return dry_force(modes, modes.layout.frictions.index(name))
+    @cached_property
+    def dry(self) -> Mapping[str, Reals]:
+        """The dry force of each friction as a tension at the nodes, N."""
+        forces = dry_forces(self.course, self.course.nodes.rows, self.course.nodes.states)
+        return dict(zip(self.course.modes.layout.frictions, forces.T, strict=True))
 
     def of_pin(self, name: str) -> float:
         """Return the work of what moves a pin, against the tensions of all that it is an end of."""
@@ -232,7 +244,7 @@ class _Balance:
         for name, friction in mechanism.frictions.items():
             tension = friction.viscous * self.rate(*friction.between)
             if name in layout.frictions:
-                tension = tension + self.of(self.dry(name))
+                tension = tension + self.dry[name]
             found.append((friction.between, tension))
         return found
 
@@ -244,25 +256,3 @@ class _Balance:
             row = Rows(self.mechanism, layout).wave(force.order, amplitude, force.phase)
         row[-1] += force.constant
         return self.integral(self.at_nodes(row) * self.at_nodes(self.rows[force.on][1]))
-
-
-def dry_force(modes: Modes, number: int) -> Signal:
-    """Return the dry force of a friction by its number, N, against an end that moves forward.
-
-    In stick it is what holds; where several stick and may share it in any way, it is the smallest split.
-    """
-    machine, bodies = modes.machine, len(modes.layout.bodies)
-    contacts = len(machine.stiffness)
-
-    def row(mode: int) -> Reals:
-        statuses, found = modes[mode].statuses, np.zeros(modes.layout.size)
-        status = statuses[contacts + number]
-        if status != STICK:
-            found[-1] = machine.kinetic[number] if status == FORWARD else -machine.kinetic[number]
-            return found
-        sticking = [i for i, each in enumerate(statuses[contacts:]) if each == STICK]
-        held = (modes[mode].flow - flow_without_stick(machine, statuses))[bodies : 2 * bodies]
-        forces = np.linalg.lstsq(machine.friction_push[sticking].T, held, rcond=None)[0]
-        return np.asarray(-forces[sticking.index(number)])
-
-    return row

@@ -16,18 +16,19 @@ from trimmer.contact.layout import Rows
 from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
-from trimmer.response.energy import MechanismEnergy, dry_force, energy_of
+from trimmer.response.energy import MechanismEnergy, energy_of
+from trimmer.response.friction_forces import dry_forces, undetermined
 from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Callable, Collection
 
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
-    from trimmer.arrays import Reals
+    from trimmer.arrays import Integers, Reals
     from trimmer.contact.flow import Course, ExactFlow
     from trimmer.mechanism.mechanism import Mechanism
 
@@ -178,7 +179,9 @@ class MechanismMotion(Tabular):
     def friction_force(self, name: str, times: ArrayLike) -> Reals:
         """Return the dry force of a friction, N, positive against an end that moves forward.
 
-        In stick it is what holds; where several stick and share it in any way, it is the smallest split.
+        In stick it is what holds. Of ``undetermined_frictions`` the motion gives only the sum on each body;
+        their share is that with the least sum of squares relative to the static forces, none of which it
+        exceeds. At an event it is the force just after it.
 
         Raises:
             MechanismError: if there is no such friction, or it exerts no force.
@@ -186,7 +189,16 @@ class MechanismMotion(Tabular):
         """
         frictions = self.course.modes.layout.frictions
         _require("friction", name, frictions)
-        return self._signal(dry_force(self.course.modes, frictions.index(name)), times)
+        number = frictions.index(name)
+        return self._at(times, lambda rows, states: dry_forces(self.course, rows, states)[:, number])
+
+    @cached_property
+    def undetermined_frictions(self) -> tuple[str, ...]:
+        """Names of the frictions that stick at some time without their force being determined by the motion.
+
+        So it is where several hold the same bodies; see ``friction_force``.
+        """
+        return undetermined(self.course)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
@@ -218,6 +230,10 @@ class MechanismMotion(Tabular):
         return rows.displacement(name), rows.velocity(name)
 
     def _signal(self, signal: Signal, times: ArrayLike) -> Reals:
+        return self._at(times, lambda rows, states: along(self.course, signal, rows, states))
+
+    def _at(self, times: ArrayLike, values_at: Callable[[Integers, Reals], Reals]) -> Reals:
+        """Return what rows of the log and extended states in them give, in the shape of the times, s."""
         instants = real_values("times", times)
         if not ((instants >= 0) & (instants <= self.duration)).all():
             raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
@@ -226,7 +242,7 @@ class MechanismMotion(Tabular):
         ordered = np.array(flat[order], dtype=np.float64)
         rows = np.searchsorted(self.course.log.start, ordered, side="right") - 1
         values = np.empty(len(flat))
-        values[order] = along(self.course, signal, rows.astype(np.int64), self.course.states(ordered))
+        values[order] = values_at(rows.astype(np.int64), self.course.states(ordered))
         return values.reshape(instants.shape)
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
+from trimmer.messages import listed
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -42,6 +43,7 @@ def as_json(motion: MechanismMotion) -> str:
             "frictions": dict(energy.frictions),
             "residual": energy.residual,
         },
+        "undetermined_frictions": list(motion.undetermined_frictions),
     }
     return document(content)
 
@@ -69,6 +71,11 @@ def _energy_text(energy: MechanismEnergy) -> list[str]:
     gained = energy.kinetic[1] + energy.stored[1] - energy.kinetic[0] - energy.stored[0]
     rows = [*works, *losses, ("gained by bodies and springs", gained)]
     closing = f"It closes to {energy.residual:.1e} of its largest term."
+    if energy.undetermined:
+        closing += (
+            f" While {listed(energy.undetermined)} stick, the motion gives only the sum of their forces; the "
+            "work of each pin is that of the share with the least squares relative to their limits."
+        )
     return [
         "Energy over the whole motion:",
         *table(("", "J"), [(name, f"{value:.6g}") for name, value in rows]),

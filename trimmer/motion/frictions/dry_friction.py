@@ -53,6 +53,8 @@ DEPENDENT = 1e-10
 """A direction that lies so close to the span of others, relative to its length, lies in it."""
 ROUNDING = 1e-12
 """An acceleration below this share of the moduli of its terms is zero."""
+AT_EDGE = 1e-9
+"""A resultant that is outside what can be held by less than this share of it is at its edge."""
 
 MOST_STEPS = 50
 """Steps for each unknown, after which a complementarity problem is given up; some per unknown are usual."""
@@ -156,10 +158,24 @@ def admissible_split(directions: Reals, limits: Reals, forces: Reals) -> Reals |
     Returns:
         Forces within the limits, (m,), or None if there are none.
     """
-    left, values, _ = np.linalg.svd(directions)
-    free, _ = np.linalg.qr(left[:, _rank(values) :] / limits[:, None])
-    least = forces / limits
-    least = least - free @ (free.T @ least)
+    shares = _shares_within(directions, limits, forces)
+    if shares is None:
+        # Rounding may have put the resultant outside a facet that it touches.
+        share = 1.0 - float(margins(elementary_vectors(directions), limits, forces).min())
+        if share > 1.0 + AT_EDGE:
+            return None
+        inside = (1.0 - AT_EDGE / 10) / max(share, 1.0)
+        shares = _shares_within(directions, limits, inside * forces)
+        if shares is None:
+            return None
+        shares = shares / inside
+    admissible: Reals = np.clip(shares, -1.0, 1.0) * limits
+    return admissible
+
+
+def _shares_within(directions: Reals, limits: Reals, forces: Reals) -> Reals | None:
+    """Return the least shares of the limits that are at most 1, up to rounding; None if there are none."""
+    least, free = least_shares(directions, limits, forces)
     if (abs(least) > 1.0).any():
         # The smallest z with free z >= -1 - least and -free z >= -1 + least.
         sides = (np.column_stack([side * free, -1.0 - side * least]) for side in (1.0, -1.0))
@@ -167,10 +183,26 @@ def admissible_split(directions: Reals, limits: Reals, forces: Reals) -> Reals |
         if distance is None:
             return None
         least = least + free @ distance
-        if (abs(least) > 1.0 + np.sqrt(ROUNDING)).any():
-            return None
-    admissible: Reals = np.clip(least, -1.0, 1.0) * limits
-    return admissible
+    return None if (abs(least) > 1.0 + np.sqrt(ROUNDING)).any() else least
+
+
+def least_shares(directions: Reals, limits: Reals, forces: Reals) -> tuple[Reals, Reals]:
+    """Return the split with the least sum of squares of the forces relative to their limits, whatever these.
+
+    Args:
+        directions: D, (m, n).
+        limits: F > 0, (m,).
+        forces: Any forces with the resultant, (m,) or (m, columns).
+
+    Returns:
+        The forces as shares of the limits, in the shape of ``forces``, and an orthonormal basis of the shares
+        that have no resultant, (m, free): without columns if the resultant determines the split.
+    """
+    left, values, _ = np.linalg.svd(directions)
+    scale = limits.reshape(-1, *(1,) * (forces.ndim - 1))
+    free, _ = np.linalg.qr(left[:, _rank(values) :] / limits[:, None])
+    shares: Reals = forces / scale
+    return shares - free @ (free.T @ shares), free
 
 
 def _least_distance(conditions: Reals) -> Reals | None:

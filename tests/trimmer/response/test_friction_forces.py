@@ -1,0 +1,132 @@
+"""Forces of dry frictions that hold the same bodies: within their limits, and determined by a stated rule."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from trimmer import Mechanism, simulate
+from trimmer.command_line.main import main
+
+PUSHED = """
+frequency = 1.0
+[bodies]
+block = {{ mass = 1.0 }}
+[links]
+spring = {{ between = ["ground", "block"], stiffness = 100.0 }}
+[frictions]
+{frictions}
+[forces]
+push = {{ on = "block", amplitude = {load} }}
+"""
+
+
+def pushed(limits: dict[str, float], load: float) -> Mechanism:
+    frictions = [f'{name} = {{ between = ["ground", "block"], force = {F} }}' for name, F in limits.items()]
+    return Mechanism.from_toml_text(PUSHED.format(frictions="\n".join(frictions), load=load))
+
+
+@pytest.mark.parametrize("load", [0.15, 0.9, 1.8, 2.1 * (1 - 1e-15)])
+def test_of_two_frictions_side_by_side_the_weak_one_holds_no_more_than_it_can(load: float) -> None:
+    motion = simulate(pushed({"weak": 0.1, "strong": 2.0}, load), 1.0)
+    times = np.linspace(0.0, 1.0, 41)
+    weak, strong = motion.friction_force("weak", times), motion.friction_force("strong", times)
+    assert weak + strong == pytest.approx(load * np.sin(2 * np.pi * times), abs=1e-12)
+    assert (abs(weak) <= 0.1).all()
+    assert (abs(strong) <= 2.0).all()
+    assert motion.undetermined_frictions == ("weak", "strong")
+    assert motion.energy.frictions == {"weak": 0.0, "strong": 0.0}
+    assert motion.energy.undetermined == ()  # There is no pin whose work could rest on it.
+
+
+def test_equal_frictions_share_equally_and_their_order_does_not_matter() -> None:
+    limits = {"one": 0.5, "other": 0.5, "weak": 0.1}
+    times = np.linspace(0.0, 1.0, 101)
+    motion = simulate(pushed(limits, 1.05), 1.0)
+    again = simulate(pushed(dict(reversed(limits.items())), 1.05), 1.0)
+    forces = {name: motion.friction_force(name, times) for name in limits}
+    assert forces["one"] == pytest.approx(forces["other"], abs=1e-12)
+    for name in limits:
+        assert again.friction_force(name, times) == pytest.approx(forces[name], abs=1e-12)
+
+
+def test_one_friction_alone_is_determined() -> None:
+    assert simulate(pushed({"rub": 1.0}, 0.5), 1.0).undetermined_frictions == ()
+
+
+def ring(limits: np.ndarray, loads: np.ndarray) -> Mechanism:
+    """Return two blocks, each rubbing on the ground and on the other, and a second contact between them."""
+    between = [("ground", "a"), ("ground", "b"), ("a", "b"), ("a", "b")]
+    rubbing = "\n".join(
+        f'f{number} = {{ between = ["{start}", "{end}"], force = {limit!r} }}'
+        for number, ((start, end), limit) in enumerate(zip(between, limits.tolist(), strict=True))
+    )
+    first, second = loads.tolist()
+    return Mechanism.from_toml_text(f"""
+        frequency = 1.0
+        [bodies]
+        a = {{ mass = 1.0 }}
+        b = {{ mass = 3.0 }}
+        [frictions]
+        {rubbing}
+        [forces]
+        one = {{ on = "a", amplitude = {first!r} }}
+        other = {{ on = "b", amplitude = {second!r} }}
+    """)
+
+
+SHARING = np.array([[1.0, 0.0, -1.0, -1.0], [0.0, 1.0, 1.0, 1.0]])  # resultants on a and b
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_split_is_the_least_among_those_within_the_limits(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    limits = 10.0 ** random.uniform(-1.5, 0.5, 4)
+    loads = SHARING @ (random.uniform(-1.3, 1.3, 4) * limits)
+    motion = simulate(ring(limits, loads), 1.0)
+    stuck = next((each.time for each in motion.events), 1.0)
+    times = np.linspace(0.0, stuck * (1 - 1e-9), 9)
+    held = np.array([motion.friction_force(f"f{number}", times) for number in range(4)])
+    assert (abs(held) <= limits[:, None]).all()
+    wanted = np.outer(loads, np.sin(2 * np.pi * times))
+    assert SHARING @ held == pytest.approx(wanted, abs=1e-9 * limits.max())
+    for force, resultant in zip(held.T, wanted.T, strict=True):
+        found = minimize(
+            lambda share: share @ share,
+            np.zeros(4),
+            jac=lambda share: 2 * share,
+            bounds=[(-1.0, 1.0)] * 4,
+            constraints={"type": "eq", "fun": lambda s, r=resultant: SHARING @ (s * limits) - r},
+            method="SLSQP",
+            options={"ftol": 1e-14},
+        )
+        assert force / limits == pytest.approx(found.x, abs=1e-5)
+
+
+def test_a_pin_s_work_names_the_share_it_rests_on(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    text = """
+        frequency = 1.0
+        [bodies]
+        block = { mass = 1.0 }
+        [pins]
+        left = { on = "ground", amplitude = 0.01 }
+        right = { on = "ground", amplitude = 0.01 }
+        [frictions]
+        weak = { between = ["left", "block"], force = 0.1 }
+        strong = { between = ["right", "block"], force = 2.0 }
+    """
+    energy = simulate(Mechanism.from_toml_text(text), 1.3, state={"block": (0.0, 0.02 * np.pi)}).energy
+    gained = energy.kinetic[1] - energy.kinetic[0]
+    assert energy.residual < 1e-12
+    assert sum(energy.pins.values()) == pytest.approx(gained, rel=1e-12)
+    assert energy.pins["left"] == pytest.approx(gained * 0.1**2 / (0.1**2 + 2.0**2), rel=1e-9)
+    file = tmp_path / "two.toml"
+    file.write_text(text)
+    assert main(["simulate", str(file), "--duration", "1", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["undetermined_frictions"] == ["weak", "strong"]
+    assert main(["simulate", str(file), "--duration", "1"]) == 0
+    assert "weak and strong stick" in capsys.readouterr().out

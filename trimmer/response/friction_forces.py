@@ -1,0 +1,105 @@
+"""The forces of dry frictions, also in stick, where the motion may leave open how several share them.
+
+Sliding gives the force of a friction, and stick of one alone gives what holds it. Where frictions that stick
+depend on each other, as two side by side or three in a ring, the motion determines only the resultant on
+each body. Then the share is that with the least sum of squares of the forces relative to their static limits,
+among those within the limits (``trimmer.motion.frictions.dry_friction.admissible_split``): it exists whenever
+all can stick, is unique, moves continuously with the resultant, is the same for equal frictions, and does not
+depend on the order of the parts.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.assembly import flow_without_stick
+from trimmer.contact.machine import independent
+from trimmer.contact.statuses import FORWARD, STICK
+from trimmer.motion.frictions.dry_friction import DEPENDENT, admissible_split, least_shares
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Places, Reals
+    from trimmer.contact.flow import Course
+    from trimmer.contact.tables import Modes
+
+
+def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:
+    """Return the dry force of each friction, N, positive against an end that moves forward.
+
+    Args:
+        course: The motion.
+        rows: Rows of its log, (count,).
+        states: Extended states in them, (count, N).
+
+    Returns:
+        Array (count, frictions), in the order of the layout.
+    """
+    modes = course.modes
+    forces = np.empty((len(rows), len(modes.machine.kinetic)))
+    mode_of_each = course.log.mode[rows]
+    for mode in np.unique(mode_of_each):
+        here = mode_of_each == mode
+        forces[here] = _forces_in_mode(modes, int(mode), states[here])
+    return forces
+
+
+def undetermined(course: Course) -> tuple[str, ...]:
+    """Return the frictions, by name, whose force in stick the motion leaves open at some time."""
+    modes = course.modes
+    found: set[int] = set()
+    for mode in np.unique(course.log.mode):
+        sticking = _sticking(modes, int(mode))
+        if len(sticking) > 1:
+            _, free = _shares(modes, sticking, np.zeros((len(sticking), 1)))
+            found |= set(sticking[(abs(free) > DEPENDENT).any(axis=1)].tolist())
+    return tuple(name for number, name in enumerate(modes.layout.frictions) if number in found)
+
+
+def _forces_in_mode(modes: Modes, mode: int, states: Reals) -> Reals:
+    machine, statuses = modes.machine, modes[mode].statuses
+    directions = np.array(statuses[len(machine.stiffness) :])
+    slides = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
+    forces = np.tile(slides, (len(states), 1))
+    sticking = _sticking(modes, mode)
+    if not len(sticking):
+        return forces
+    limits = machine.static[sticking]
+    shares, free = _shares(modes, sticking, _some_split(modes, mode, sticking))
+    split = limits * (states @ shares.T)
+    if free.shape[1]:
+        for place in np.flatnonzero((abs(split) > limits).any(axis=1)):
+            within = admissible_split(_directions(modes, sticking), limits, split[place])
+            if within is not None:
+                split[place] = within
+    forces[:, sticking] = split
+    return forces
+
+
+def _sticking(modes: Modes, mode: int) -> Places:
+    statuses = modes[mode].statuses[len(modes.machine.stiffness) :]
+    return np.flatnonzero(np.array(statuses, dtype=np.int64) == STICK)
+
+
+def _directions(modes: Modes, sticking: Places) -> Reals:
+    bodies = len(modes.layout.bodies)
+    directions: Reals = modes.machine.friction_rate[sticking, bodies : 2 * bodies]
+    return directions
+
+
+def _shares(modes: Modes, sticking: Places, split: Reals) -> tuple[Reals, Reals]:
+    return least_shares(_directions(modes, sticking), modes.machine.static[sticking], split)
+
+
+def _some_split(modes: Modes, mode: int, sticking: Places) -> Reals:
+    """Return the forces in stick as functionals, (sticking, N), where those that close a ring are zero."""
+    machine, bodies = modes.machine, len(modes.layout.bodies)
+    flow = flow_without_stick(machine, modes[mode].statuses)
+    tree = independent(machine.vertices, sticking)
+    rates, push = machine.friction_rate[tree], machine.friction_push[tree]
+    split = np.zeros((len(sticking), len(flow)))
+    split[np.searchsorted(sticking, tree)] = np.linalg.solve(
+        rates[:, bodies : 2 * bodies] @ push.T, rates @ flow
+    )
+    return split
