@@ -50,6 +50,10 @@ class OrbitNotFoundError(TrimmerError, ValueError):
     """A driven loop has no motion with the period of its drive that Newton's method finds."""
 
 
+class DivergingMotionError(OrbitNotFoundError):
+    """A motion without a drive grows without bound."""
+
+
 class MechanismError(TrimmerError, ValueError):
     """A mechanism, or the file of one, cannot be used; each problem is named with its place and remedy."""
 

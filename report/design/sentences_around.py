@@ -44,6 +44,7 @@ def _cell_words(drawn: DesignMap) -> str:
     return {
         MotionKind.TORUS: "on a torus",
         MotionKind.CHAOTIC: "chaotic",
+        MotionKind.DIVERGING: "one that grows without bound",
         MotionKind.UNDECIDED: "not known, because the motion had not settled",
     }.get(motion.kind, f"of {described(motion)}")
 

@@ -110,6 +110,7 @@ def kind_words(motion: FoundMotion) -> str:
     return {
         MotionKind.TORUS: "a motion on a torus, which beats and never quite repeats",
         MotionKind.CHAOTIC: "a chaotic motion",
+        MotionKind.DIVERGING: "a motion that grows without bound",
     }.get(motion.kind, "a motion that had not settled when the wait was over")
 
 

@@ -57,7 +57,8 @@ class CellMotion:
         lyapunov: Growth of small distances per drive period, as a logarithm; None where it was not measured.
         states: At the start of each period of the orbit, (period_count, n) as tuples; of a motion that does
             not repeat only the last one.
-        measures: Over the period, or over the last ``WINDOW`` drive periods; None where the motion failed.
+        measures: Over the period, or over the last ``WINDOW`` drive periods; None where the motion failed or
+            grew beyond all bounds.
         starts: How many starts of the cell led to it.
         failure: Why the motion ended before its time, or the cell could not be begun; empty if neither.
     """
@@ -177,6 +178,8 @@ def _motion(flow: ExactFlow, found: Callable[[], Settled]) -> CellMotion:
 
 
 def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
+    if settled.kind is MotionKind.DIVERGING:
+        return CellMotion(settled.kind, periods=settled.periods)
     if settled.ending is not Ending.REACHED_END:
         return CellMotion(settled.kind, periods=settled.periods, failure=settled.ending.value)
     if settled.orbit is not None:

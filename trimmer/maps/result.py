@@ -30,7 +30,7 @@ class MotionMap(Tabular):
     """Which motion where. Arrays have the shape (n2, n1): the first place varies along a row.
 
     With one place n2 is 1. All arrays are of the first motion of each cell, which is that from rest, or from
-    the mechanism's own start; ``cells`` has the others. Measures of cells that failed are NaN.
+    the mechanism's own start; ``cells`` has the others. Measures of cells that failed or diverge are NaN.
 
     Attributes:
         inputs: Mechanism, places, values and settings.

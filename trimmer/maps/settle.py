@@ -130,7 +130,9 @@ class _Following:
         self.instant, self.states = strobe.end, np.concatenate([self.states, strobe.states[1:]])
         done = len(self.states) - 1
         if strobe.ending is not Ending.REACHED_END:
-            return Settled(MotionKind.UNDECIDED, done, self.instant, ending=strobe.ending)
+            grew = strobe.ending is Ending.DIVERGED and done > 0
+            kind = MotionKind.DIVERGING if grew else MotionKind.UNDECIDED
+            return Settled(kind, done, self.instant, ending=strobe.ending)
         held = self._solve()
         if held is not None:
             return Settled(MotionKind.PERIODIC, done, held.instant, held)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
-from trimmer.errors import OrbitNotFoundError
+from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import require_repeating
 from trimmer.response.response import MotionKind, Response, SettledMotion
@@ -116,9 +116,9 @@ class _Search:
         try:
             orbit = self_excited_orbit(self.flow, instant, settled=True)
         except OrbitNotFoundError as error:
-            return SettledMotion(
-                MotionKind.UNDECIDED, None, None, 0, None, 1, 1.0, False, f"{str(error).capitalize()}."
-            )
+            grows = isinstance(error, DivergingMotionError)
+            kind = MotionKind.DIVERGING if grows else MotionKind.UNDECIDED
+            return SettledMotion(kind, None, None, 0, None, 1, 1.0, False, f"{str(error).capitalize()}.")
         return _settled(orbit, 0, None, f"It settles to {orbit.message}.")
 
     def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:

@@ -30,6 +30,7 @@ class MotionKind(Choice):
     PERIODIC = "it repeats"
     TORUS = "it runs on a torus"
     CHAOTIC = "it is chaotic"
+    DIVERGING = "it grows without bound"
     UNDECIDED = "it is undecided"
 
     def described(self, period_count: int | None) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 
 from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import NOTHING
-from trimmer.errors import OrbitNotFoundError
+from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.response.orbit import orbit_of
 from trimmer.response.shooting import CLOSED, Return, sizes_of, solve
 
@@ -51,6 +51,9 @@ def self_excited_orbit(flow: ExactFlow, instant: Instant, *, settled: bool = Fal
     unit, waited, unstable = time_scale(flow, instant), 0.0, None
     for stretch in STRETCHES:
         course = flow.timed(instant, stretch * unit)
+        if course.ending is Ending.DIVERGED:
+            waited += course.duration
+            raise DivergingMotionError(f"it diverges: within {waited:.6g} s {course.ending.value}")
         if course.ending is not Ending.REACHED_END:
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         waited += course.duration

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.contact.advance import Ending
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
@@ -40,8 +41,11 @@ BESIDE = 256
 
 def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
     """Return what is known of a motion that could not be followed further."""
-    told = f"It could be followed for {settling.periods} drive periods only: {settling.ending.value}."
     kind = MotionKind.UNDECIDED
+    told = f"It could be followed for {settling.periods} drive periods only: {settling.ending.value}."
+    if settling.ending is Ending.DIVERGED and settling.periods:
+        kind = MotionKind.DIVERGING
+        told = f"It diverges: after {settling.periods} drive periods {settling.ending.value}."
     return SettledMotion(kind, None, None, settling.periods, agrees, 1, 1.0, False, told)
 
 

@@ -26,6 +26,7 @@ LETTERS: Final = {
     MotionKind.PERIODIC: "p",
     MotionKind.TORUS: "t",
     MotionKind.CHAOTIC: "c",
+    MotionKind.DIVERGING: "d",
     MotionKind.UNDECIDED: "u",
 }
 """What stands for a kind of motion in a file."""
@@ -60,8 +61,8 @@ class KeptCell:
         """What it is, in words."""
         if self.kind == LETTERS[MotionKind.PERIODIC]:
             return f"a motion that repeats after {self.period_count} drive periods"
-        names = {"t": "a torus", "c": "a chaotic motion", "u": "a motion that has not settled"}
-        return names[self.kind]
+        names = {"t": "a torus", "c": "a chaotic motion", "d": "a motion that grows"}
+        return names.get(self.kind, "a motion that has not settled")
 
     def agrees(self, other: KeptCell) -> bool:
         """Return whether it is the same motion as far as that can be told.
