@@ -29,14 +29,30 @@ def check_runner_options(arguments: Namespace) -> None:
     Raises:
         OptionError: if both are given, or one of them cannot be used.
     """
-    if arguments.jobs is not None and arguments.jobs < 1:
-        raise OptionError(f"--jobs {arguments.jobs}: give a whole number from 1 on")
+    check_jobs(arguments.jobs)
     if arguments.scheduler is None:
         return
     if arguments.jobs is not None:
         raise OptionError("--jobs is of this computer, and --scheduler of a cluster: leave one of them out")
     if not arguments.scheduler.strip():
         raise OptionError("--scheduler: give the address of a Dask scheduler, as in tcp://127.0.0.1:8786")
+
+
+def check_jobs(jobs: int | None) -> None:
+    """Refuse a number of processes that cannot be, or that would only fill the memory.
+
+    Raises:
+        OptionError: if it is such a number.
+    """
+    from trimmer.runners.processes import cores, most_processes
+
+    if jobs is not None and jobs < 1:
+        raise OptionError(f"--jobs {jobs}: give a whole number from 1 on")
+    if jobs is not None and jobs > most_processes():
+        raise OptionError(
+            f"--jobs {jobs}: this computer has {cores()} cores, and so many processes would only wait for "
+            f"each other; give at most {most_processes()}"
+        )
 
 
 def check_resuming(arguments: Namespace) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
+from itertools import chain, islice
 from multiprocessing.connection import Connection
 from multiprocessing.connection import wait as wait_for
 from typing import Any
@@ -22,17 +23,21 @@ from trimmer.errors import WorkerError
 from trimmer.runners.chunks import handed_back
 from trimmer.runners.runner import CHUNK, Cell, Result
 
+MOST_OF_A_CORE = 4
+"""Processes for each core that may be asked for."""
+
 
 @dataclass(frozen=True)
 class ProcessRunner:
     """Does the cells in several processes of this computer.
 
     Attributes:
-        processes: How many; by default as many as there are cores for this process.
+        processes: How many at most; by default as many as there are cores for this process. There are never
+            more than chunks.
         chunk: Cells that go to a process at once.
 
     Raises:
-        ValueError: if one is not a whole number from 1 on.
+        ValueError: if one is not a whole number from 1 on, or processes are more than ``most_processes``.
     """
 
     processes: int | None = None
@@ -41,11 +46,13 @@ class ProcessRunner:
     def __post_init__(self) -> None:
         if self.processes is not None:
             whole_number("processes", self.processes, 1)
+            if self.processes > most_processes():
+                raise ValueError(f"processes must be at most {most_processes()} here, not {self.processes}")
         whole_number("chunk", self.chunk, 1)
 
     @property
     def count(self) -> int:
-        """How many processes there are."""
+        """How many processes there are at most."""
         return self.processes or cores()
 
     def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
@@ -54,14 +61,19 @@ class ProcessRunner:
         Raises:
             WorkerError: if a process ended at once.
         """
+        remaining = iter(cells)
+        first = list(islice(remaining, self.count * self.chunk))
+        if not first:
+            return
+        count = min(self.count, -(-len(first) // self.chunk))
         context = _context()
         # A pipe, as the lock of an event would be lost with a process that is ended from outside.
         ended, end = context.Pipe(duplex=False)
-        pool = ProcessPoolExecutor(self.count, context, _begin, (work, ended))
+        pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
         whole = False
         try:
             yield from handed_back(
-                lambda chunk: pool.submit(_done, chunk), cells, self.chunk, lambda: self.count
+                lambda chunk: pool.submit(_done, chunk), chain(first, remaining), self.chunk, lambda: count
             )
             whole = True
         except BrokenProcessPool as error:
@@ -91,6 +103,11 @@ def _context() -> multiprocessing.context.BaseContext:
     ]
     copies = "fork" in multiprocessing.get_all_start_methods() and not others
     return multiprocessing.get_context("fork" if copies else "spawn")
+
+
+def most_processes() -> int:
+    """Return how many processes may be asked for: more only wait for each other, and each takes memory."""
+    return max(MOST_OF_A_CORE * cores(), 32)
 
 
 def cores() -> int:

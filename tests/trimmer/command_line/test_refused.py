@@ -106,6 +106,8 @@ def test_what_is_read_is_not_written(
             "--resume and --overwrite contradict",
         ),
         (["map", TWIN, *LINE, "--jobs", "0"], "--jobs 0: give a whole number from 1 on"),
+        (["map", TWIN, *LINE, "--jobs", "99999"], "--jobs 99999: this computer has"),
+        (["sample", SCATTER, "--jobs", "99999"], "--jobs 99999: this computer has"),
         (["map", TWIN, *LINE, "--jobs", "1", "--scheduler", "x"], "--jobs is of this computer"),
         (["map", TWIN, *LINE, "--scheduler", " "], "--scheduler: give the address"),
         (["map", TWIN], "--vary is missing: give it once"),

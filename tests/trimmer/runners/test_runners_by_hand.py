@@ -97,6 +97,14 @@ def test_processes_that_are_done_are_waited_for(made: Made) -> None:
     assert (ended.sent, end.sent, ended.closed, end.closed, made.duplex) == ([], [], True, True, False)
 
 
+def test_there_are_no_more_processes_than_chunks_nor_than_the_computer_bears(made: Made) -> None:
+    assert sorted(processes.ProcessRunner(9, 8).results(double, range(10))) == list(range(0, 20, 2))
+    assert list(processes.ProcessRunner(9, 8).results(double, [])) == []
+    assert [pool.made[0] for pool in made.pools] == [2]
+    with pytest.raises(ValueError, match=f"processes must be at most {processes.most_processes()} here"):
+        processes.ProcessRunner(processes.most_processes() + 1)
+
+
 def test_processes_whose_results_nobody_wants_are_told_to_end(made: Made) -> None:
     results = processes.ProcessRunner(2, 1).results(double, range(100))
     next(results)
