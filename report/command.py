@@ -12,7 +12,7 @@ from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
-from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_replaceable
+from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_target
 
 if TYPE_CHECKING:
     from report.building.build import Built
@@ -86,9 +86,8 @@ def _run(arguments: Namespace) -> int:
     request = _request(arguments)
     from report.rendering.render import NAMES
 
-    if not request.overwrite:
-        for form in request.formats:
-            check_replaceable(arguments.directory / NAMES[form], KINDS[form])
+    for form in request.formats:
+        check_target(arguments.directory / NAMES[form], KINDS[form], overwrite=request.overwrite)
     earlier = _earlier(arguments)
     from report.building.build import build
 
@@ -97,7 +96,7 @@ def _run(arguments: Namespace) -> int:
     if earlier is not None:
         print(_differences(earlier, built))
     if arguments.open:
-        webbrowser.open(built.files[Format.HTML].resolve().as_uri())
+        webbrowser.open(built.files[Format.HTML].absolute().as_uri())
     return 0
 
 

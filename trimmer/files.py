@@ -63,6 +63,7 @@ KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, ERRATA, TOML, MAP, SAMPLES, MECHAN
 
 MOST_OF_A_DEVICE = 1 << 26
 """Bytes that are read of a character device, such as a terminal."""
+_NO_FOLDER = "a file stands where its folder would be; name another place"
 _HEAD = 512
 """As many bytes as it takes to tell the kind of a file."""
 
@@ -141,7 +142,7 @@ def write_atomically(path: Path | str, content: bytes | str, *, overwrite: bool 
             raise
         reason = f"{error.strerror or error}; name another place"
         if isinstance(error, FileExistsError | NotADirectoryError):
-            reason = "a file stands where its folder would be; name another place"
+            reason = _NO_FOLDER
         raise FileWriteError(f"{path} cannot be written: {reason}") from error
 
 
@@ -166,6 +167,44 @@ def check_replaceable(path: Path, kind: FileKind | None) -> None:
         raise FileWriteError(
             f"{path} is there already and {what}: name another file, or replace it nevertheless (--overwrite)"
         )
+
+
+def check_target(path: Path, kind: FileKind | None, *, overwrite: bool = False) -> None:
+    """Check a file that will be written after some work: by ``check_replaceable``, and whether it can be.
+
+    Raises:
+        FileWriteError: if it may not be replaced, or cannot be made.
+    """
+    _check_writable(path)
+    if not overwrite:
+        check_replaceable(path, kind)
+
+
+def _check_writable(path: Path) -> None:
+    """Check that a file can be made or replaced, as far as that shows without writing.
+
+    Raises:
+        FileWriteError: if its folder is none, cannot be made or cannot be written to.
+    """
+    if is_stream(path) or is_standard_output(path):
+        return
+    target = _target(path)
+    folder = next(each for each in target.parents if os.path.lexists(each))
+    if not folder.is_dir():
+        raise FileWriteError(f"{path} cannot be written: {_NO_FOLDER}")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise FileWriteError(f"{path} cannot be written: no permission in {folder}; name another place")
+    if len(os.fsencode(target.name)) > _longest_name(folder):
+        raise FileWriteError(
+            f"{path} cannot be written: {os.strerror(errno.ENAMETOOLONG)}; name another place"
+        )
+
+
+def _longest_name(folder: Path) -> int:
+    try:
+        return os.pathconf(folder, "PC_NAME_MAX")
+    except (AttributeError, OSError, ValueError):  # a system or a file system that does not say
+        return 255
 
 
 def is_stream(path: Path) -> bool:
@@ -210,6 +249,8 @@ def _write_to_standard_output(data: bytes) -> None:
 def _target(path: Path) -> Path:
     """Follow symbolic links to the file that is to be replaced, or to the place of a new one."""
     target = Path(os.path.realpath(path))
+    if target.is_symlink():
+        raise FileWriteError(f"{path} is a symbolic link that leads back to itself: name another file")
     if target.is_dir():
         raise FileWriteError(f"{path} is a folder: name a file in it to write to")
     if target.exists() and not target.is_file():

@@ -13,7 +13,7 @@ from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
-from trimmer.files import HTML, PDF, STANDARD_INPUT, check_replaceable, write_atomically
+from trimmer.files import HTML, PDF, STANDARD_INPUT, check_target, write_atomically
 
 if TYPE_CHECKING:
     from report.design.building import Place
@@ -99,11 +99,10 @@ def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> No
     """Check that the files of a report may be written, before any work is done.
 
     Raises:
-        FileWriteError: if one is there and of another kind.
+        FileWriteError: if one is there and of another kind, or cannot be made.
     """
     for form in formats:
-        if not overwrite:
-            check_replaceable(place.file(form), KINDS[form])
+        check_target(place.file(form), KINDS[form], overwrite=overwrite)
 
 
 def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], int]:
@@ -134,7 +133,7 @@ def _run(arguments: Namespace) -> int:
     check_files(place, formats, arguments.overwrite)
     _make(arguments, file, place, formats, runner)
     if arguments.open:
-        webbrowser.open(place.file(Format.HTML).resolve().as_uri())
+        webbrowser.open(place.file(Format.HTML).absolute().as_uri())
     return 0
 
 

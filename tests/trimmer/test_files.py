@@ -62,6 +62,15 @@ def test_a_symbolic_link_stays_and_its_target_changes(tmp_path: Path) -> None:
     assert (tmp_path / "target").read_text() == "new"
 
 
+def test_a_link_that_leads_back_to_itself_is_refused_and_stays(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to("other")
+    (tmp_path / "other").symlink_to("link")
+    for overwrite in (False, True):
+        with pytest.raises(FileWriteError, match="link is a symbolic link that leads back to itself"):
+            write_atomically(tmp_path / "link", "new", overwrite=overwrite)
+    assert (tmp_path / "link").is_symlink()
+
+
 def test_a_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileWriteError, match="is a folder"):
         write_atomically(tmp_path, "text")

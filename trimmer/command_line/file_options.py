@@ -17,7 +17,7 @@ from trimmer.files import (
     SVG,
     FileKind,
     FileWriteError,
-    check_replaceable,
+    check_target,
     is_standard_output,
     is_stream,
 )
@@ -62,7 +62,8 @@ def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: M
 
     Raises:
         TrimmerError: if a name ends in what is not written; if a file is to be read too, or written twice; if
-            what is there may not be replaced; if ``--overwrite`` is given and nothing is written.
+            what is there may not be replaced, or nothing can be written there; if ``--overwrite`` is given
+            and nothing is written.
     """
     chosen = {
         name: Path(getattr(arguments, name)) for name in targets if getattr(arguments, name) is not None
@@ -78,17 +79,21 @@ def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: M
     for (name, path), (other, second) in combinations(chosen.items(), 2):
         if _same(path, second) and not _swallows(path):
             raise OptionError(f"{as_option(name)} and {as_option(other)} both write {path}: name two files")
-    if not arguments.overwrite:
-        for name, path in chosen.items():
-            check_replaceable(path, kinds[name])
+    for name, path in chosen.items():
+        check_target(path, kinds[name], overwrite=arguments.overwrite)
 
 
 def keep(path: Path) -> None:
     """Refuse a file to write that is there already, unless it is empty or standard output.
 
     Raises:
-        FileWriteError: if it holds something.
+        FileWriteError: if it holds something, or is a symbolic link to what is not there.
     """
+    if os.path.islink(path) and not os.path.exists(path):
+        raise FileWriteError(
+            f"{path} is a symbolic link to {os.readlink(path)}, which leads to no file: name another "
+            "file, or remove the link first"
+        )
     if not is_standard_output(path) and _holds_something(path):
         raise FileWriteError(f"{path} is there already: name another file, or remove it first")
 
@@ -123,7 +128,7 @@ def _same(path: Path, other: Path) -> bool:
     try:
         return os.path.samefile(path, other)
     except OSError:
-        return path.resolve() == other.resolve()
+        return os.path.realpath(path) == os.path.realpath(other)
 
 
 def _swallows(path: Path) -> bool:

@@ -83,6 +83,12 @@ def test_a_first_file_is_kept_unless_it_is_empty(words: list[str], capsys) -> No
     assert main([*words, "a.toml"]) == 2
     assert capsys.readouterr().err.startswith("trimmer: a.toml is there already: name another file")
     assert Path("a.toml").read_text() == "x"
+    for name, target in (("one", "other"), ("other", "one"), ("gone", "nowhere")):
+        Path(name).symlink_to(target)
+    for name in ("one", "gone"):
+        assert main([*words, name]) == 2
+        assert f"{name} is a symbolic link to " in capsys.readouterr().err
+        assert Path(name).is_symlink() and not Path("nowhere").exists()
     long = "x" * 300
     assert main([*words, long]) == 2
     told = capsys.readouterr().err
