@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import takewhile
@@ -11,6 +10,8 @@ from typing import Any
 
 from trimmer.errors import TrimmerError
 from trimmer.files import read_content
+from trimmer.json_data import DataError, parsed_json
+from trimmer.messages import shown_value
 
 COMPARED = ("verdict", "severity", "printed", "derived")
 JUDGED = {"verdict", "severity"}
@@ -49,34 +50,29 @@ def read_claims(path: Path) -> ClaimsFile:
     except OSError as error:
         raise ClaimsFileError(f"--compare {path}: cannot be read: {error.strerror or error}") from error
     try:
-        return parsed_claims(content.decode("utf-8"), path.name)
-    except (ValueError, RecursionError) as error:
-        reason = str(error) if isinstance(error, _MalformedError) else "it is no JSON in UTF-8"
-        raise ClaimsFileError(f"--compare {path}: {reason}; give a claims.json of trimmer report") from error
+        return parsed_claims(content, path.name)
+    except DataError as error:
+        raise ClaimsFileError(f"--compare {path}: {error}; give a claims.json of trimmer report") from error
 
 
-class _MalformedError(ValueError):
-    """JSON that is no file of claims; the message says why."""
-
-
-def parsed_claims(text: str, name: str) -> ClaimsFile:
+def parsed_claims(text: bytes | str, name: str) -> ClaimsFile:
     """Return the claims of the text of a file of claims.
 
     Raises:
-        ValueError: if it is no such text.
+        DataError: if it is no such text.
     """
-    content = json.loads(text)
+    content = parsed_json(text)
     if not isinstance(content, dict) or not isinstance(content.get("claims"), list):
-        raise _MalformedError("it has no list of claims")
+        raise DataError("it has no list of claims")
     schema = content.get("schema")
-    if isinstance(schema, bool) or schema not in SCHEMAS:
+    if type(schema) is not int or schema not in SCHEMAS:
         known = " and ".join(map(str, SCHEMAS))
-        raise _MalformedError(f"its schema is {schema!r}, and this version reads {known}")
+        raise DataError(f"its schema is {shown_value(schema)}, and this version reads {known}")
     claims: dict[str, Fields] = {}
     for number, claim in enumerate(content["claims"], start=1):
         fields = _fields(claim, schema, number)
         if fields["id"] in claims:
-            raise _MalformedError(f"it has the claim {fields['id']} twice")
+            raise DataError(f"it has the claim {shown_value(fields['id'])} twice")
         claims[fields["id"]] = fields
     return ClaimsFile(name, schema, claims)
 
@@ -87,7 +83,7 @@ def _fields(claim: Any, schema: int, number: int) -> Fields:
     found = {name: given[name] for name in names if isinstance(given.get(name), str)}
     for name in names:
         if name not in found:
-            raise _MalformedError(f"its claim {number} has no text as {name}")
+            raise DataError(f"its claim {number} has no text as {name}")
     return found
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 _LONGEST = 200
-_LARGEST_COUNT = 2**62
+LARGEST_COUNT = 2**62
 """Largest whole number; beyond it, no number of things fits into an integer of the computer."""
 
 
@@ -124,8 +124,8 @@ def whole_number(name: str, value: object, least: int | None = None) -> int:
         number = None
     if number is None:
         raise WrongTypeError(f"{name} must be {wanted}, not {shown(value)}")
-    if number > _LARGEST_COUNT:
-        raise ValueError(f"{name} must be at most {_LARGEST_COUNT}, not {shown(value)}")
+    if number > LARGEST_COUNT:
+        raise ValueError(f"{name} must be at most {LARGEST_COUNT}, not {shown(value)}")
     if least is not None and number < least:
         raise ValueError(f"{name} must be {wanted}, not {value!r}")
     return number

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -74,17 +74,8 @@ class CellMotion:
     failure: str = ""
 
     def as_data(self) -> dict[str, Any]:
-        """Return the motion as data for JSON."""
+        """Return the motion as data for JSON, which ``typed`` reads."""
         return {**asdict(self), "kind": self.kind.word}
-
-    @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> CellMotion:
-        """Return the motion that ``as_data`` gave the data of."""
-        fields = dict(data)
-        fields["kind"] = MotionKind.chosen(fields["kind"], "kind")
-        fields["states"] = tuple(map(tuple, fields["states"]))
-        fields["measures"] = None if fields["measures"] is None else Measures(**fields["measures"])
-        return cls(**fields)
 
 
 @dataclass(frozen=True)

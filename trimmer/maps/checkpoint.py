@@ -13,10 +13,13 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from trimmer.contact.machine import machine_of
 from trimmer.files import MAP
+from trimmer.json_data import DataError, typed
 from trimmer.maps.cells import CellMotion, CellResult
-from trimmer.maps.inputs import FORMAT, MapInputs, Settings
+from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import Records, appended, cut
 
 _MAPS = Records(
@@ -48,12 +51,16 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
         MapFileError: if the file is not there, is none of a map, is damaged, or has other inputs.
     """
     results = []
+    states = machine_of(inputs.mechanism)[1].state_count
     for line, data in _MAPS.entries(path, inputs.header):
         try:
-            motions = tuple(CellMotion.from_data(each) for each in data["motions"])
-            results.append(CellResult(range(inputs.count)[data["number"]], motions))
-        except (ValueError, TypeError, KeyError, IndexError) as error:
-            raise _MAPS.damaged(path, line) from error
+            result = typed(CellResult, data)
+        except DataError as error:
+            raise _MAPS.damaged(path, line, error) from error
+        problem = _problem(result, inputs, states)
+        if problem:
+            raise _MAPS.damaged(path, line, problem)
+        results.append(result)
     cut(path)
     return results
 
@@ -63,16 +70,52 @@ def append(path: Path, results: Iterable[CellResult]) -> Iterator[CellResult]:
     return appended(path, results, _as_data)
 
 
-def read_inputs(path: Path) -> MapInputs:
-    """Return the inputs that a file of a map was made from.
+def _problem(result: CellResult, inputs: MapInputs, states: int) -> str:
+    """Say why a result is none of a cell of this map; empty if it may be one.
 
-    Raises:
-        MapFileError: if the file is none of a map.
+    Args:
+        result: The result.
+        inputs: The inputs of the map.
+        states: Number of states of the mechanism as it is without the values of the cell.
     """
-    header = _MAPS.header(path)
-    mechanism = Mechanism.from_toml_text(header["mechanism"], f"the mechanism in {path}")
-    values = tuple(tuple(map(float, each)) for each in header["values"])
-    return MapInputs(mechanism, tuple(header["places"]), values, Settings(**header["settings"]))
+    if not 0 <= result.number < inputs.count:
+        return f"number is {result.number}, and the map has {inputs.count} cells, from 0 on"
+    if not result.motions:
+        return "motions is empty, and each start leads to one"
+    for at, motion in enumerate(result.motions):
+        problem = _problem_of_motion(motion, inputs.mechanism)
+        sizes = {len(state) for state in motion.states} - {states}
+        if not problem and sizes and sizes != {_states(inputs, result.number)}:
+            problem = "states are not of as many numbers as the mechanism has states"
+        if problem:
+            return f"motions[{at}].{problem}"
+    return ""
+
+
+def _problem_of_motion(motion: CellMotion, mechanism: Mechanism) -> str:
+    if min(motion.period_count, motion.periods, motion.starts - 1) < 0:
+        return "period_count, periods or starts are too small"
+    if motion.failure:
+        return ""
+    if motion.measures is None:
+        return "measures is null, and there is no failure"
+    repeats = motion.kind is MotionKind.PERIODIC
+    if len(motion.states) != (motion.period_count if repeats else 1) or not motion.states:
+        return f"states are {len(motion.states)}, which does not fit kind and period_count"
+    for name, parts in (
+        ("peak_to_peak", mechanism.outputs),
+        ("rms_acceleration", mechanism.bodies),
+        ("wear_power", mechanism.frictions),
+    ):
+        if getattr(motion.measures, name).keys() != parts.keys():
+            return f"measures.{name} is not of the parts of the mechanism"
+    return ""
+
+
+def _states(inputs: MapInputs, number: int) -> int:
+    """Return the number of states of a cell: damping of a stop adds one, and may be varied."""
+    mechanism = varied(inputs.mechanism, inputs.places, inputs.cell_values(number))
+    return machine_of(mechanism)[1].state_count
 
 
 def _as_data(result: CellResult) -> dict[str, Any]:

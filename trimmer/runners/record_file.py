@@ -15,6 +15,8 @@ from typing import Any
 
 from trimmer.errors import MapFileError
 from trimmer.files import FileKind, FileWriteError, is_standard_output, is_stream, write_atomically
+from trimmer.json_data import DataError, parsed_json
+from trimmer.messages import shown_value
 from trimmer.runners.runner import Result
 
 
@@ -80,21 +82,21 @@ class Records:
                 )
         for number, line in enumerate(lines[1:], start=2):
             try:
-                yield number, json.loads(line)
-            except ValueError as error:
-                raise self.damaged(path, number) from error
+                yield number, parsed_json(line)
+            except DataError as error:
+                raise self.damaged(path, number, error) from error
 
-    def damaged(self, path: Path, number: int) -> MapFileError:
-        """Return the error that says that a line is none of these."""
+    def damaged(self, path: Path, number: int, reason: Exception | str) -> MapFileError:
+        """Return the error that says that a line is none of these, and why."""
         return MapFileError(
-            f"{path}, line {number}: is no {self.one}; take the line out to have it done again, or begin "
-            "anew (--overwrite)"
+            f"{path}, line {number}: is no {self.one} ({reason}); take the line out to have it done again, "
+            "or begin anew (--overwrite)"
         )
 
     def _header(self, path: Path, lines: list[bytes]) -> dict[str, Any]:
         try:
-            header = json.loads(lines[0]) if lines else None
-        except ValueError:
+            header = parsed_json(lines[0]) if lines else None
+        except DataError:
             header = None
         if not isinstance(header, dict) or self.key not in header:
             raise MapFileError(
@@ -102,8 +104,8 @@ class Records:
             )
         if header[self.key] != self.version:
             raise MapFileError(
-                f"{path} has format {header[self.key]!r} of the {self.kind.name}, but this program "
-                f"writes {self.version}: begin it anew (--overwrite)"
+                f"{path} has format {shown_value(header[self.key])} of the {self.kind.name}, but this "
+                f"program writes {self.version}: begin it anew (--overwrite)"
             )
         return header
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.signals.csv_layout import COMMENT, DecimalSign
+from trimmer.signals.signal import LARGEST_VALUE
 from trimmer.signals.text_file import SignalFileError
 
 MISSING = frozenset(
@@ -74,13 +75,13 @@ def numbers_in(cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign 
             numbers[index] = math.nan
         else:
             raise SignalFileError(f"{place}, line {line}: {_reason(cell, sign)}")
-        if math.isinf(numbers[index]):
+        if abs(numbers[index]) > LARGEST_VALUE:
             raise SignalFileError(f"{place}, line {line}: {shown(cell)} is too large for a number")
     return numbers
 
 
 def _plain_numbers(cells: Sequence[str], decimal: DecimalSign | None) -> Reals | None:
-    """Read a column at once, several times faster; None if it holds anything but finite numbers."""
+    """Read a column at once, several times faster; None if it holds anything but numbers that can be used."""
     text = "\n".join(cells)
     if decimal is not DecimalSign.POINT and "," in text and "." not in text:
         text = text.replace(",", ".")
@@ -92,7 +93,7 @@ def _plain_numbers(cells: Sequence[str], decimal: DecimalSign | None) -> Reals |
         numbers = np.array(list(map(float, text.split("\n"))))
     except ValueError:
         return None
-    return numbers if np.isfinite(numbers).all() else None
+    return numbers if (np.abs(numbers) <= LARGEST_VALUE).all() else None
 
 
 def _with_point(text: str, sign: DecimalSign) -> str:

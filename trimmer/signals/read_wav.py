@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arguments import file_path, real_number, whole_number
 from trimmer.files import STANDARD_INPUT
-from trimmer.signals.signal import Signal
+from trimmer.signals.signal import LARGEST_VALUE, Signal
 from trimmer.signals.text_file import SignalFileError, unreadable
 
 if TYPE_CHECKING:
@@ -69,9 +69,12 @@ def read_wav(
             f"{path}: lasts {frames.shape[0] / rate:.6g} s, and holds no sample from {begin:g} s to {end:g} s"
         )
     values, told = _shares(taken)
-    wrong = np.flatnonzero(~np.isfinite(values))
+    wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_VALUE))
     if wrong.size:
-        raise SignalFileError(f"{path}: sample {first + int(wrong[0]) + 1} is not finite; was it overloaded?")
+        raise SignalFileError(
+            f"{path}: sample {first + int(wrong[0]) + 1} is not finite, or above {LARGEST_VALUE:g}; "
+            "was it overloaded?"
+        )
     several = f", channel {chosen + 1} of {frames.shape[1]}" if frames.shape[1] > 1 else ""
     notes = (f"WAV file{several}: {told}", *problems)
     full_scale = math.inf if frames.dtype.kind == "f" else 1.0

@@ -14,10 +14,12 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from trimmer.design.trial import Asked, Trial, all_measures
 from trimmer.files import SAMPLES
+from trimmer.json_data import DataError, typed
+from trimmer.messages import shown_value
 from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import Records, appended, cut
 
@@ -59,7 +61,7 @@ class Keeping:
 NOWHERE = Keeping()
 
 
-def header(inputs: SampleInputs) -> dict[str, Any]:
+def header(inputs: SampleInputs) -> dict[str, object]:
     """Return the header of the file of samples."""
     from trimmer import __version__
 
@@ -95,10 +97,10 @@ def resumed(path: Path, inputs: SampleInputs, asked: tuple[Asked, ...]) -> dict[
     results = {}
     for line, data in _SAMPLES.entries(path, header(inputs)):
         try:
-            number = range(len(inputs.values))[data["number"]]
-            results[number] = _trial(data, tuple(inputs.values[number].tolist()), asked)
-        except (ValueError, TypeError, KeyError, IndexError) as error:
-            raise _SAMPLES.damaged(path, line) from error
+            said = typed(_Kept, data)
+            results[said.number] = _trial(said, inputs, asked)
+        except DataError as error:
+            raise _SAMPLES.damaged(path, line, error) from error
     cut(path)
     return results
 
@@ -108,7 +110,7 @@ def append(path: Path, results: Iterable[tuple[int, Trial]]) -> Iterator[tuple[i
     return appended(path, results, _as_data)
 
 
-def _as_data(result: tuple[int, Trial]) -> dict[str, Any]:
+def _as_data(result: tuple[int, Trial]) -> dict[str, object]:
     number, trial = result
     return {
         "number": number,
@@ -118,10 +120,24 @@ def _as_data(result: tuple[int, Trial]) -> dict[str, Any]:
     }
 
 
-def _trial(data: dict[str, Any], values: tuple[float, ...], asked: tuple[Asked, ...]) -> Trial:
-    kind = None if data["kind"] is None else MotionKind.chosen(data["kind"], "kind")
-    measures = tuple(zip(asked, map(_from_json, data["measures"]), strict=True))
-    return Trial(values, kind, data["period_count"], measures)
+@dataclass(frozen=True)
+class _Kept:
+    """A line of a sample."""
+
+    number: int
+    kind: MotionKind | None
+    period_count: int | None
+    measures: tuple[float | str | None, ...]
+
+
+def _trial(said: _Kept, inputs: SampleInputs, asked: tuple[Asked, ...]) -> Trial:
+    if not 0 <= said.number < len(inputs.values):
+        raise DataError(f"number is {said.number}, and there are {len(inputs.values)} samples, from 0 on")
+    if len(said.measures) != len(asked):
+        raise DataError(f"measures has {len(said.measures)} entries, not {len(asked)}")
+    values = tuple(inputs.values[said.number].tolist())
+    measures = tuple(zip(asked, map(_from_json, said.measures), strict=True))
+    return Trial(values, said.kind, said.period_count, measures)
 
 
 def _to_json(value: float) -> float | str | None:
@@ -130,4 +146,8 @@ def _to_json(value: float) -> float | str | None:
 
 
 def _from_json(value: float | str | None) -> float:
-    return math.nan if value is None else math.inf if value == "infinite" else float(value)
+    if isinstance(value, str):
+        if value != "infinite":
+            raise DataError(f"a measure is {shown_value(value)}, and the only word there is infinite")
+        return math.inf
+    return math.nan if value is None else value

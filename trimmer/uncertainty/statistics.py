@@ -88,9 +88,11 @@ def distribution_of(values: Reals) -> Distribution | None:
     finite = np.sort(values[np.isfinite(values)])
     if not finite.size:
         return None
-    deviation = float(finite.std(ddof=1)) if finite.size > 1 else 0.0
+    scale = float(np.abs(finite).max()) or 1.0  # sums and squares of the values themselves may overflow
+    mean = scale * float((finite / scale).mean())
+    deviation = scale * float((finite / scale).std(ddof=1)) if finite.size > 1 else 0.0
     quantiles = tuple(_quantile(finite, share) for share in QUANTILES)
-    return Distribution(finite.size, float(finite.mean()), deviation, quantiles)
+    return Distribution(finite.size, mean, deviation, quantiles)
 
 
 def _quantile(values: Reals, share: float) -> Quantile:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,6 +15,7 @@ from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import UnsupportedMotionError
+from trimmer.json_data import parsed_json, typed
 from trimmer.maps import cells as cell_work
 from trimmer.maps.basin import Basin
 from trimmer.maps.cells import (
@@ -260,7 +262,7 @@ def test_a_motion_that_ends_before_its_time_has_no_measures() -> None:
 def test_a_motion_comes_back_from_its_data() -> None:
     for motion in (ORBIT, CHAOS, FAILED):
         data = motion.as_data()
-        assert CellMotion.from_data({**data, "states": [list(state) for state in data["states"]]}) == motion
+        assert typed(CellMotion, parsed_json(json.dumps(data))) == motion
         assert isinstance(data["kind"], str)
 
 

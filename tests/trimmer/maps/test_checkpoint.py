@@ -14,7 +14,6 @@ import pytest
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.errors import MapFileError
 from trimmer.files import FileWriteError
-from trimmer.maps.checkpoint import read_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
 from trimmer.mechanism import Mechanism
 from trimmer.runners.processes import ProcessRunner
@@ -56,7 +55,7 @@ def resume(file: Path):
     return motion_map(impact_oscillator(), PLACES, runner=SERIAL, file=file, resume=True)
 
 
-def test_the_file_says_all_that_it_depends_on(file: Path, whole) -> None:
+def test_the_file_says_all_that_it_depends_on(file: Path) -> None:
     motion_map(impact_oscillator(), PLACES, runner=SERIAL, file=file)
     header, *cells = map(json.loads, file.read_text("utf-8").splitlines())
     assert Mechanism.from_toml_text(header["mechanism"]) == impact_oscillator()
@@ -68,7 +67,6 @@ def test_the_file_says_all_that_it_depends_on(file: Path, whole) -> None:
     digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
     assert header["inputs"] == digest
     assert sorted(cell["number"] for cell in cells) == list(range(6))
-    assert read_inputs(file) == whole.inputs
 
 
 @pytest.mark.parametrize("cells", [0, 1, 5])
@@ -217,8 +215,7 @@ def test_a_killed_map_goes_on_to_the_same_numbers_and_leaves_no_process(file: Pa
         time.sleep(0.05)
     done = file.read_bytes().count(b"\n") - 1
     assert 9 <= done < 1000
-    inputs = read_inputs(file)
-    values = {"frequency": list(inputs.values[0])}
+    values = {"frequency": [1.0 + number / 1000 for number in range(1000)]}
     kept = file.read_bytes()
     again = motion_map(linear_oscillator(), values, runner=ProcessRunner(2), file=file, resume=True)
     assert file.read_bytes().startswith(kept[: kept.rindex(b"\n") + 1])

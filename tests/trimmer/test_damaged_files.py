@@ -1,0 +1,150 @@
+"""Damaged files end with a result or one sentence that names the file, whoever reads them."""
+
+from __future__ import annotations
+
+import io
+import json
+import wave
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from report.changes import read_claims
+from report.copy.reading import read_reader_copy
+from tests.damage import damaged, damaged_data
+from tests.trimmer.maps.machines import impact_oscillator
+from trimmer import (
+    Mechanism,
+    TrimmerError,
+    TrimmerParameters,
+    coexisting_motions,
+    motion_map,
+    read_signal,
+)
+from trimmer.command_line.main import main
+from trimmer.design.design_file import read_design_file
+from trimmer.runners.runner import SerialRunner
+from trimmer.signals.read_wav import read_wav
+from trimmer.uncertainty.loop_samples import read_loop_file
+from trimmer.uncertainty.sample_file import read_sample_file
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+TWIN = (EXAMPLES / "thesis-play.toml").read_bytes()
+SCATTER = (EXAMPLES / "scatter.toml").read_bytes()
+PARAMETERS = TrimmerParameters.thesis().to_toml().encode()
+SPREAD = PARAMETERS + b'\n[uncertainty]\nm1 = { normal = "2 %" }\ngap = { uniform = "10 %" }\n'
+RECORD = b"time [s],x [m]\n" + b"".join(b"%.4f,%.6f\n" % (at / 1000, at % 7 / 1e3) for at in range(40))
+CLAIM = {"id": "eq-2.8", "section": "2.1", "verdict": "reproduced", "severity": "none", "printed": "1"}
+CLAIMS = json.dumps({"schema": 2, "claims": [{**CLAIM, "derived": "1"}]}, indent=1).encode()
+TEXT = "Chapter 1\nIt moves \N{GREEK SMALL LETTER OMEGA}.\n".encode() * 5
+NUMBERS = {"frequency": [1.0, 1.05], "stops.wall.gap": [8.0, 10.0]}
+
+
+def sound() -> bytes:
+    held = io.BytesIO()
+    with wave.open(held, "wb") as file:
+        file.setnchannels(1)
+        file.setsampwidth(2)
+        file.setframerate(1000)
+        file.writeframes(bytes(range(200)))
+    return held.getvalue()
+
+
+READERS = {
+    "mechanism": (TWIN, Mechanism.from_toml),
+    "design": (SCATTER, read_design_file),
+    "scatter": (SCATTER, read_sample_file),
+    "parameters": (PARAMETERS, TrimmerParameters.from_toml),
+    "loop": (SPREAD, lambda path: read_loop_file(path, 4e-5)),
+    "record": (RECORD, read_signal),
+    "sound": (sound(), read_wav),
+    "claims": (CLAIMS, read_claims),
+    "text copy": (TEXT, lambda path: read_reader_copy(path, "", accept_other=True)),
+}
+
+
+def told(path: Path, read: Callable[[Path], object]) -> None:
+    try:
+        read(path)
+    except TrimmerError as error:
+        assert str(path) in str(error)
+        assert len(str(error)) < 3000
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", READERS)
+def test_a_damaged_file_is_told_in_a_sentence(tmp_path: Path, name: str) -> None:
+    valid, read = READERS[name]
+    path = tmp_path / "damaged"
+    path.write_bytes(valid)
+    read(path)  # or else nothing would be shown
+
+    @given(damaged(valid))
+    def check(content: bytes) -> None:
+        path.write_bytes(content)
+        told(path, read)
+
+    check()
+
+
+SERIAL = {"most_periods": 40, "runner": SerialRunner()}
+SAMPLE = ["sample", str(EXAMPLES / "scatter.toml"), "--count", "3", "--periods", "5", "--jobs", "1"]
+
+
+@pytest.fixture(scope="module")
+def map_lines(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    path = tmp_path_factory.mktemp("map") / "map.jsonl"
+    motion_map(impact_oscillator(), NUMBERS, file=path, **SERIAL)
+    return path.read_text("utf-8").splitlines()
+
+
+@pytest.fixture(scope="module")
+def sample_lines(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    path = tmp_path_factory.mktemp("samples") / "samples.jsonl"
+    assert main([*SAMPLE, "--output", str(path), "--quiet"]) == 0
+    return path.read_text("utf-8").splitlines()
+
+
+def one_damaged(draw: Callable[[st.SearchStrategy], Any], lines: list[str], path: Path) -> None:
+    """Write lines of JSON with one of them damaged."""
+    at = draw(st.integers(0, len(lines) - 1))
+    line = draw(damaged_data(json.loads(lines[at])))
+    path.write_text("\n".join([*lines[:at], line, *lines[at + 1 :]]) + "\n", "utf-8")
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_a_damaged_map_is_gone_on_with_or_told(tmp_path: Path, map_lines: list[str], data) -> None:
+    path = tmp_path / "map.jsonl"
+    one_damaged(data.draw, map_lines, path)
+
+    def go_on(path: Path) -> None:
+        found = motion_map(impact_oscillator(), NUMBERS, file=path, resume=True, **SERIAL)
+        assert found.peak_to_peak["x"].shape == found.lyapunov.shape == (2, 2)
+        assert repr(found)
+        coexisting_motions(found, runner=SerialRunner())
+
+    told(path, go_on)
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40)
+@given(data=st.data())
+def test_damaged_samples_are_gone_on_with_or_told(tmp_path: Path, sample_lines: list[str], data) -> None:
+    path = tmp_path / "samples.jsonl"
+    one_damaged(data.draw, sample_lines, path)
+    assert main([*SAMPLE, "--output", str(path), "--resume", "--json", "--quiet"]) in (0, 2)
+
+
+CELL = '{"number": 0, "motions": []}'
+
+
+@pytest.mark.parametrize("line", [CELL, CELL.replace("0", "-1"), CELL.replace("0", "true"), "[" * 100_000])
+def test_a_map_with_a_line_that_is_no_cell(tmp_path: Path, map_lines: list[str], line: str) -> None:
+    path = tmp_path / "map.jsonl"
+    path.write_text(f"{map_lines[0]}\n{line}\n")
+    with pytest.raises(TrimmerError, match=r"map\.jsonl, line 2: is no cell of a map \(.*take the line out"):
+        motion_map(impact_oscillator(), NUMBERS, file=path, resume=True, **SERIAL)
