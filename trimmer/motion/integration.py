@@ -96,10 +96,10 @@ def integrate_on(
                     log = _longer(log) if segment + 2 >= log.start.size else log
                     following = _decide_together(modes, log, segment)
                 if following is None:
-                    return reason, _shortened(log, segment), reached
+                    return reason, shortened(log, segment), reached
                 segment = following
     except KeyboardInterrupt as interrupt:
-        until = _shortened(log, int(pause.segment[0]))
+        until = shortened(log, int(pause.segment[0]))
         raise IntegrationInterrupted(until, float(pause.reached[0])) from interrupt
     finally:
         if bar is not None:
@@ -114,7 +114,7 @@ class IntegrationInterrupted(KeyboardInterrupt):
         self.log, self.reached = log, reached
 
 
-def _shortened(log: Log, last: int) -> Log:
+def shortened(log: Log, last: int) -> Log:
     """Return the log up to a segment."""
     return Log._make(column[: last + 1].copy() for column in log)
 

@@ -32,13 +32,14 @@ if TYPE_CHECKING:
 class Outcome(Enum):
     """How a simulation ended.
 
-    CHATTERING has one of two reasons. Either the events truly accumulate (Zeno), as under a relay and
-    friction that bring a body to rest by ever shorter swings, or double precision cannot separate them, as
-    where a gap is smaller than about 1e-13 of the motion. For no backlash at all leave the element out.
+    CHATTERING: the events accumulate (Zeno), as under a relay and friction that bring a body to rest by ever
+    shorter swings. UNRESOLVED ends a motion at the event where a pin is farther than 1e13 gaps from zero. For
+    no backlash at all leave the element out.
     """
 
     COMPLETED = "reached the end"
     CHATTERING = "events accumulate at one instant: the motion cannot be continued beyond it"
+    UNRESOLVED = "a pin has gone farther than 1e13 gaps: double precision does not tell their sides apart"
     EVENT_LIMIT = "reached the greatest number of events"
     DIVERGED = "a state grew beyond 1e150: the loop is unstable, and the motion is not followed further"
     INTERRUPTED = "interrupted"

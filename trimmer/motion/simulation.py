@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number
 from trimmer.motion.initial import initial_segment
-from trimmer.motion.integration import IntegrationInterrupted, integrate_on, new_log
+from trimmer.motion.integration import IntegrationInterrupted, integrate_on, new_log, shortened
 from trimmer.motion.kernel import CYCLING, DIVERGED, EVENT_LIMIT, MOST_STEPS, REACHED_END, STEP_LIMIT
 from trimmer.motion.loops import require_loop
 from trimmer.motion.motion import Motion, Outcome
+from trimmer.motion.resolution import unresolved_segment
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -76,7 +77,7 @@ def simulate_loop(
 
     Returns:
         The motion. It ends early, and its ``outcome`` says why, if events accumulate or exceed the limit, if
-        the motion grows without bound, or if it is too long for the fastest mode of the loop.
+        the motion grows without bound or too large for a gap, or if the fastest mode is too fast for it.
 
     Raises:
         ValueError: if an argument is out of range, a value of the system is not finite, or the loop is not
@@ -98,4 +99,8 @@ def simulate_loop(
     except IntegrationInterrupted as interrupt:
         motion = Motion(loop, float(interrupt.reached), Outcome.INTERRUPTED, interrupt.log)
         raise SimulationInterrupted(motion) from interrupt
+    unresolved = unresolved_segment(modes, log)
+    if unresolved is not None:
+        until = shortened(log, unresolved)
+        return Motion(loop, float(until.start[-1]), Outcome.UNRESOLVED, until)
     return Motion(loop, float(reached), OUTCOMES[reason], log)

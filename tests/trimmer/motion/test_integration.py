@@ -63,7 +63,7 @@ def test_a_new_log() -> None:
     longer = integration._longer(log)
     assert [len(each) for each in longer] == [6] * 6
     assert longer.mode.tolist() == [5, *[0] * 5]
-    short = integration._shortened(log, 1)
+    short = integration.shortened(log, 1)
     assert [len(each) for each in short] == [2] * 6
     assert not np.shares_memory(short.state, log.state)
 

@@ -179,10 +179,28 @@ def test_swings_that_only_grow_shorter_are_not_called_zeno() -> None:
     assert times[3999] - times[1999] == pytest.approx(1.5 * math.log(2), rel=2e-3)
 
 
-def test_a_gap_below_rounding_is_reported() -> None:
-    motion = simulate(TrimmerLoop(THESIS, FrictionBacklash(1e-20), DRIVE), 0.1)
-    assert motion.outcome is Outcome.CHATTERING
-    assert motion.duration < 0.1
+@pytest.mark.parametrize("tau", [0.0, 1e-3])
+@pytest.mark.parametrize("share", [1e-17, 1e-16, 1e-15, 1e-14, 0.8e-13])
+def test_a_gap_below_rounding_is_reported(share: float, tau: float) -> None:
+    """Where the pin has gone so far, at its first separation, and not where rounding first repeats events."""
+    motion = simulate(TrimmerLoop(THESIS, ViscousBacklash(share * AMPLITUDE, tau), DRIVE), 0.1)
+    assert motion.outcome is Outcome.UNRESOLVED
+    assert not motion.success
+    assert abs(motion.element_input(motion.duration)) > 1e13 * share * AMPLITUDE
+    assert [event.kind for event in motion.events[:-1]] == [EventKind.IMPACT]
+    assert motion.events[-1].kind is EventKind.SEPARATION
+
+
+@pytest.mark.parametrize(
+    ("share", "tau"), [(1.01e-13, 0.0), (1.01e-13, 1e-3), (1e-13, math.inf), (1e-17, math.inf)]
+)
+def test_a_gap_above_rounding_moves_as_a_rigid_pin(share: float, tau: float) -> None:
+    """A load without drag leaves the pin in the middle of its way, where no gap is too small."""
+    times = np.linspace(0.0, 0.1, 300)
+    rigid = simulate(TrimmerLoop(THESIS, None, DRIVE), 0.1).state(times)[:4]
+    motion = simulate(TrimmerLoop(THESIS, ViscousBacklash(share * AMPLITUDE, tau), DRIVE), 0.1)
+    assert motion.outcome is Outcome.COMPLETED
+    assert motion.state(times)[:4] == pytest.approx(rigid, abs=1e-10 * abs(rigid).max())
 
 
 def test_simultaneous_events_are_one_instant() -> None:
