@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.complaints import complaints
 from trimmer.command_line.main import main
 from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
@@ -39,7 +40,7 @@ def test_simulate_notes_a_drive_that_its_file_cannot_show(tmp_path: Path, capsys
     assert main([*motion, *files, "--sample-rate", "100"]) == 0
     assert "drive at 110 Hz is not below half of the sample rate" in capsys.readouterr().err
     assert main([*motion, *files]) == 0
-    assert capsys.readouterr().err == ""
+    assert complaints(capsys.readouterr().err) == ""
     assert main([*motion, "--sample-rate", "100"]) == 2
     assert "--csv or --wav" in capsys.readouterr().err  # without a file nothing is sampled
 

@@ -33,6 +33,8 @@ OSCILLATION = "an oscillation of high frequency with Coulomb friction"
 """Thing that the section and figure 5.19 state."""
 BOUND = 1.0
 """Friction that the thesis takes for realistic, N; its upper bound."""
+AGREEMENT = 1e-12
+"""Share of the largest displacement that rounding may part two motions by: a hundred times what it does."""
 STEADY = 1.0
 """Rate below which a frequency may be said to stay, 1/s."""
 PLACES_WITHOUT_UNIT = "figures 5.18 to 5.20, 5.22 and 5.23"
@@ -241,8 +243,8 @@ def linear_in_force(known: Evidence) -> Record:
     yield assertion(
         "exact loop with a relay of 0.015 and of 0.15",
         "ten times the force, and the impulse, gives ten times the motion",
-        difference < 1e-9,
-        f"over 20 ms the motions differ by {power_of(difference)} of the largest displacement",
+        difference < AGREEMENT,
+        f"over 20 ms the motions differ by less than {power_of(AGREEMENT)} of the largest displacement",
         method="exact simulation of both",
         second=so("the relay's law, which is of first degree in signal and level", of_scaled == of_signal),
     )
