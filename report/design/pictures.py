@@ -22,6 +22,7 @@ from report.rendering.escaping import plain
 from trimmer.design.linear import driving
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked
+from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from report.document.figure import Figure
@@ -72,6 +73,7 @@ def _motion(design: Design) -> Iterator[Figure]:
     if motion is None:
         return
     span = "one period" if motion.repeats else "some drive periods of a motion that does not repeat"
+    span = "a part of the rest" if motion.kind is MotionKind.REST else span
     contacts = ", the forces of its contacts" if motion.signals.forces else ""
     yield drawn(
         "motion",

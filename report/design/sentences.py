@@ -83,6 +83,9 @@ def settled_sentences(design: Design) -> str:
     assert motion is not None
     begun = "its own start" if design.file.mechanism.start else "rest"
     drive = design.file.mechanism.frequency
+    if motion.kind is MotionKind.REST:
+        where = " Where it stays depends on its start." if motion.neutral else ""
+        return f"From {begun}, the mechanism comes to rest, and nothing sets it in motion.{where}"
     if not motion.repeats:
         exponent = motion.lyapunov
         grown = (
@@ -163,7 +166,7 @@ def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:
     floor = plain(shown(spectrum.floor, "m", 2))
     motion = design.motion
     told = f"These lines hold {share} of the mean square of {plain(spectrum.output)}."
-    if motion is not None and not motion.repeats:
+    if motion is not None and not motion.repeats and motion.kind is not MotionKind.REST:
         return told + " The motion does not repeat, so the rest is spread between the lines."
     if spectrum.left_out:
         more = capital(count(spectrum.left_out, "further line"))

@@ -43,6 +43,7 @@ def _cell_words(drawn: DesignMap) -> str:
     motion = drawn.result.cells[row * len(columns) + column].motions[0]
     return {
         MotionKind.TORUS: "on a torus",
+        MotionKind.REST: "rest, in which nothing moves",
         MotionKind.CHAOTIC: "chaotic",
         MotionKind.DIVERGING: "one that grows without bound",
         MotionKind.UNDECIDED: "not known, because the motion had not settled",
@@ -61,6 +62,8 @@ def no_branches(design: Design) -> str:
     motion = design.motion
     if motion is None:
         return "There is no motion to follow."
+    if motion.kind is MotionKind.REST:
+        return "Nothing moves, so there is no motion to follow over a number."
     if not motion.repeats:
         return (
             "The motion does not repeat, so it is no orbit that could be followed over a number. The maps "
@@ -174,6 +177,8 @@ def no_sensitivities(design: Design) -> str:
     """Say why there are no slopes."""
     if design.motion is None:
         return "There is no motion whose slopes could be taken."
+    if design.motion.kind is MotionKind.REST:
+        return "Nothing moves, so there is no measure that could have a slope."
     if not design.motion.repeats:
         return (
             "The motion does not repeat, so it has no slopes: a small change of a number changes every "

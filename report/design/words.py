@@ -109,6 +109,7 @@ def kind_words(motion: FoundMotion) -> str:
         return f"a motion that repeats after {count(motion.period_count, 'drive period')}"
     return {
         MotionKind.TORUS: "a motion on a torus, which beats and never quite repeats",
+        MotionKind.REST: "rest: nothing moves",
         MotionKind.CHAOTIC: "a chaotic motion",
         MotionKind.DIVERGING: "a motion that grows without bound",
     }.get(motion.kind, "a motion that had not settled when the wait was over")
@@ -252,16 +253,18 @@ def sureness_sentences(design: Design) -> str:
 
 def _grounds(design: Design, motion: FoundMotion) -> list[str]:
     motions = design.motions
-    grounds = [
-        "the motion is an exact periodic orbit, solved to rounding"
-        if motion.repeats
-        else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
-    ]
+    measured = f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
+    if motion.repeats:
+        measured = "the motion is an exact periodic orbit, solved to rounding"
+    elif motion.kind is MotionKind.REST:
+        measured = "nothing moves, and what holds each part is known to rounding"
+    grounds = [measured]
     if motions.starts > 1:
         share = f"{number_words(motion.starts)} of {motions.starts} starts"
         whose = f"all {motions.starts} starts" if motion.starts == motions.starts else share
         lead = "leads" if motion.starts == 1 else "lead"
-        grounds.append(f"{whose} {lead} to {'it' if motion.repeats else 'a motion of this kind'}")
+        one = motion.repeats or motion.kind is MotionKind.REST
+        grounds.append(f"{whose} {lead} to {'it' if one else 'a motion of this kind'}")
     others = len(motions.found) - 1
     if others:
         same = "judged as it is" if design.verdict.others_agree else "not all judged as it is"

@@ -137,6 +137,8 @@ def of_settled(settled: SettledMotion) -> FoundMotion | None:
     """Return what a start settles to; None if it could not be followed to anything that can be measured."""
     if settled.orbit is not None:
         return of_orbit(settled.orbit, settled)
+    if settled.rest is not None:
+        return _made(settled.rest.flow, settled.rest.course, settled, None, 1)
     if settled.window is None:
         return None
     flow = settled.window.flow
@@ -169,7 +171,7 @@ def _made(
         neighbour_agrees=settled.neighbour_agrees if settled else None,
         lyapunov=settled.lyapunov if settled else None,
         multipliers=orbit.nontrivial_multipliers if orbit else np.empty(0, dtype=complex),
-        neutral=bool(orbit and orbit.neutral),
+        neutral=bool(orbit and orbit.neutral) or bool(settled and settled.rest and settled.rest.family),
         state=course.begin.state,
         measured_periods=periods,
         outputs=dict(measures.outputs),

@@ -7,6 +7,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from trimmer.design.targets import Measure, Target
+from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.design.found_motion import FoundMotion
@@ -111,7 +112,8 @@ def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy 
 
 
 def _sureness(judged: tuple[Judged, ...], first: FoundMotion, motions: Motions, depends: bool) -> Sureness:
-    if depends or not first.repeats or first.neutral:
+    known = first.repeats or first.kind is MotionKind.REST
+    if depends or not known or first.neutral:
         return Sureness.UNSURE
     near = any(each.near for each in judged)
     alone = len(motions.found) == 1 and first.neighbour_agrees is not False and not motions.lost

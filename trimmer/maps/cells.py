@@ -13,9 +13,9 @@ from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import Settings, varied
-from trimmer.maps.measures import Measures, of_orbit, of_window
-from trimmer.maps.settle import Settled, orbit_near, settle, strobed_sizes
-from trimmer.response.orbit import NEUTRAL
+from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
+from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
+from trimmer.response.linear_lines import LinearLines
 from trimmer.response.response import MotionKind
 from trimmer.response.same import SAME, same_states
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import MechanismOrbit
 
 WINDOW = 20
@@ -61,6 +62,8 @@ class CellMotion:
             grew beyond all bounds.
         starts: How many starts of the cell led to it.
         failure: Why the motion ended before its time, or the cell could not be begun; empty if neither.
+        neutral: Whether it is one of many orbits or places of rest side by side.
+        holding: Of a motion at rest: the statuses of all contacts and frictions.
     """
 
     kind: MotionKind
@@ -72,6 +75,8 @@ class CellMotion:
     measures: Measures | None = None
     starts: int = 1
     failure: str = ""
+    neutral: bool = False
+    holding: tuple[int, ...] = ()
 
     def as_data(self) -> dict[str, Any]:
         """Return the motion as data for JSON, which ``typed`` reads."""
@@ -129,7 +134,7 @@ def _near(flow: ExactFlow, states: Reals, settings: Settings) -> Settled:
     start = flow.at(states[0])
     orbit = orbit_near(flow, start, len(states))
     if orbit is not None and orbit.stable:
-        return Settled(MotionKind.PERIODIC, 0, orbit.instant, orbit)
+        return on_orbit(orbit, 0)
     return _settled(flow, start, settings)
 
 
@@ -174,7 +179,9 @@ def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
     if settled.ending is not Ending.REACHED_END:
         return CellMotion(settled.kind, periods=settled.periods, failure=settled.ending.value)
     if settled.orbit is not None:
-        return _repeating(flow, settled.orbit, settled.periods)
+        return _repeating(flow, settled.kind, settled.orbit, settled.periods)
+    if settled.linear is not None:
+        return _linear(settled, settled.linear)
     course = flow.course(settled.end, WINDOW)
     if course.ending is not Ending.REACHED_END:
         return CellMotion(settled.kind, periods=settled.periods, failure=course.ending.value)
@@ -187,14 +194,30 @@ def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
     )
 
 
-def _repeating(flow: ExactFlow, orbit: MechanismOrbit, periods: int) -> CellMotion:
+def _repeating(flow: ExactFlow, kind: MotionKind, orbit: MechanismOrbit, periods: int) -> CellMotion:
+    rests = kind is MotionKind.REST
     return CellMotion(
-        MotionKind.PERIODIC,
-        orbit.period_count,
+        kind,
+        0 if rests else orbit.period_count,
         periods,
         float(abs(orbit.multipliers).max()),
         states=_tuples(orbit.strobed[: orbit.period_count]),
         measures=of_orbit(flow, orbit.course, orbit.periods),
+        neutral=orbit.neutral,
+        holding=orbit.instant.statuses if rests else (),
+    )
+
+
+def _linear(settled: Settled, motion: LinearMotion) -> CellMotion:
+    """Return a linear motion on a torus, with exact measures."""
+    lines = LinearLines(motion)
+    return CellMotion(
+        settled.kind,
+        periods=settled.periods,
+        lyapunov=settled.lyapunov,
+        states=_tuples(settled.end.state[None]),
+        measures=of_lines(lines, motion),
+        neutral=True,
     )
 
 
@@ -219,20 +242,36 @@ def described(motion: CellMotion) -> str:
 def same_motion(first: CellMotion, second: CellMotion) -> bool:
     """Return whether two motions of one cell are one.
 
-    Periodic motions are told apart by their orbits, of which mirror images are two. Neutral ones, of which
-    there is one beside the other without end, are told apart by their periods alone, and those that do not
-    repeat by their kind.
+    Periodic motions are told apart by their orbits, of which mirror images are two, and those at rest by
+    their places. Neutral ones, of which there is one beside the other without end, are one if they are of one
+    size, or rest on the same parts. Those that do not repeat are told apart by their kind, and where both are
+    exact by their size.
     """
-    if first.kind is not second.kind:
+    if first.kind is not second.kind or first.failure != second.failure:
         return False
-    if first.kind is MotionKind.PERIODIC:
-        both_neutral = _is_neutral(first) and _is_neutral(second)
-        return first.period_count == second.period_count if both_neutral else alike(first, second)
-    return first.failure == second.failure
+    if first.kind is MotionKind.PERIODIC or first.kind is MotionKind.REST:
+        if first.period_count != second.period_count:
+            return False
+        both_neutral = first.neutral and second.neutral
+        return of_one_size(first, second) if both_neutral else alike(first, second)
+    return not (first.neutral and second.neutral) or of_one_size(first, second)
 
 
-def _is_neutral(motion: CellMotion) -> bool:
-    return motion.largest_multiplier is not None and abs(motion.largest_multiplier - 1) <= NEUTRAL
+def of_one_size(first: CellMotion, second: CellMotion) -> bool:
+    """Return whether two neutral motions hold the same parts, and are of one size: strokes, accelerations."""
+    if first.measures is None or second.measures is None:
+        return first.holding == second.holding
+    pairs = [
+        (size, theirs[name])
+        for ours, theirs in (
+            (first.measures.peak_to_peak, second.measures.peak_to_peak),
+            (first.measures.rms_acceleration, second.measures.rms_acceleration),
+        )
+        for name, size in ours.items()
+    ]
+    return first.holding == second.holding and all(
+        abs(size - other) <= SAME * max(abs(size), abs(other)) for size, other in pairs
+    )
 
 
 def alike(first: CellMotion, second: CellMotion, apart: float = SAME) -> bool:

@@ -18,6 +18,8 @@ from trimmer.response.motion_signals import output_rows
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.response.linear_lines import LinearLines
+    from trimmer.response.linear_motion import LinearMotion
 
 SAMPLES = 128
 """Samples per drive period of a window, beside its events."""
@@ -151,3 +153,19 @@ def _top_of_cubic(times: Reals, values: Reals, rates: Reals, first: int) -> floa
     roots = np.roots([3 * third, 2 * second, begin])
     inside = roots[(abs(roots.imag) == 0) & (roots.real > 0) & (roots.real < 1)].real
     return float(values[first] + max((s * (begin + s * (second + s * third)) for s in inside), default=0.0))
+
+
+def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
+    """Return the measures of a linear motion on a torus, exact to rounding; no event comes in it.
+
+    Args:
+        lines: Its lines.
+        motion: It.
+    """
+    flow, contacts = motion.flow, len(motion.flow.modes.machine.stiffness)
+    sliding = np.array(motion.instant.statuses[contacts:]) != STICK
+    speeds = [abs(motion.seen_by(row)[0]) for row in flow.modes.machine.friction_rate]
+    powers = flow.modes.machine.kinetic * np.array(speeds) * sliding
+    of_each = dict(zip(flow.modes.layout.frictions, powers.tolist(), strict=True))
+    wear = {name: float(of_each.get(name, 0.0)) for name in flow.mechanism.frictions}
+    return Measures(dict(lines.peak_to_peak), dict(lines.rms_acceleration), wear, 0.0, 0.0, 0.0)

@@ -21,11 +21,13 @@ from trimmer.response.recurrence import has_returned, settles_to
 from trimmer.response.response import MotionKind
 from trimmer.response.settling import MOST_REPEATS, PATIENCE
 from trimmer.response.shooting import Return, solve
+from trimmer.response.solved import rest_of, solved
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
+    from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import MechanismOrbit
 
 FIRST_LOOK = 24
@@ -64,9 +66,10 @@ class Settled:
         kind: Kind of motion.
         periods: Drive periods that it took to know, the comparison with a neighbour included.
         end: The last instant of the motion, or that of the orbit.
-        orbit: The exact orbit, if the motion is periodic.
+        orbit: The exact orbit, if the motion is periodic, or rests where a drive could move it.
         lyapunov: Growth of small distances per drive period, as a logarithm; None where it was not measured.
         ending: Why the motion ended before its time, if it did.
+        linear: The motion in closed form, if it was seen that no event comes any more.
     """
 
     kind: MotionKind
@@ -75,6 +78,7 @@ class Settled:
     orbit: MechanismOrbit | None = None
     lyapunov: float | None = None
     ending: Ending = Ending.REACHED_END
+    linear: LinearMotion | None = None
 
 
 def settle(flow: ExactFlow, begin: Instant, most_periods: int) -> Settled:
@@ -135,11 +139,20 @@ class _Following:
             return Settled(kind, done, self.instant, ending=strobe.ending)
         held = self._solve()
         if held is not None:
-            return Settled(MotionKind.PERIODIC, done, held.instant, held)
+            return on_orbit(held, done)
         for orbit in self.known:
             if settles_to(orbit, self.states):
-                return Settled(MotionKind.PERIODIC, done, orbit.instant, orbit)
-        return None
+                return on_orbit(orbit, done)
+        return None if strobe.counts[-1].any() else self._without_events(done)
+
+    def _without_events(self, done: int) -> Settled | None:
+        """Return what the motion comes to if it meets no event any more."""
+        found = solved(self.flow, self.instant)
+        if found is None:
+            return None
+        end = found.motion.limit if found.orbit is None else found.orbit.instant
+        lyapunov = 0.0 if found.orbit is None else None
+        return Settled(found.kind, done, end, found.orbit, lyapunov, linear=found.motion)
 
     def _solve(self) -> MechanismOrbit | None:
         """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on."""
@@ -153,6 +166,12 @@ class _Following:
         elif orbit is not None and orbit.neutral and has_returned(self.states, orbit.sizes, orbit.periods):
             return orbit
         return None
+
+
+def on_orbit(orbit: MechanismOrbit, periods: int) -> Settled:
+    """Return a motion that has settled to an orbit after some drive periods: one that repeats, or rests."""
+    kind = MotionKind.PERIODIC if rest_of(orbit) is None else MotionKind.REST
+    return Settled(kind, periods, orbit.instant, orbit)
 
 
 def orbit_near(flow: ExactFlow, instant: Instant, periods: int) -> MechanismOrbit | None:

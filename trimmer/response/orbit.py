@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -23,8 +23,10 @@ if TYPE_CHECKING:
 
 SAME = 1e-8
 """Distance of states as a share of their sizes below which a motion has returned before its time."""
+ROUNDING = 64 * float(np.finfo(float).eps)
+"""Rounding of the derivative of a return in each of its segments, as a share of its norm."""
 NEUTRAL = 1e-6
-"""By how much the modulus of a multiplier may differ from 1 and count as 1."""
+"""Distance from 1 within which a multiplier makes the step of a branch from an orbit ill-determined."""
 RETURNS = 64
 """Returns over which the growth of small distances is followed."""
 
@@ -45,6 +47,8 @@ class MechanismOrbit(Tabular):
         residual: Largest distance between end and start as a share of the sizes.
         success: Whether it returns.
         message: What was found, in a sentence.
+        margins: Rounding of each multiplier, (n,): its condition times that of the derivative of the return,
+            in which what is left of the residual counts too. Empty for none.
     """
 
     flow: ExactFlow
@@ -56,6 +60,7 @@ class MechanismOrbit(Tabular):
     residual: float
     success: bool
     message: str
+    margins: Reals = field(default_factory=lambda: np.zeros(0))
 
     @property
     def mechanism(self) -> Mechanism:
@@ -81,14 +86,27 @@ class MechanismOrbit(Tabular):
 
     @property
     def stable(self) -> bool:
-        """Whether it was found, and small disturbances die out."""
-        return self.success and bool((abs(self.nontrivial_multipliers) < 1).all())
+        """Whether it was found, and small disturbances die out: each modulus is below 1 by its margin."""
+        return self.success and bool((self._growth_of_each < -self._judged(self.margins)).all())
 
     @property
     def neutral(self) -> bool:
-        """Whether it was found, and no small disturbance grows, but one stays, as where friction holds."""
-        largest = abs(self.nontrivial_multipliers).max(initial=0.0)
-        return self.success and bool(abs(largest - 1) <= NEUTRAL)
+        """Whether it was found, and no small disturbance grows, but one stays, as where friction holds.
+
+        Then a modulus is 1 within its margin; it is never so of a stable motion.
+        """
+        grows = bool((self._growth_of_each > self._judged(self.margins)).any())
+        return self.success and not self.stable and not grows
+
+    @property
+    def _growth_of_each(self) -> Reals:
+        return np.asarray(abs(self.nontrivial_multipliers) - 1)
+
+    def _judged(self, values: Reals) -> Reals:
+        """Return those of one value for each multiplier that belong to the nontrivial ones; 0 for none."""
+        if not len(values):
+            return np.zeros(1)
+        return values if self.periods else np.delete(values, np.argmin(abs(self.multipliers - 1)))
 
     @property
     def events_per_period(self) -> float:
@@ -167,14 +185,31 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
     """
-    multipliers = np.linalg.eigvals(shot.monodromy).astype(complex)
-    multipliers = multipliers[np.argsort(-abs(multipliers), kind="stable")]
+    multipliers, margins = _multipliers(shot)
     success = shot.miss <= CLOSED
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
     orbit = MechanismOrbit(
-        flow, periods, count, shot.course, shot.sizes, multipliers, shot.miss, success, message=""
+        flow, periods, count, shot.course, shot.sizes, multipliers, shot.miss, success, "", margins
     )
     return _told(orbit, about)
+
+
+def _multipliers(shot: Shot) -> tuple[Complexes, Reals]:
+    """Return the eigenvalues of the derivative of a return, by falling modulus, and their rounding."""
+    matrix = shot.monodromy * shot.sizes / shot.sizes[:, None]
+    values, vectors = np.linalg.eig(matrix)
+    order = np.argsort(-abs(values), kind="stable")
+    try:
+        left = np.linalg.inv(vectors)
+    except np.linalg.LinAlgError:
+        return values[order].astype(complex), np.full(len(values), np.inf)
+    # Units in which right and left eigenvectors are of one size: the sizes say little where no event is.
+    rows, columns = np.linalg.norm(vectors, axis=1), np.linalg.norm(left, axis=0)
+    units = np.sqrt(rows / columns)
+    conditions = np.linalg.norm(left * units, axis=1) * np.linalg.norm(vectors / units[:, None], axis=0)
+    rounding = ROUNDING * (1 + len(shot.course.events)) + min(shot.miss, CLOSED)
+    margins = rounding * np.linalg.norm(matrix * units / units[:, None]) * conditions
+    return values[order].astype(complex), margins[order]
 
 
 def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:

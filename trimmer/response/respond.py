@@ -12,10 +12,11 @@ from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import require_repeating
 from trimmer.response.response import MotionKind, Response, SettledMotion
-from trimmer.response.same import same_orbit, twins
-from trimmer.response.self_excited import self_excited_orbit
+from trimmer.response.same import same_motion, same_orbit, twins
+from trimmer.response.self_excited import self_excited
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
+from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import instant_of
 from trimmer.response.verdict import cut_short, look_closely, unsettled
 
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
     from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.self_excited import SelfExcited
     from trimmer.response.starts import Start
 
 MOST_PERIODS = 1000
@@ -105,6 +107,8 @@ class _Search:
             if seen is not None and seen.contracts:
                 orbit = settling.until_settled(MORE * self.most_periods)
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
+        if settling.solved is not None:
+            return replace(settled_at_last(settling.solved, settling.periods), neighbour_agrees=agrees)
         if orbit is None:
             return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
         told = f"It settles within {settling.periods} drive periods to {orbit.message}."
@@ -114,12 +118,18 @@ class _Search:
 
     def _by_itself(self, instant: Instant) -> SettledMotion:
         try:
-            orbit = self_excited_orbit(self.flow, instant, settled=True)
+            found = self_excited(self.flow, instant)
         except OrbitNotFoundError as error:
             grows = isinstance(error, DivergingMotionError)
             kind = MotionKind.DIVERGING if grows else MotionKind.UNDECIDED
-            return SettledMotion(kind, None, None, 0, None, 1, 1.0, False, f"{str(error).capitalize()}.")
-        return _settled(orbit, 0, None, f"It settles to {orbit.message}.")
+            return _of_kind(kind, 0, f"{str(error).capitalize()}.")
+        if found.solved is not None:
+            return settled_at_last(found.solved, found.waited)
+        if found.rest is not None:
+            return at_rest(found.rest, found.waited)
+        if found.orbit is not None:
+            return _settled(found.orbit, 0, None, f"It settles to {found.orbit.message}.")
+        return _of_kind(MotionKind.UNDECIDED, 0, _unsettled(found))
 
     def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
@@ -137,7 +147,7 @@ class _Search:
         found = [first]
         for instant in instants:
             motion = self.motion(instant)
-            place = next((i for i, other in enumerate(found) if _same(motion, other)), None)
+            place = next((i for i, other in enumerate(found) if same_motion(motion, other)), None)
             if place is None:
                 found.append(replace(motion, mirrored=any(_twins(motion, other) for other in found)))
             else:
@@ -145,16 +155,24 @@ class _Search:
         return found
 
 
+def _of_kind(kind: MotionKind, periods: int, told: str) -> SettledMotion:
+    return SettledMotion(kind, None, None, periods, None, 1, 1.0, False, told)
+
+
+def _unsettled(found: SelfExcited) -> str:
+    if found.passed is None:
+        return f"Nothing repeats within {found.waited:.6g} s; another start may settle."
+    return (
+        f"Within {found.waited:.6g} s it settles to nothing that repeats; it passes an unstable motion with "
+        f"a period of {found.passed.period:.9g} s."
+    )
+
+
 def _settled(orbit: MechanismOrbit, periods: int, agrees: bool | None, told: str) -> SettledMotion:
+    rest = rest_of(orbit)
+    if rest is not None:
+        return replace(at_rest(rest, periods), neighbour_agrees=agrees)
     return SettledMotion(MotionKind.PERIODIC, orbit, None, periods, agrees, 1, 1.0, False, told)
-
-
-def _same(motion: SettledMotion, other: SettledMotion) -> bool:
-    if motion.orbit is not None and other.orbit is not None:
-        if not motion.orbit.periods:
-            return bool(np.isclose(motion.orbit.period, other.orbit.period, rtol=1e-9))
-        return same_orbit(motion.orbit, other.orbit)
-    return motion.kind is other.kind and (motion.orbit is None) == (other.orbit is None)
 
 
 def _twins(motion: SettledMotion, other: SettledMotion) -> bool:

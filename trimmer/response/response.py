@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.response.estimate import Estimate
+from trimmer.response.measures import HARMONICS
 from trimmer.showing.shown import Shown, Tabular
 from trimmer.showing.table import Column, Table, attributes
 
@@ -20,7 +21,11 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.linear_lines import LinearLines
+    from trimmer.response.linear_motion import LinearMotion
+    from trimmer.response.measures import Measures
     from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.rest import Rest
     from trimmer.response.window import Window
 
 
@@ -28,6 +33,7 @@ class MotionKind(Choice):
     """What a motion is, as far as the numbers carry it."""
 
     PERIODIC = "it repeats"
+    REST = "it comes to rest"
     TORUS = "it runs on a torus"
     CHAOTIC = "it is chaotic"
     DIVERGING = "it grows without bound"
@@ -58,6 +64,8 @@ class SettledMotion(Shown):
         share: Their share of all starts.
         mirrored: Whether it is the mirror image of the motion before it in the list.
         message: What it is, in sentences.
+        rest: Where it rests, with the forces of all parts, if it comes to rest.
+        linear: It in closed form, if no event comes any more.
     """
 
     kind: MotionKind
@@ -69,6 +77,8 @@ class SettledMotion(Shown):
     share: float
     mirrored: bool
     message: str
+    rest: Rest | None = None
+    linear: LinearMotion | None = None
 
     @property
     def period_count(self) -> int | None:
@@ -78,6 +88,8 @@ class SettledMotion(Shown):
     @cached_property
     def lyapunov(self) -> Estimate | None:
         """Largest Lyapunov exponent per drive period; None where no distance is left, or without drive."""
+        if self._lines is not None and self._lines.motion.flow.period:
+            return Estimate(0.0, 0.0)
         if self.window is not None:
             return self.window.exponents[0]
         if self.orbit is None or not self.orbit.periods:
@@ -90,36 +102,67 @@ class SettledMotion(Shown):
         """Number of events per drive period, the mean; None if the motion could not be followed."""
         if self.orbit is not None:
             return self.orbit.events_per_period
+        if self.linear is not None or self.rest is not None:
+            return 0.0
         return None if self.window is None else float(self.window.events.mean())
 
     @cached_property
     def rms(self) -> Mapping[str, Estimate]:
         """Root of the mean square of each output about its mean, m; exact if it repeats."""
-        if self.orbit is not None:
-            return {name: Estimate(each.rms, 0.0) for name, each in self.orbit.measures.outputs.items()}
+        if self.rest is not None:
+            return dict.fromkeys(self.rest.flow.mechanism.outputs, Estimate(0.0, 0.0))
+        if self.measures is not None:
+            return {name: Estimate(each.rms, 0.0) for name, each in self.measures.outputs.items()}
+        if self._lines is not None:
+            return {name: Estimate(value, 0.0) for name, value in self._lines.rms.items()}
         return {} if self.window is None else self.window.rms
 
     @cached_property
     def peak_to_peak(self) -> Mapping[str, float]:
         """Largest less smallest value of each output, m; in the window if it does not repeat."""
-        if self.orbit is not None:
-            return {name: each.peak_to_peak for name, each in self.orbit.measures.outputs.items()}
+        if self.rest is not None:
+            return dict.fromkeys(self.rest.flow.mechanism.outputs, 0.0)
+        if self.measures is not None:
+            return {name: each.peak_to_peak for name, each in self.measures.outputs.items()}
+        if self._lines is not None:
+            return self._lines.peak_to_peak
         return {} if self.window is None else self.window.peak_to_peak
 
     @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
         """Amplitudes of each output at the harmonics of the drive, m."""
-        if self.orbit is not None:
-            return {name: each.harmonics for name, each in self.orbit.measures.outputs.items()}
+        if self.rest is not None:
+            return {name: np.zeros(HARMONICS) for name in self.rest.flow.mechanism.outputs}
+        if self.measures is not None:
+            return {name: each.harmonics for name, each in self.measures.outputs.items()}
+        if self._lines is not None:
+            return self._lines.harmonics
         return {} if self.window is None else self.window.harmonics
 
     @cached_property
     def rms_acceleration(self) -> Mapping[str, Estimate]:
         """Root of the mean square of the acceleration of each body, m/s²; exact if it repeats."""
-        if self.orbit is not None:
-            found = self.orbit.measures.rms_acceleration
-            return {name: Estimate(value, 0.0) for name, value in found.items()}
+        if self.rest is not None:
+            return dict.fromkeys(self.rest.flow.mechanism.bodies, Estimate(0.0, 0.0))
+        found = self.measures or self._lines
+        if found is not None:
+            return {name: Estimate(value, 0.0) for name, value in found.rms_acceleration.items()}
         return {} if self.window is None else self.window.rms_acceleration
+
+    @property
+    def measures(self) -> Measures | None:
+        """What outputs, bodies, contacts and frictions do, if it repeats or rests; else None."""
+        still = self.orbit or self.rest
+        return None if still is None else still.measures
+
+    @cached_property
+    def _lines(self) -> LinearLines | None:
+        """Exact measures of a linear motion that does not repeat."""
+        if self.linear is None or self.measures is not None:
+            return None
+        from trimmer.response.linear_lines import LinearLines
+
+        return LinearLines(self.linear)
 
     def _told(self) -> str:
         return self.message
@@ -198,11 +241,22 @@ class Response(Tabular):
         if self.starts == 1:
             return []
         if len(self.motions) == 1:
-            return [f"All {self.starts} starts settle to it."]
+            return [_all_of_them(self.motion, self.starts)]
         return [
             f"{self.starts} starts settle to {len(self.motions)} motions; "
             f"{self.motion.share:.0%} of them to this one."
         ]
+
+
+def _all_of_them(motion: SettledMotion, starts: int) -> str:
+    """Say that several starts lead to one motion, and how that is meant."""
+    if motion.rest is not None:
+        return f"All {starts} starts come to rest{' so' if motion.rest.family else ' there'}."
+    if motion.window is not None:
+        return f"All {starts} starts lead to motions that agree in their measures, within their errors."
+    if motion.kind in (MotionKind.UNDECIDED, MotionKind.DIVERGING):
+        return f"So it is with all {starts} starts."
+    return f"All {starts} starts settle to it."
 
 
 def _stroke(name: str) -> Callable[[SettledMotion], float | None]:

@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from trimmer.response.estimate import Estimate
     from trimmer.response.measures import Measures
     from trimmer.response.response import Response, SettledMotion
+    from trimmer.response.rest import Rest
 
 
 def response_json(response: Response) -> dict[str, Any]:
@@ -36,16 +37,27 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "drive_periods": motion.drive_periods,
         "events_per_period": motion.events_per_period,
         "multipliers": [[each.real, each.imag] for each in multipliers],
+        "rest": None if motion.rest is None else rest_json(motion.rest),
         "outputs": {name: _output(motion, name) for name in motion.peak_to_peak},
         "bodies": {name: _body(each) for name, each in motion.rms_acceleration.items()},
-        "contacts": {} if motion.orbit is None else _contacts(motion.orbit.measures),
-        "frictions": {} if motion.orbit is None else _frictions(motion.orbit.measures),
+        "contacts": {} if motion.measures is None else _contacts(motion.measures),
+        "frictions": {} if motion.measures is None else _frictions(motion.measures),
         "period": None if motion.orbit is None else motion.orbit.period,
         "residual": None if motion.orbit is None else motion.orbit.residual,
         "neighbour_agrees": motion.neighbour_agrees,
         "window_periods": None if motion.window is None else motion.window.periods,
         "spectrum": _spectrum(motion),
         "message": motion.message,
+    }
+
+
+def rest_json(rest: Rest) -> dict[str, Any]:
+    """Return where a mechanism rests, and what each part bears there."""
+    return {
+        "positions": dict(rest.positions),
+        "forces": dict(rest.forces),
+        "forces_change": rest.forces_change,
+        "family": rest.family,
     }
 
 

@@ -1,4 +1,4 @@
-"""Whether two orbits are one, shifted by whole drive periods, or mirrored twins."""
+"""Whether two motions are one: orbits shifted in time, mirrored twins, rests, and what does not repeat."""
 
 from __future__ import annotations
 
@@ -7,18 +7,136 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Force, Pin
+    from trimmer.response.estimate import Estimate
     from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.response import SettledMotion
+    from trimmer.response.rest import Rest
 
 SAME = 1e-6
 """Distance of states, as a share of their sizes, below which two orbits are one."""
+LEAST_KNOWN = 1e-3
+"""Distance up to which orbits that are badly determined count as one."""
+POINTS = 32
+"""Points of a period at which two orbits are compared."""
+COARSE = 1024
+"""Points of a period among which that nearest to the start of another orbit is looked for."""
+REFINED = 6
+"""How often the time between two points is divided into as many as ``POINTS``."""
+PASSES = 4
+"""Parts of an orbit that may pass by the start of the other one."""
+ERRORS = 4.0
+"""Standard errors by which two motions that do not repeat differ at most in each measure, if they are one."""
+FLOOR = 1e-3
+"""Share of a measure over a window that its error does not tell."""
+
+
+def same_motion(motion: SettledMotion, other: SettledMotion) -> bool:
+    """Return whether two motions are one, as far as that can be told.
+
+    Those that do not repeat count as one if their measures agree within their errors; those of which nothing
+    is measured, if they are of one kind.
+    """
+    if motion.kind is not other.kind:
+        return False
+    if motion.orbit is not None and other.orbit is not None:
+        return same_orbit(motion.orbit, other.orbit)
+    if motion.rest is not None and other.rest is not None:
+        return same_rest(motion.rest, other.rest)
+    pairs = list(zip(_measured(motion), _measured(other), strict=False))
+    return all(_agree(*pair) for pair in pairs)
+
+
+def _measured(motion: SettledMotion) -> Iterator[Estimate]:
+    yield from motion.rms.values()
+    yield from motion.rms_acceleration.values()
+    if motion.window is not None and motion.linear is None:
+        yield from (*motion.window.exponents, *motion.window.output_means.values())
+
+
+def _agree(one: Estimate, other: Estimate) -> bool:
+    size = max(abs(one.value), abs(other.value))
+    error = float(np.hypot(one.uncertainty, other.uncertainty))
+    return abs(one.value - other.value) <= (ERRORS * error + FLOOR * size if error else SAME * size)
+
+
+def same_rest(rest: Rest, other: Rest) -> bool:
+    """Return whether two rests are one: in one place, or both of one family, with the same parts holding."""
+    if rest.family == other.family and rest.instant.statuses == other.instant.statuses:
+        return True
+    ours, theirs = (np.array([*each.positions.values()]) for each in (rest, other))
+    scale = max(abs(ours).max(initial=0.0), abs(theirs).max(initial=0.0))
+    return not rest.family and not other.family and bool((abs(ours - theirs) <= SAME * scale).all())
 
 
 def same_orbit(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
-    """Return whether one orbit is the other, shifted by whole drive periods."""
-    return orbit.periods == other.periods and same_states(orbit.strobed, other.strobed, SAME * orbit.sizes)
+    """Return whether one orbit is the other, shifted in time: by whole drive periods where there is a drive.
+
+    Of neutral ones, as where friction holds a body wherever it stopped, there is one beside the other without
+    end. They count as one if they have the same size and shape, wherever they lie.
+    """
+    if orbit.periods != other.periods:
+        return False
+    if abs(orbit.period - other.period) > SAME * orbit.period:
+        return False
+    anywhere = orbit.neutral and other.neutral
+    ours, theirs = (_curve(each, 0.0, anywhere) for each in (orbit, other))
+    sizes = np.maximum(orbit.sizes, abs(ours).max(axis=0))
+    allowed = (SAME + _inaccuracy(orbit) + _inaccuracy(other)) * sizes
+    if orbit.periods:
+        shape = orbit.periods, -1
+        return same_states(ours.reshape(shape), theirs.reshape(shape), np.tile(allowed, POINTS))
+    times = _times_at(other, ours[0], anywhere)
+    return any(bool((abs(_curve(other, time, anywhere) - ours) <= allowed).all()) for time in times)
+
+
+def _inaccuracy(orbit: MechanismOrbit) -> float:
+    """Return how well the states of an orbit are determined by its return, as a share of their sizes."""
+    apart = abs(1 - orbit.nontrivial_multipliers)
+    apart = apart[apart > SAME]
+    return min(orbit.residual / float(apart.min(initial=1.0)), LEAST_KNOWN)
+
+
+def _curve(orbit: MechanismOrbit, begin: float, about_its_mean: bool) -> Reals:
+    """Return states at even times over an orbit from a time on, s, (points, n); the mean taken off, if so."""
+    count = POINTS * max(orbit.periods, 1)
+    times = np.mod(begin + orbit.period * np.arange(count) / count, orbit.period)
+    return _states(orbit, times, about_its_mean)
+
+
+def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
+    order = np.argsort(times, kind="stable")
+    states = np.empty((len(times), orbit.flow.size))
+    states[order] = orbit.course.states(np.ascontiguousarray(times[order]))[:, : orbit.flow.size]
+    if about_its_mean:
+        nodes = orbit.course.nodes
+        states -= (nodes.weights @ nodes.states)[: orbit.flow.size] / orbit.period
+    return states
+
+
+def _times_at(orbit: MechanismOrbit, state: Reals, about_its_mean: bool) -> list[float]:
+    """Return the times, s, at which an orbit passes by a state, the nearest ones."""
+
+    def distances(times: Reals) -> Reals:
+        apart = (_states(orbit, np.mod(times, orbit.period), about_its_mean) - state) / orbit.sizes
+        return np.asarray(np.linalg.norm(apart, axis=1))
+
+    step = orbit.period / COARSE
+    times = np.asarray(step * np.arange(COARSE), dtype=np.float64)
+    coarse = distances(times)
+    lowest = np.flatnonzero((coarse <= np.roll(coarse, 1)) & (coarse <= np.roll(coarse, -1)))
+    found = []
+    for place in lowest[np.argsort(coarse[lowest])][:PASSES]:
+        time, reach = float(times[place]), step
+        for _ in range(REFINED):
+            near = time + reach * np.linspace(-1.0, 1.0, 2 * POINTS + 1)
+            time, reach = float(near[np.argmin(distances(near))]), reach / POINTS
+        found.append(time)
+    return found
 
 
 def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:

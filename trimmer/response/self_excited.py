@@ -6,7 +6,7 @@ for state and period. The motion begins in the middle of a segment, where nothin
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,8 +14,12 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import NOTHING
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
+from trimmer.response.linear_motion import linear_motion
 from trimmer.response.orbit import orbit_of
+from trimmer.response.response import MotionKind
+from trimmer.response.rest import Rest
 from trimmer.response.shooting import CLOSED, Return, sizes_of, solve
+from trimmer.response.solved import Solved, solved
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -36,20 +40,60 @@ MOST_TRIED = 6
 """Recurrences that are tried in each stretch, nearest in time first."""
 
 
-def self_excited_orbit(flow: ExactFlow, instant: Instant, *, settled: bool = False) -> MechanismOrbit:
+@dataclass(frozen=True, eq=False)
+class SelfExcited:
+    """What a motion without a drive comes to; nothing where it was not seen.
+
+    Attributes:
+        waited: How long it was followed, s.
+        orbit: The orbit that it settles to.
+        rest: Where it rests.
+        solved: What it comes to, if no event comes any more.
+        passed: An unstable orbit that it passes.
+    """
+
+    waited: float
+    orbit: MechanismOrbit | None = None
+    rest: Rest | None = None
+    solved: Solved | None = None
+    passed: MechanismOrbit | None = None
+
+
+def self_excited_orbit(flow: ExactFlow, instant: Instant) -> MechanismOrbit:
     """Find a periodic motion without a drive, from what a start settles to.
+
+    An unstable one that the motion passes will do where it settles to none.
 
     Args:
         flow: The motion of the mechanism.
         instant: The start.
-        settled: Whether it must be one that a motion can settle to; otherwise an unstable one that the motion
-            passes will do where it settles to none.
 
     Raises:
         OrbitNotFoundError: if nothing repeats in the time that was waited; the message says what was seen.
     """
+    found = self_excited(flow, instant)
+    orbit = found.orbit or found.passed
+    if orbit is not None:
+        return orbit
+    if found.rest is not None:
+        within = found.waited + (found.solved.decay if found.solved else 0.0)
+        raise OrbitNotFoundError(f"it comes to rest within {within:.6g} s, and nothing sets it in motion")
+    if found.solved is not None:
+        raise OrbitNotFoundError("it runs on a torus for ever; another start may repeat")
+    raise OrbitNotFoundError(f"nothing repeats within {found.waited:.6g} s; another start may settle")
+
+
+def self_excited(flow: ExactFlow, instant: Instant) -> SelfExcited:
+    """Return what a motion without a drive comes to.
+
+    Raises:
+        OrbitNotFoundError: if it cannot be followed, or grows.
+    """
     unit, waited, unstable = time_scale(flow, instant), 0.0, None
     for stretch in STRETCHES:
+        at_last = solved(flow, instant)
+        if at_last is not None:
+            return SelfExcited(waited, _repeating(at_last), at_last.rest, at_last)
         course = flow.timed(instant, stretch * unit)
         if course.ending is Ending.DIVERGED:
             waited += course.duration
@@ -58,21 +102,26 @@ def self_excited_orbit(flow: ExactFlow, instant: Instant, *, settled: bool = Fal
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         waited += course.duration
         if at_rest(course, unit):
-            raise OrbitNotFoundError(f"it comes to rest within {waited:.6g} s, and nothing sets it in motion")
+            return SelfExcited(waited, rest=_rest(flow, course.end))
         orbits = _recurring(flow, course)
         orbit = next((each for each in orbits if each.stable or each.neutral), None)
         if orbit is not None:
-            return orbit
+            return SelfExcited(waited, orbit)
         unstable = orbits[0] if orbits and unstable is None else unstable
         instant = replace(course.end, phase=0.0)
-    if unstable is None:
-        raise OrbitNotFoundError(f"nothing repeats within {waited:.6g} s; another start may settle")
-    if settled:
-        raise OrbitNotFoundError(
-            f"within {waited:.6g} s it settles to nothing that repeats; it passes an unstable motion with a "
-            f"period of {unstable.period:.9g} s"
-        )
-    return unstable
+    return SelfExcited(waited, passed=unstable)
+
+
+def _repeating(found: Solved) -> MechanismOrbit | None:
+    return found.orbit if found.kind is MotionKind.PERIODIC else None
+
+
+def _rest(flow: ExactFlow, instant: Instant) -> Rest:
+    """Return the rest that a motion has come to; in closed form where that is known."""
+    motion = linear_motion(flow, instant)
+    if motion is None:
+        return Rest(flow, instant, family=False)
+    return Rest(flow, motion.limit, motion.free)
 
 
 def time_scale(flow: ExactFlow, instant: Instant) -> float:

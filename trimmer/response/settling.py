@@ -12,6 +12,7 @@ from trimmer.contact.flow import ExactFlow
 from trimmer.response.orbit import orbit_of
 from trimmer.response.recurrence import candidates, has_returned, settles_to
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
+from trimmer.response.solved import Solved, solved
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -42,6 +43,7 @@ class Settling:
         states: At the start of each of the last drive periods, (count, n).
         periods: Drive periods that were followed.
         ending: Why it cannot be followed further, if so.
+        solved: What it comes to, if it was seen that no event comes any more.
     """
 
     flow: ExactFlow
@@ -50,14 +52,16 @@ class Settling:
     states: Reals = field(init=False)
     periods: int = 0
     ending: Ending = Ending.REACHED_END
+    solved: Solved | None = None
+    _quiet: bool = True
 
     def __post_init__(self) -> None:
         self.states = self.instant.state[None]
 
     @property
     def can_go_on(self) -> bool:
-        """Whether the motion can be followed further."""
-        return self.ending is Ending.REACHED_END
+        """Whether the motion can be followed further, and is not known for all time."""
+        return self.ending is Ending.REACHED_END and self.solved is None
 
     def follow(self, periods: int) -> bool:
         """Go on; returns whether that was possible."""
@@ -65,10 +69,14 @@ class Settling:
         self.instant, self.ending = strobe.end, strobe.ending
         self.states = np.concatenate([self.states, strobe.states[1:]])[-KEPT:]
         self.periods += len(strobe.states) - 1
+        self._quiet = not strobe.counts[-1].any()
         return self.can_go_on
 
     def until_settled(self, most_periods: int) -> MechanismOrbit | None:
-        """Return the orbit that the motion settles to within some drive periods, None if it does not."""
+        """Return the orbit that the motion settles to within some drive periods, None if it does not.
+
+        Where it meets no event any more, ``solved`` is set, and the motion is not followed further.
+        """
         block, look = FIRST, FIRST
         while self.periods < most_periods:
             if not self.follow(min(block, most_periods - self.periods)):
@@ -76,6 +84,10 @@ class Settling:
             orbit = self._accepted(self.known)
             if orbit is None and self.periods >= look:
                 orbit, look = self._looked_for(), self.periods + min(self.periods, LONGEST)
+            if orbit is None and self._quiet:
+                self.solved = solved(self.flow, self.instant)
+                if self.solved is not None:
+                    return self.solved.orbit
             if orbit is not None:
                 return orbit
             block = FIRST if self._is_near() else min(look - self.periods, LONGEST)

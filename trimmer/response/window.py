@@ -92,6 +92,11 @@ class Window:
         return found
 
     @cached_property
+    def output_means(self) -> Mapping[str, Estimate]:
+        """Mean of each output, m."""
+        return dict(zip(self.flow.mechanism.outputs, map(mean_of, self.means.T), strict=True))
+
+    @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
         """Amplitudes of the harmonics of the drive in each output, m."""
         mean = abs(self.waves.mean(axis=0))

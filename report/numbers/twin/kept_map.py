@@ -24,6 +24,7 @@ from trimmer.response.motion_signals import output_rows
 CellKinds = np.ndarray[tuple[int, int], np.dtype[np.str_]]
 LETTERS: Final = {
     MotionKind.PERIODIC: "p",
+    MotionKind.REST: "r",
     MotionKind.TORUS: "t",
     MotionKind.CHAOTIC: "c",
     MotionKind.DIVERGING: "d",
@@ -61,7 +62,7 @@ class KeptCell:
         """What it is, in words."""
         if self.kind == LETTERS[MotionKind.PERIODIC]:
             return f"a motion that repeats after {self.period_count} drive periods"
-        names = {"t": "a torus", "c": "a chaotic motion", "d": "a motion that grows"}
+        names = {"r": "rest", "t": "a torus", "c": "a chaotic motion", "d": "a motion that grows"}
         return names.get(self.kind, "a motion that has not settled")
 
     def agrees(self, other: KeptCell) -> bool:

@@ -15,6 +15,7 @@ from trimmer.command_line.patience import patience
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN = str(EXAMPLES / "thesis-play.toml")
 BY_NAME = {"outputs", "bodies", "contacts", "frictions", "densities", "box"}
+BY_NAME |= {"positions", "forces"}
 
 
 def with_one_name(value: object) -> object:
@@ -42,12 +43,15 @@ def test_keys_are_those_of_the_document(capsys: pytest.CaptureFixture[str]) -> N
         capsys, "respond", TWIN, "--set", "frictions.blade.force=0", "--set", "plays.bridge.gap=0.2mm",
         "--periods", "64",
     )  # fmt: skip
-    found = {key for content in (stable, chaotic) for key in keys(with_one_name(content))}
+    still = printed(capsys, "respond", TWIN, "--set", "pins.pin.amplitude=0")
+    found = {key for content in (stable, chaotic, still) for key in keys(with_one_name(content))}
     # An empty object stands for what a motion that does not repeat has no figures of.
     found -= {f"{prefix}{name}" for prefix in ("", "motions[].") for name in ("contacts", "frictions")}
     found |= {f"{prefix}lyapunov" for prefix in ("", "motions[].")}
     assert found == documented("trimmer respond")
     assert (stable["kind"], stable["period_count"]) == ("periodic", 1)
+    assert (still["kind"], still["success"], still["period_count"]) == ("rest", True, None)
+    assert still["rest"]["positions"] == dict.fromkeys(["motor", "cutter", "housing", "guard"], 0.0)
     assert (chaotic["kind"], chaotic["period_count"], chaotic["multipliers"]) == ("chaotic", None, [])
 
 

@@ -64,6 +64,8 @@ def settled(lines: list[tuple[int, int, float]] | None, periods: int = 1) -> Mad
     return Made(
         orbit=orbit if lines is not None else None,
         window=None if lines is not None else 1,
+        rest=None,
+        linear=None,
         harmonics={"x": np.array([3.0, 0.0, 1.0])},
         peak_to_peak={"x": 5.0},
         rms={"x": Estimate(2.0, 0.0)},

@@ -112,6 +112,7 @@ def test_a_motion_that_does_not_repeat_is_measured_over_a_window() -> None:
     settled: Any = SimpleNamespace(
         kind=MotionKind.CHAOTIC,
         orbit=None,
+        rest=None,
         window=SimpleNamespace(flow=orbit.flow, end=orbit.instant),
         starts=3,
         mirrored=True,
@@ -154,10 +155,10 @@ def test_what_a_hand_feels_has_the_frequency_of_the_motion(monkeypatch: pytest.M
 
 
 def test_what_breaks_off_is_not_measured() -> None:
-    nothing: Any = SimpleNamespace(orbit=None, window=None)
+    nothing: Any = SimpleNamespace(orbit=None, rest=None, window=None)
     assert of_settled(nothing) is None
     flow = SimpleNamespace(course=lambda begin, periods: SimpleNamespace(ending=Ending.DIVERGED))
-    broken: Any = SimpleNamespace(orbit=None, window=SimpleNamespace(flow=flow, end=None))
+    broken: Any = SimpleNamespace(orbit=None, rest=None, window=SimpleNamespace(flow=flow, end=None))
     assert of_settled(broken) is None
 
 

@@ -245,9 +245,13 @@ def test_some_periods_are_shown_of_what_does_not_repeat() -> None:
     orbit_of = Made(flow="flow", course="course")
     assert response.shown(Made(orbit=orbit_of, window=None)) == ("flow", "course")
     flow = Made(course=lambda end, periods: (end, periods))
-    assert response.shown(Made(orbit=None, window=Made(flow=flow, end="end"))) == (flow, ("end", 8))
+    lost = Made(orbit=None, rest=None, linear=None, window=None)
+    seen = Made(**{**vars(lost), "window": Made(flow=flow, end="end")})
+    assert response.shown(seen) == (flow, ("end", 8))
+    resting = Made(**{**vars(lost), "rest": orbit_of})
+    assert response.shown(resting) == ("flow", "course")
     with pytest.raises(ValueError, match="nothing was found"):
-        response.shown(Made(orbit=None, window=None))
+        response.shown(lost)
 
 
 def test_each_motion_is_in_the_section(monkeypatch, without_output) -> None:

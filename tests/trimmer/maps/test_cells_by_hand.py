@@ -282,26 +282,6 @@ def test_a_cell_begins_with_the_orbits_of_others(monkeypatch: pytest.MonkeyPatch
     assert [motion.starts for motion in result.motions] == [2]
 
 
-def test_only_a_stable_orbit_near_another_is_taken_over(monkeypatch: pytest.MonkeyPatch) -> None:
-    instant, orbit = SimpleNamespace(), SimpleNamespace(stable=True)
-    orbit.instant = instant
-    flow = SimpleNamespace(at=lambda state: ("at", state.tolist()))
-    asked = []
-
-    def near(flow: object, start: object, periods: int) -> object:
-        asked.append((start, periods))
-        return orbit
-
-    monkeypatch.setattr(cell_work, "orbit_near", near)
-    monkeypatch.setattr(cell_work, "settle", lambda *given: given)
-    states, settings = np.array([[1.0, 2.0], [3.0, 4.0]]), Settings(most_periods=77)
-    found = cell_work._near(flow, states, settings)  # type: ignore[arg-type]
-    assert asked == [(("at", [1.0, 2.0]), 2)]
-    assert (found.kind, found.periods, found.end, found.orbit) == (PERIODIC, 0, instant, orbit)
-    orbit.stable = False
-    assert cell_work._near(flow, states, settings) == (flow, ("at", [1.0, 2.0]), 77)  # type: ignore[arg-type, comparison-overlap]
-
-
 def test_a_basin_tells_shares_and_a_row_for_each_start() -> None:
     numbers = np.array([[0, 1, 2], [0, 0, 2]])
     found = Basin(made(), (ORBIT, OTHER, FAILED), numbers)

@@ -146,7 +146,8 @@ class Strobing:
     def strobe(self, instant: object, periods: int) -> SimpleNamespace:
         begin, self.done = self.done, self.done + periods
         rows = self.states[begin : self.done + 1]
-        return SimpleNamespace(states=rows, end=("end", self.done), ending=self.ending)
+        counts = np.ones((periods, 6))
+        return SimpleNamespace(states=rows, counts=counts, end=("end", self.done), ending=self.ending)
 
     def at(self, state: np.ndarray, like: object = None) -> SimpleNamespace:
         return SimpleNamespace(state=state)
@@ -166,6 +167,7 @@ def test_a_motion_that_ends_on_the_way_is_told(monkeypatch: pytest.MonkeyPatch) 
 
 def test_orbits_are_solved_for_where_the_motion_returns_more_closely(monkeypatch: pytest.MonkeyPatch) -> None:
     tried, orbit = [], SimpleNamespace(stable=False, neutral=False, instant="there", sizes=7.0, periods=3)
+    orbit.course = SimpleNamespace(events=["one"])
 
     def near(flow: object, instant: object, periods: int) -> object:
         tried.append((instant, periods))
@@ -204,6 +206,7 @@ def test_a_neutral_orbit_is_held_if_the_motion_is_on_it(
     monkeypatch: pytest.MonkeyPatch, stable: bool, neutral: bool, returned: bool, held: bool
 ) -> None:
     orbit = SimpleNamespace(stable=stable, neutral=neutral, instant="there", sizes=7.0, periods=3)
+    orbit.course = SimpleNamespace(events=["one"])
     monkeypatch.setattr(settling, "orbit_near", lambda *_: orbit)
     monkeypatch.setattr(settling, "_recurrence", lambda states: (3, 1e-9))
     monkeypatch.setattr(settling, "settles_to", lambda *_: False)

@@ -147,6 +147,7 @@ class Waiting(Settling):
         self.found, self.near, self.ends = found, near, ends
         self.blocks: list = []
         self.looks: list = []
+        self._quiet = False
 
     def follow(self, periods: int) -> bool:
         self.blocks.append(periods)

@@ -84,7 +84,7 @@ def test_a_conservative_oscillator_is_no_chaos() -> None:
     assert abs(response.motion.lyapunov.value) < 0.01
 
 
-def test_what_friction_holds_repeats_wherever_it_is_left() -> None:
+def test_what_friction_holds_rests_wherever_it_is_left() -> None:
     mechanism = Mechanism(
         {"body": Body(1.0)},
         frequency=1.0,
@@ -93,10 +93,12 @@ def test_what_friction_holds_repeats_wherever_it_is_left() -> None:
         outputs={"body": Output({"body": 1.0})},
     )
     response = respond(mechanism, state={"body": (0.3, 0.0)})
-    assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
+    assert (response.kind, response.period_count, response.success) == (MotionKind.REST, None, True)
     assert response.motion.peak_to_peak["body"] == 0
-    assert response.motion.orbit.instant.state[0] == 0.3
-    assert "a neutral motion" in response.message
+    assert response.motion.rest.positions == {"body": 0.3}
+    assert response.motion.rest.family
+    assert response.motion.rest.forces["floor"] == pytest.approx(0.0, abs=1e-12)
+    assert response.motion.rest.forces_change
 
 
 def test_starts_find_several_motions_and_their_shares() -> None:

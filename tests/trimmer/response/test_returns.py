@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -215,17 +216,21 @@ def orbit(multipliers: list, periods: int = 1, success: bool = True, sizes: tupl
 
 
 def test_an_orbit_is_stable_neutral_or_neither() -> None:
-    for multipliers, stable, neutral in (
-        ([0.9, -0.99], True, False),
-        ([1.0 - 1e-7, 0.5], True, True),
-        ([1.0, 0.5], False, True),
-        ([0.5, -1.0 - 5e-7], False, True),
-        ([0.5, 1.1j], False, False),
-        ([], True, False),
+    for multipliers, margins, stable, neutral in (
+        ([0.9, -0.99], [0.0, 0.0], True, False),
+        ([1.0 - 1e-7, 0.5], [1e-8, 1e-8], True, False),
+        ([1.0 - 1e-9, 0.5], [1e-8, 1e-8], False, True),
+        ([1.0, 0.5], [0.0, 0.0], False, True),
+        ([0.5, -1.0 - 5e-9], [0.0, 1e-8], False, True),
+        ([0.5, -1.0 - 5e-7], [0.0, 1e-8], False, False),
+        ([0.5, 1.1j], [0.0, 0.0], False, False),
+        ([], [], True, False),
     ):
-        assert (orbit(multipliers).stable, orbit(multipliers).neutral) == (stable, neutral)
-        assert not orbit(multipliers, success=False).stable
-        assert not orbit(multipliers, success=False).neutral
+        found = replace(orbit(multipliers), margins=np.array(margins))
+        assert (found.stable, found.neutral) == (stable, neutral)
+        missed = replace(found, success=False)
+        assert not missed.stable
+        assert not missed.neutral
     free = orbit([-1.2, 1.0 + 1e-9, 0.3], periods=0)
     assert free.nontrivial_multipliers.tolist() == [-1.2, 0.3]
     assert orbit([0.7, 1.0 + 1e-9], periods=0).stable
@@ -279,7 +284,7 @@ def test_an_orbit_says_what_it_is(multipliers: list, periods: int, told: str) ->
     def states(times: np.ndarray) -> np.ndarray:
         return np.ones((len(times), 2))
 
-    course = SimpleNamespace(states=states, duration=0.5)
+    course = SimpleNamespace(states=states, duration=0.5, events=[])
     flow = SimpleNamespace(period=0.5, size=1)
     shot = SimpleNamespace(
         monodromy=np.diag(multipliers), miss=1e-12, course=course, sizes=np.ones(1), gap=None
@@ -299,7 +304,7 @@ def test_an_orbit_says_what_it_is(multipliers: list, periods: int, told: str) ->
 
 
 def test_multipliers_come_by_falling_modulus() -> None:
-    course = SimpleNamespace(duration=0.5, begin=None)
+    course = SimpleNamespace(duration=0.5, begin=None, events=[])
     shot = SimpleNamespace(monodromy=np.diag([0.1, -3.0, 1.0]), miss=0.0, course=course, sizes=np.ones(3))
     found = orbit_of(SimpleNamespace(period=0.0, size=3), shot, 0)
     assert found.multipliers.tolist() == [-3.0, 1.0, 0.1]

@@ -11,10 +11,7 @@ from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Pin, Play,
 from trimmer.response.same import (
     is_mirror_symmetric,
     keeps_symmetry,
-    mirrored,
-    same_orbit,
     same_states,
-    twins,
 )
 
 SYMMETRIC = Mechanism(
@@ -80,23 +77,6 @@ def orbit(strobed: list, halfway: list, periods: int = 0, mechanism: Mechanism =
         course=SimpleNamespace(states=states),
         flow=SimpleNamespace(period=0.5, size=2),
     )
-
-
-def test_an_orbit_is_its_own_shift_and_its_twin_is_half_a_period_later() -> None:
-    first = orbit([[1.0, 20.0], [0.5, -3.0]], [[0.3, 8.0], [-0.6, 4.0]])
-    shifted = orbit([[0.5, -3.0], [1.0, 20.0 + 4e-5]], [[-0.6, 4.0], [0.3, 8.0]])
-    assert same_orbit(first, shifted)
-    assert not same_orbit(first, orbit([[0.5, -3.0], [1.0, 20.0 + 6e-5]], [[0.0, 0.0]] * 2))
-    assert not same_orbit(first, orbit([[1.0, 20.0], [0.5, -3.0]], [[0.0, 0.0]] * 2, periods=4))
-    np.testing.assert_array_equal(mirrored(first), [[-0.3, -8.0], [0.6, -4.0]])
-    twin = orbit([[0.6, -4.0], [-0.3, -8.0]], [[-0.5, 3.0], [-1.0, -20.0]])
-    assert twins(first, twin)
-    assert twins(twin, first)
-    assert not twins(first, first)
-    one_sided = replace(SYMMETRIC, stops={"wall": Stop(("ground", "body"), 10.0, 0.0, 0.2)})
-    first.mechanism = one_sided
-    assert not twins(first, twin)
-    assert keeps_symmetry(first) is None
 
 
 def test_whether_an_orbit_keeps_the_symmetry() -> None:

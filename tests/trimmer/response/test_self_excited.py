@@ -8,11 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from trimmer import OrbitNotFoundError
-from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import CONTACT_BROKEN, CONTACT_MADE, NOTHING
 from trimmer.response import self_excited as module
-from trimmer.response.self_excited import _recurrences, _recurring, at_rest, self_excited_orbit, time_scale
+from trimmer.response.self_excited import _recurrences, _recurring, at_rest, time_scale
 
 
 @dataclass(frozen=True)
@@ -24,63 +22,8 @@ class Instant:
     known_action: object = None
 
 
-class Searched:
-    """Motions that are followed one after the other, and what recurs in each."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch, found: list, **changes) -> None:
-        self.found, self.asked = found, []
-        self.ending, self.rests = changes.get("ending", Ending.REACHED_END), changes.get("rests", -1)
-        monkeypatch.setattr(module, "time_scale", lambda flow, instant: 0.5)
-        monkeypatch.setattr(module, "at_rest", self._at_rest)
-        monkeypatch.setattr(module, "_recurring", lambda flow, course: self.found.pop(0))
-
-    def timed(self, instant, duration):
-        self.asked.append((instant.state, instant.phase, duration))
-        end = Instant(state=len(self.asked), phase=0.7)
-        return SimpleNamespace(ending=self.ending, duration=duration, end=end)
-
-    def _at_rest(self, course, unit):
-        assert unit == 0.5
-        return course.end.state == self.rests
-
-
 def orbit(name: str, stable: bool = False, neutral: bool = False) -> SimpleNamespace:
     return SimpleNamespace(name=name, stable=stable, neutral=neutral, period=3.25)
-
-
-BEGIN = Instant(state="start", phase=0.25)
-
-
-def test_a_motion_is_followed_ever_longer_until_something_stable_recurs(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    last = [orbit("c"), orbit("d", neutral=True), orbit("e", stable=True)]
-    flow = Searched(monkeypatch, [[], [orbit("a"), orbit("b")], last])
-    assert self_excited_orbit(flow, BEGIN).name == "d"
-    assert flow.asked == [("start", 0.25, 10.0), (1, 0.0, 40.0), (2, 0.0, 160.0)]
-    assert self_excited_orbit(Searched(monkeypatch, [[orbit("e", stable=True)]]), BEGIN).name == "e"
-
-
-def test_the_first_unstable_motion_will_do_unless_it_has_to_settle(monkeypatch: pytest.MonkeyPatch) -> None:
-    def found() -> list:
-        return [[], [orbit("a"), orbit("b")], [orbit("c")], []]
-
-    flow = Searched(monkeypatch, found())
-    assert self_excited_orbit(flow, BEGIN).name == "a"
-    assert [duration for *_, duration in flow.asked] == [10.0, 40.0, 160.0, 640.0]
-    told = "within 850 s it settles to nothing that repeats; it passes an unstable motion with a period of 3"
-    with pytest.raises(OrbitNotFoundError, match=told):
-        self_excited_orbit(Searched(monkeypatch, found()), BEGIN, settled=True)
-    with pytest.raises(OrbitNotFoundError, match="nothing repeats within 850 s; another start may settle"):
-        self_excited_orbit(Searched(monkeypatch, [[]] * 4), BEGIN, settled=True)
-
-
-def test_a_motion_that_rests_or_cannot_be_followed_repeats_nowhere(monkeypatch: pytest.MonkeyPatch) -> None:
-    with pytest.raises(OrbitNotFoundError, match="comes to rest within 50 s, and nothing sets it in motion"):
-        self_excited_orbit(Searched(monkeypatch, [[orbit("a")]], rests=2), BEGIN)
-    flow = Searched(monkeypatch, [[orbit("a", stable=True)]], ending=Ending.DIVERGED)
-    with pytest.raises(OrbitNotFoundError, match=f"cannot be followed: {Ending.DIVERGED.value}"):
-        self_excited_orbit(flow, BEGIN)
 
 
 def recurring(monkeypatch: pytest.MonkeyPatch, pairs: list, shots: list, stable: tuple = ()) -> tuple:

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from trimmer import MotionKind, OrbitNotFoundError
+from trimmer import MotionKind
 from trimmer.response import respond
 from trimmer.response.measures import ContactMeasures, FrictionMeasures, OutputMeasures
 from trimmer.response.respond import _Search
@@ -71,63 +71,6 @@ def test_the_table_has_a_row_for_each_motion() -> None:
     first, second = table.rows()
     assert first[1:] == (2, 0.75, False, 70, 5.0, None)
     assert second[1:] == (None, 0.25, True, 7, None, None)
-
-
-def test_a_motion_is_held_against_those_that_were_found_before(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list = []
-
-    def same(motion, other):
-        asked.append(("same", motion.orbit.name, other.orbit.name))
-        return motion.orbit.name == other.orbit.name
-
-    def twins(orbit, other):
-        asked.append(("twins", orbit.name, other.name))
-        return (orbit.name, other.name) == ("c", "b")
-
-    monkeypatch.setattr(respond, "_same", same)
-    monkeypatch.setattr(respond, "twins", twins)
-
-    class Told(_Search):
-        def motion(self, instant: object) -> SettledMotion:
-            return replace(periodic(str(instant)), starts=1)
-
-    found = Told(None, 10, []).grouped(replace(periodic("a"), starts=1), iter("babc"))
-    assert [(each.orbit.name, each.starts, each.mirrored) for each in found] == [
-        *(("a", 2, False), ("b", 2, False), ("c", 1, True))
-    ]
-    assert asked == [
-        ("same", "b", "a"),
-        ("twins", "b", "a"),
-        ("same", "a", "a"),
-        ("same", "b", "a"),
-        ("same", "b", "b"),
-        ("same", "c", "a"),
-        ("same", "c", "b"),
-        ("twins", "c", "a"),
-        ("twins", "c", "b"),
-    ]
-
-
-def test_what_moves_by_itself_has_waited_for_no_drive(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list = []
-
-    def excited(flow, instant, *, settled):
-        asked.append((flow, instant, settled))
-        if instant == "rest":
-            raise OrbitNotFoundError("it comes to rest")
-        return SimpleNamespace(message="a stable motion")
-
-    monkeypatch.setattr(respond, "self_excited_orbit", excited)
-    flow = SimpleNamespace(period=0.0)
-    search = _Search(flow, 10, [])
-    found = search.motion("moving")
-    assert (found.drive_periods, found.neighbour_agrees, found.starts, found.share) == (0, None, 1, 1.0)
-    assert (found.kind, found.window, found.mirrored) == (MotionKind.PERIODIC, None, False)
-    assert found.message == "It settles to a stable motion."
-    still = search.motion("rest")
-    assert (still.drive_periods, still.neighbour_agrees, still.starts, still.share) == (0, None, 1, 1.0)
-    assert (still.kind, still.orbit, still.message) == (MotionKind.UNDECIDED, None, "It comes to rest.")
-    assert asked == [(flow, "moving", True), (flow, "rest", True)]
 
 
 @pytest.mark.parametrize(("periods", "waits"), [(150, 250), (900, 1000), (901, 1001)])

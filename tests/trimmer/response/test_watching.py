@@ -16,7 +16,6 @@ from trimmer.contact.flow import ExactFlow
 from trimmer.mechanism import Body, Force, Link, Mechanism
 from trimmer.response import respond, verdict
 from trimmer.response.estimate import Estimate, mean_of
-from trimmer.response.response import SettledMotion
 from trimmer.response.response_json import response_json
 from trimmer.response.settling import Settling
 from trimmer.response.verdict import _neighbour_leaves, look_closely
@@ -207,56 +206,3 @@ def test_a_neighbouring_start_settles_to_the_same_or_not(monkeypatch: pytest.Mon
     assert [most for most, _ in waited] == [200, 250]
     sizes = respond.sizes_of(flow.course(flow.rest(), 1))
     np.testing.assert_allclose(waited[0][1], 1e-6 * sizes, rtol=1e-12)
-
-
-PERIODIC = SimpleNamespace(message="a stable motion")
-
-
-@pytest.mark.parametrize(
-    ("periods", "agrees", "told"),
-    [
-        (100, True, ""),
-        (101, True, " A neighbouring start does the same."),
-        (101, False, " A neighbouring start does something else."),
-    ],
-)
-def test_after_a_long_time_a_neighbour_is_tried(
-    monkeypatch: pytest.MonkeyPatch, periods: int, agrees: bool, told: str
-) -> None:
-    made = SimpleNamespace(periods=periods, until_settled=lambda most: PERIODIC)
-    monkeypatch.setattr(respond, "Settling", lambda flow, instant, known: made)
-    monkeypatch.setattr(respond._Search, "_agrees", lambda self, instant, orbit, periods: agrees)
-    found = respond._Search(SimpleNamespace(period=1.0), 10, []).motion("here")
-    assert found.message == f"It settles within {periods} drive periods to a stable motion.{told}"
-    assert (found.kind, found.orbit, found.window) == (MotionKind.PERIODIC, PERIODIC, None)
-    assert (found.drive_periods, found.starts, found.share) == (periods, 1, 1.0)
-    assert found.neighbour_agrees is (agrees if periods > 100 else None)
-
-
-def searched(monkeypatch: pytest.MonkeyPatch, answers: list, contracts: bool, can_go_on: bool = True):
-    """What a start settles to that is watched, and how long was waited for it."""
-    waits = []
-
-    def until_settled(most: int):
-        waits.append(most)
-        return answers.pop(0)
-
-    settling = SimpleNamespace(
-        periods=40, until_settled=until_settled, can_go_on=can_go_on, instant=None, ending=Ending.DIVERGED
-    )
-    seen = SimpleNamespace(contracts=contracts)
-    monkeypatch.setattr(respond, "Settling", lambda flow, instant, known: settling)
-    monkeypatch.setattr(respond, "look_closely", lambda flow, instant: seen)
-    monkeypatch.setattr(respond, "unsettled", lambda seen, periods, agrees: ("watched", periods, agrees))
-    return respond._Search(SimpleNamespace(period=1.0), 10, []).motion("here"), waits
-
-
-def test_where_distances_shrink_it_is_waited_longer(monkeypatch: pytest.MonkeyPatch) -> None:
-    found, waits = searched(monkeypatch, [None, PERIODIC], contracts=True)
-    assert isinstance(found, SettledMotion)
-    assert (found.orbit, waits) == (PERIODIC, [10, 100])
-    assert searched(monkeypatch, [None, None], contracts=True) == (("watched", 40, None), [10, 100])
-    assert searched(monkeypatch, [None], contracts=False) == (("watched", 40, None), [10])
-    found, waits = searched(monkeypatch, [None], contracts=True, can_go_on=False)
-    assert found.message.startswith("It could be followed for 40 drive periods only")
-    assert waits == [10]

@@ -82,7 +82,8 @@ def _draw(arguments: Namespace, response: Response) -> Path | None:
     target: Path | None = arguments.plot
     if target is None:
         return None
-    if response.motion.orbit is None and response.motion.window is None:
+    motion = response.motion
+    if all(each is None for each in (motion.orbit, motion.window, motion.rest, motion.linear)):
         tell(f"{target} was not written, because nothing was found that could be drawn")
         return None
     from trimmer.drawing.mechanisms.response import response_figure
@@ -93,7 +94,7 @@ def _draw(arguments: Namespace, response: Response) -> Path | None:
 
 COMMAND = Command(
     "respond",
-    "what a mechanism settles to: repeating, on a torus or chaotic",
+    "what a mechanism settles to: repeating, at rest, on a torus or chaotic",
     _configure,
     _run,
     examples=(

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from trimmer.response.estimate import Estimate
     from trimmer.response.measures import Measures
     from trimmer.response.response import Response, SettledMotion
+    from trimmer.response.rest import Rest
 
 LARGE_LINES = 6
 """Lines of a spectrum that are shown, the largest ones."""
@@ -48,7 +49,10 @@ def _box(response: Response) -> str:
 
 
 def _motion(motion: SettledMotion) -> Iterator[str]:
-    if motion.orbit is None and motion.window is None:
+    if motion.rest is not None:
+        yield from _rest(motion.rest)
+        return
+    if motion.orbit is None and motion.window is None and motion.linear is None:
         return
     yield from _facts(motion)
     driven = motion.orbit is None or motion.orbit.periods > 0
@@ -70,8 +74,18 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
         largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
         per = "drive period" if motion.orbit.periods else "period"
         yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {largest:.6g}"
+    elif motion.linear is not None:
+        yield "  no events; figures are exact, of all time"
     else:
         yield f"  {motion.events_per_period:.4g} events per drive period; figures are those of the window"
+
+
+def _rest(rest: Rest) -> Iterator[str]:
+    """Return where each body rests, and what each part bears there."""
+    positions = [(name, f"{position:.9g}") for name, position in rest.positions.items()]
+    yield from table(("body", "displacement, m"), positions)
+    head = "mean force over a drive period, N" if rest.forces_change else "force, N"
+    yield from table(("part", head), [(name, f"{force:.9g}") for name, force in rest.forces.items()])
 
 
 def _number(estimate: Estimate) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.mechanisms.motions import draw_motion, draw_phase_plane, draw_section
@@ -68,13 +70,19 @@ def motion_figure(motion: MechanismMotion) -> Figure:
 
 
 def shown(motion: SettledMotion) -> tuple[ExactFlow, Course]:
-    """Return the motion that is drawn: an orbit, or some periods of what does not repeat.
+    """Return the motion that is drawn: an orbit, rest, or some periods of what does not repeat.
 
     Raises:
         ValueError: if there is none.
     """
     if motion.orbit is not None:
         return motion.orbit.flow, motion.orbit.course
+    if motion.rest is not None:
+        return motion.rest.flow, motion.rest.course
+    if motion.linear is not None:
+        flow, limit = motion.linear.flow, motion.linear.limit
+        slowest = 2 * np.pi / float(motion.linear.frequencies[0])
+        return flow, flow.timed(limit, SHOWN * (flow.period or slowest))
     if motion.window is None:
         raise ValueError("nothing was found that could be drawn")
     return motion.window.flow, motion.window.flow.course(motion.window.end, SHOWN)

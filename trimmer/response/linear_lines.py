@@ -1,0 +1,86 @@
+"""Exact measures of a linear motion on a torus: waves of the drive, and vibrations that never decay."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.response.measures import HARMONICS
+from trimmer.response.motion_signals import acceleration, output_rows
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.response.linear_motion import LinearMotion
+
+ANGLES = 4096
+"""Instants in a drive period at which the largest value of several waves is looked for."""
+
+
+@dataclass(frozen=True, eq=False)
+class LinearLines:
+    """The lines of a linear motion without what decays.
+
+    Attributes:
+        motion: The motion.
+    """
+
+    motion: LinearMotion
+
+    @cached_property
+    def _of_outputs(self) -> Mapping[str, tuple[Complexes, Reals]]:
+        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.layout)
+        return {name: self._lines(row) for name, row in rows.items()}
+
+    def _lines(self, row: Reals) -> tuple[Complexes, Reals]:
+        """Return the waves of a functional, complex, and the amplitudes of its free vibrations."""
+        _, waves, free = self.motion.seen_by(row)
+        alive = self.motion.alive & (self.motion.rates.imag > 0)
+        near = [abs(self.motion.rates.imag - each) <= 1e-12 * each for each in self.motion.frequencies]
+        return waves, np.array([2 * abs(free[alive & each].sum()) for each in near])
+
+    @property
+    def rms(self) -> Mapping[str, float]:
+        """Root of the mean square of each output about its mean, m."""
+        return {name: _rms(*lines) for name, lines in self._of_outputs.items()}
+
+    @property
+    def peak_to_peak(self) -> Mapping[str, float]:
+        """Largest less smallest value of each output, m, which it comes near again and again."""
+        return {name: self._swing(*lines) for name, lines in self._of_outputs.items()}
+
+    def _swing(self, waves: Complexes, free: Reals) -> float:
+        if len(waves) <= 1:
+            return float(2 * abs(waves).sum() + 2 * free.sum())
+        angles = 2 * np.pi * np.arange(ANGLES) / ANGLES
+        driven = (np.exp(1j * np.outer(angles, self.motion.orders)) @ waves).real
+        return float(np.ptp(driven) + 2 * free.sum())
+
+    @property
+    def harmonics(self) -> Mapping[str, Reals]:
+        """Amplitudes of each output at the harmonics of the drive, m."""
+        found = {}
+        for name, (waves, _) in self._of_outputs.items():
+            found[name] = np.zeros(HARMONICS)
+            for order, wave in zip(self.motion.orders.astype(int), waves, strict=True):
+                if order <= HARMONICS:
+                    found[name][order - 1] = abs(wave)
+        return found
+
+    @property
+    def rms_acceleration(self) -> Mapping[str, float]:
+        """Root of the mean square of the acceleration of each body, m/s²."""
+        modes = self.motion.flow.modes
+        mode = modes.number(self.motion.instant.statuses)
+        return {
+            name: _rms(*self._lines(acceleration(modes, body)(mode)))
+            for body, name in enumerate(modes.layout.bodies)
+        }
+
+
+def _rms(waves: Complexes, free: Reals) -> float:
+    return float(np.sqrt(0.5 * (abs(waves) ** 2).sum() + 0.5 * (free**2).sum()))

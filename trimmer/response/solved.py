@@ -1,0 +1,170 @@
+"""What a motion that meets no event any more comes to: solved for, and not waited for."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.messages import listed
+from trimmer.response.linear_motion import LinearMotion, lasting_motion, linear_motion
+from trimmer.response.orbit import orbit_of
+from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.rest import Rest
+from trimmer.response.shooting import Patience, Return, solve
+from trimmer.response.window import watch
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import ExactFlow
+    from trimmer.response.orbit import MechanismOrbit
+
+PATIENCE = Patience(iterations=4, halvings=1, followed=0)
+"""For an orbit that is known to rounding."""
+MOST_PERIODS = 64
+"""Periods after which free vibrations and a drive return together at most."""
+A_TURN = 1e-11
+"""Share of a turn by which a phase may miss its return."""
+WINDOW = 128
+"""Drive periods over which a torus is watched."""
+LEFT = 1e-3
+"""Share of the start at which it is called gone."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """What a motion comes to.
+
+    Attributes:
+        kind: What it is: periodic, at rest, or on a torus.
+        motion: It, with all that decays.
+        orbit: Where it repeats, or rests beside a drive.
+        rest: Where it rests.
+    """
+
+    kind: MotionKind
+    motion: LinearMotion
+    orbit: MechanismOrbit | None = None
+    rest: Rest | None = None
+
+    @property
+    def decay(self) -> float:
+        """Time until a thousandth is left of what decays, s; 0 where nothing does."""
+        slowest = self.motion.slowest
+        return -math.log(LEFT) / slowest if slowest < math.inf else 0.0
+
+
+def solved(flow: ExactFlow, instant: Instant) -> Solved | None:
+    """Return what the motion from an instant comes to; None if an event may come, or it grows or drifts."""
+    motion = lasting_motion(flow, instant)
+    if motion is None:
+        return None
+    rests = motion.still and _pins_are_still(flow)
+    rest = Rest(flow, motion.limit, motion.free) if rests else None
+    if rests and not flow.period:
+        return Solved(MotionKind.REST, motion, rest=rest)
+    count, duration = _repeats(flow, motion.frequencies)
+    if not count:
+        return Solved(MotionKind.TORUS, motion)
+    shot = solve(Return(flow, count if flow.period else 0), motion.limit, duration, PATIENCE)
+    orbit = None if shot is None else orbit_of(flow, shot, count if flow.period else 0)
+    if orbit is None or not orbit.success:
+        return None
+    return Solved(MotionKind.REST if rests else MotionKind.PERIODIC, motion, orbit, rest)
+
+
+def rest_of(orbit: MechanismOrbit) -> Rest | None:
+    """Return the rest that an orbit is in which nothing moves; None for others."""
+    if orbit.course.events or not _pins_are_still(orbit.flow):
+        return None
+    motion = linear_motion(orbit.flow, orbit.instant)
+    return Rest(orbit.flow, motion.limit, motion.free) if motion is not None and motion.still else None
+
+
+def _pins_are_still(flow: ExactFlow) -> bool:
+    return all(pin.amplitude == 0 for pin in flow.mechanism.pins.values())
+
+
+def _repeats(flow: ExactFlow, frequencies: Reals) -> tuple[int, float]:
+    """Return after how many drive periods, or periods of the first frequency, all return; and that time, s.
+
+    Args:
+        flow: The motion of the mechanism.
+        frequencies: Of free vibrations that never decay, rad/s.
+    """
+    base = flow.period or 2 * np.pi / float(frequencies[0])
+    for count in range(1, MOST_PERIODS + 1):
+        turns = count * base * frequencies / (2 * np.pi)
+        if (abs(turns - np.round(turns)) <= A_TURN).all():
+            return count, count * base
+    return 0, 0.0
+
+
+def at_rest(rest: Rest, before: float) -> SettledMotion:
+    """Return a motion that has come to rest.
+
+    Args:
+        rest: Where it rests.
+        before: Time until that was seen: drive periods, or s without a drive.
+    """
+    period = rest.flow.period
+    within = f"{before:g} drive periods" if period else f"{before:.6g} s"
+    told = f"It comes to rest within {within}, and nothing sets it in motion{_of_rest(rest)}."
+    periods = int(before) if period else 0
+    return SettledMotion(MotionKind.REST, None, None, periods, None, 1, 1.0, False, told, rest)
+
+
+def settled_at_last(found: Solved, before: float) -> SettledMotion:
+    """Return what a motion comes to, in words.
+
+    Args:
+        found: It.
+        before: What was followed before that: drive periods, or s without a drive.
+    """
+    if found.rest is not None:
+        waits = -(-found.decay // found.motion.flow.period) if found.motion.flow.period else found.decay
+        return at_rest(found.rest, before + waits)
+    flow = found.motion.flow
+    periods = int(before) if flow.period else 0
+    on_torus = found.kind is MotionKind.TORUS
+    window = watch(flow, found.motion.limit, WINDOW) if on_torus and flow.period else None
+    told = f"{_told(found)}. No event comes any more, so that this was solved for and not waited for."
+    return SettledMotion(
+        found.kind, found.orbit, window, periods, None, 1, 1.0, False, told, linear=found.motion
+    )
+
+
+def _of_rest(rest: Rest) -> str:
+    return "; where it stays depends on its start" if rest.family else ""
+
+
+def _told(found: Solved) -> str:
+    if found.orbit is not None:
+        told = f"It settles to {found.orbit.message}"
+        if found.motion.alive.any():
+            return f"{told}: {_undamped(found)}"
+        return f"{told}: {_decay(found)}" if found.decay else told
+    beside = "the drive" if found.motion.flow.period else "one another"
+    return (
+        f"It runs on a torus: {_undamped(found)}, and beside {beside} nothing repeats within "
+        f"{MOST_PERIODS} periods"
+    )
+
+
+def _undamped(found: Solved) -> str:
+    frequencies = found.motion.frequencies / (2 * np.pi)
+    many = len(frequencies) > 1
+    told = listed([f"{each:.6g}" for each in frequencies])
+    return (
+        f"nothing damps the free vibration{'s' if many else ''} of {told} Hz, so that the start sets "
+        f"{'their sizes' if many else 'its size'} for ever"
+    )
+
+
+def _decay(found: Solved) -> str:
+    period = found.motion.flow.period
+    time = f"{math.ceil(found.decay / period)} drive periods" if period else f"{found.decay:.6g} s"
+    return f"what the start adds to it falls to a thousandth in {time}"
