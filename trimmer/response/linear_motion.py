@@ -232,7 +232,8 @@ class _Modal(NamedTuple):
 def _modal(flow: ExactFlow, mode: Mode, held: _Held) -> _Modal | None:
     """Return the free parts; None if one grows, or if they cannot be told apart."""
     matrix = held.matrix
-    scaled, (scale, _) = scipy.linalg.matrix_balance(matrix, permute=False, separate=True)
+    with np.errstate(all="ignore"):  # SciPy takes scales for places.
+        scaled, (scale, _) = scipy.linalg.matrix_balance(matrix, permute=False, separate=True)
     values, right = np.linalg.svd(scaled)[1:]
     null = values <= ROUNDING * values.max(initial=0.0)
     places, rest = scale[:, None] * right[null].T, scale[:, None] * right[~null].T

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.response.multipliers import multipliers_of
 from trimmer.response.shooting import CLOSED, Shot
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
 
 SAME = 1e-8
 """Distance of states as a share of their sizes below which a motion has returned before its time."""
-ROUNDING = 64 * float(np.finfo(float).eps)
-"""Rounding of the derivative of a return in each of its segments, as a share of its norm."""
 NEUTRAL = 1e-6
 """Distance from 1 within which a multiplier makes the step of a branch from an orbit ill-determined."""
 RETURNS = 64
@@ -185,31 +184,13 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
     """
-    multipliers, margins = _multipliers(shot)
+    multipliers, margins = multipliers_of(shot)
     success = shot.miss <= CLOSED
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
     orbit = MechanismOrbit(
         flow, periods, count, shot.course, shot.sizes, multipliers, shot.miss, success, "", margins
     )
     return _told(orbit, about)
-
-
-def _multipliers(shot: Shot) -> tuple[Complexes, Reals]:
-    """Return the eigenvalues of the derivative of a return, by falling modulus, and their rounding."""
-    matrix = shot.monodromy * shot.sizes / shot.sizes[:, None]
-    values, vectors = np.linalg.eig(matrix)
-    order = np.argsort(-abs(values), kind="stable")
-    try:
-        left = np.linalg.inv(vectors)
-    except np.linalg.LinAlgError:
-        return values[order].astype(complex), np.full(len(values), np.inf)
-    # Units in which right and left eigenvectors are of one size: the sizes say little where no event is.
-    rows, columns = np.linalg.norm(vectors, axis=1), np.linalg.norm(left, axis=0)
-    units = np.sqrt(rows / columns)
-    conditions = np.linalg.norm(left * units, axis=1) * np.linalg.norm(vectors / units[:, None], axis=0)
-    rounding = ROUNDING * (1 + len(shot.course.events)) + min(shot.miss, CLOSED)
-    margins = rounding * np.linalg.norm(matrix * units / units[:, None]) * conditions
-    return values[order].astype(complex), margins[order]
 
 
 def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
