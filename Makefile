@@ -12,7 +12,7 @@ COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --n
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report docs maps test test-all lint format derive lock mutate benchmark check-install clean
+.PHONY: help report docs maps test test-all test-kernels lint format derive lock mutate benchmark check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -36,6 +36,10 @@ test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to 
 
 test-all: .venv/for-development ## run all tests, the slow ones too
 	@PYTHONDONTWRITEBYTECODE= python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
+
+# Claims and digits are the same on every processor and Python; scripts/kernels says how others are imitated here.
+test-kernels: .venv/for-development ## run the tests that rest on digits as on other processors and Pythons; ARGS="--list" says which; half an hour
+	@python -m scripts.kernels $(ARGS)
 
 lint: .venv/for-development ## ruff (rules and format), mypy, import-linter; changes nothing
 	@ruff check .

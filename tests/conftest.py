@@ -15,6 +15,8 @@ import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
+from tests.digits import rests_on_digits
+
 # The same examples in every run and on every computer; how long one takes depends on the computer.
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None, max_examples=60)
 settings.load_profile("repeatable")
@@ -69,6 +71,14 @@ def pytest_collection() -> Iterator[None]:
         gc.freeze()
         gc.set_threshold(20_000, 20, 20)
         gc.enable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark the tests that rest on digits, before any are chosen by their marks."""
+    for item in items:
+        if rests_on_digits(item.path):
+            item.add_marker("digits")
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

@@ -16,11 +16,16 @@ SCHEMA = 2
 
 def to_json(document: Document) -> str:
     """Return all findings of the document, in thesis order, as indented JSON with a trailing newline."""
+    return claims_json(document.findings, document.text_copy.sha256)
+
+
+def claims_json(findings: tuple[Finding, ...], sha256: str) -> str:
+    """Return findings in the same way; the digest is that of the text copy that was judged."""
     content = {
         "schema": SCHEMA,
-        "thesis": {"sha256": document.text_copy.sha256},
-        "items": _numbers(items(document.findings)),
-        "claims": [_claim(finding) for finding in document.findings],
+        "thesis": {"sha256": sha256},
+        "items": _numbers(items(findings)),
+        "claims": [_claim(finding) for finding in findings],
     }
     return json.dumps(content, ensure_ascii=False, indent=2) + "\n"
 
