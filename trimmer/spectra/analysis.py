@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from trimmer.arguments import real_number, require_instance, truth_value, whole_number
+from trimmer.arguments import real_number, require_instance, truth_value
 from trimmer.errors import SignalWarning
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
+from trimmer.signals.band import EVERYWHERE
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import (
     OPEN_LOOP,
@@ -21,7 +22,7 @@ from trimmer.spectra.classification import (
     fundamentals,
     require_positive,
 )
-from trimmer.spectra.doubts import band_doubts, doubts
+from trimmer.spectra.doubts import band_doubts, doubts, unsteady_doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -81,6 +82,7 @@ class SpectrumAnalysis(Tabular):
             Column("explanation", "", lambda each: each.explanation and each.explanation.origin.label),
             Column("distance_bins", "", lambda each: each.explanation and each.explanation.distance),
             Column("ambiguous", "", attrgetter("ambiguous")),
+            Column("resolved", "", attrgetter("peak.resolved")),
         )
         return Table("Peaks by amplitude", self.peaks, columns)
 
@@ -108,8 +110,9 @@ def analyse_signal(
         closed_loop: Whether the pin follows the output although there is a drive.
 
     Warns:
-        SignalWarning: if the record has a fault, such as clipping, or peaks where it is not to be trusted; or
-            if it is too short to tell the harmonics of the drive, or what peaks may be, from one another.
+        SignalWarning: if the record has a fault, such as clipping, or peaks where it is not to be trusted; if
+            it is too short to tell the harmonics of the drive, or what peaks may be, from one another; or if
+            no steady sine explains a peak.
 
     Raises:
         ChoiceError: if there is no such window.
@@ -130,6 +133,7 @@ def analyse_signal(
     doubtful = (
         *doubts(signal, spectrum, drive_frequency, origins),
         *band_doubts(signal.trusted, found),
+        *unsteady_doubts(found),
     )
     for doubt in doubtful:
         warnings.warn(doubt, SignalWarning, stacklevel=2)
@@ -152,11 +156,7 @@ def analyse_signal(
 
 def _trusted_peaks(signal: Signal, spectrum: Spectrum, limit: int) -> tuple[Peak, ...]:
     """Find peaks; of a converted signal none outside its band, in whose flanks parts of lines are left."""
-    if not signal.converted:
-        return peaks(spectrum, limit)
-    found = peaks(spectrum)
-    whole_number("limit", limit, 1)
-    return tuple(peak for peak in found if peak.frequency in signal.trusted)[:limit]
+    return peaks(spectrum, limit, band=signal.trusted if signal.converted else EVERYWHERE)
 
 
 def _harmonics(signal: Signal, drive_frequency: float) -> HarmonicFit:

@@ -62,6 +62,20 @@ def band_doubts(band: Band, peaks: Sequence[Peak]) -> Iterator[str]:
         yield f"not to be trusted: peaks at {listed} Hz; the samples are {band.sentence}"
 
 
+def unsteady_doubts(peaks: Sequence[Peak]) -> Iterator[str]:
+    """Name the peaks (Hz) that no steady sine explains, or several too close to each other."""
+    unsteady = [
+        f"{peak.frequency:.6g} ± {peak.frequency_uncertainty:.2g}" for peak in peaks if not peak.resolved
+    ]
+    if unsteady:
+        listed = ", ".join(unsteady[:_SHOWN]) + (", ..." if len(unsteady) > _SHOWN else "")
+        yield (
+            f"no single steady sine explains the peaks at {listed} Hz: each is several lines that this "
+            "record does not part, or one that changes in the course of it, such as a vibration that dies "
+            "out; their uncertainties hold what a sine leaves there"
+        )
+
+
 def doubts(
     signal: Signal, spectrum: Spectrum, drive: float | None, origins: Sequence[Origin]
 ) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -64,16 +65,24 @@ class Window(Choice):
         Returns:
             Values without unit, in the shape of ``bins``; 1 at 0.
         """
-        orders = np.arange(1 - len(self.value), len(self.value))
-        sizes = np.take(self.value, np.abs(orders)) * np.where(orders == 0, 1.0, 0.5)
-        shifted = np.subtract.outer(np.asarray(bins, dtype=np.float64), orders)
-        return np.asarray(_dirichlet(shifted, count) @ (sizes * (-1.0) ** orders / self.value[0]))
+        orders, weights = _shifts(self, count)
+        x = np.asarray(bins, dtype=np.float64)
+        x = x - count * np.rint(x / count)  # the transform has period N
+        whole = np.rint(x)
+        # All kernels have sin(pi x) in common, but for the sign; so it is exact near bins too.
+        wave = np.sin(np.pi * (x - whole)) * (1.0 - 2.0 * (whole % 2))
+        below = count * np.sin((np.pi / count) * np.subtract.outer(x, orders))
+        on_bin = below == 0.0
+        kernels = wave[..., None] / np.where(on_bin, 1.0, below)
+        if on_bin.any():
+            kernels[on_bin] = np.broadcast_to(1.0 - 2.0 * (orders % 2), below.shape)[on_bin]
+        turn = (np.pi * (count - 1) / count) * x
+        return np.asarray((kernels @ weights) * (np.cos(turn) - 1j * np.sin(turn)))
 
 
-def _dirichlet(x: Reals, count: int) -> Complexes:
-    """Evaluate sum(exp(-2 pi j x n / N), n = 0 .. N - 1) / N for N = ``count``, in the shape of ``x``."""
-    whole = np.round(x / count)
-    turn = x - count * whole  # the kernel has period N
-    # sin(pi turn)/(N sin(pi turn/N)) by sinc, which knows the limit at 0.
-    size = np.sinc(turn) / np.sinc(turn / count)
-    return np.asarray(size * np.exp(-1j * np.pi * turn * (count - 1) / count))
+@cache
+def _shifts(window: Window, count: int) -> tuple[Reals, Complexes]:
+    """Return the shifts of the kernels that a window's transform is made of, bins, and their weights."""
+    orders = np.arange(1.0 - len(window.value), len(window.value))
+    sizes = np.take(window.value, np.abs(orders).astype(int)) * np.where(orders == 0, 1.0, 0.5)
+    return orders, sizes / window.value[0] * np.exp(1j * np.pi * orders * ((count - 1) / count))

@@ -9,31 +9,21 @@ import pytest
 
 from trimmer.arrays import Reals
 from trimmer.errors import WrongTypeError
+from trimmer.spectra.lines import Lines, _fitted, added, bins_near, noise_beside, relaxed
 from trimmer.spectra.noise import NEIGHBOURHOOD
-from trimmer.spectra.peaks import (
-    _added,
-    _fitted,
-    _left,
-    _Lines,
-    _maxima,
-    _near,
-    _new_bins,
-    _noise,
-    _relaxed,
-    peaks,
-)
+from trimmer.spectra.peaks import _left, _maxima, _new_bins, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 
-NONE = _Lines(np.empty(0, int), np.empty(0), np.empty(0, complex))
+NONE = Lines(np.empty(0, int), np.empty(0), np.empty(0, complex))
 
 
 def spectrum(lines: Reals, window: Window = Window.RECTANGULAR, colour: int = 0) -> Spectrum:
     return Spectrum(lines.astype(complex), window, 2000.0, 2 * (lines.size - 1), 0.5, colour)
 
 
-def silent(*bins: int) -> _Lines:
-    return _Lines(np.array(bins), np.array(bins, float), np.zeros(len(bins), complex))
+def silent(*bins: int) -> Lines:
+    return Lines(np.array(bins), np.array(bins, float), np.zeros(len(bins), complex))
 
 
 def sine(place: float, size: float, count: int = 1000) -> Reals:
@@ -56,7 +46,7 @@ def test_of_equal_maxima_the_lower_frequency_comes_first() -> None:
 
 def test_what_lines_show_is_taken_off_within_their_skirts_and_beside_candidates() -> None:
     given = spectrum(np.full(501, 7.0))
-    line = _Lines(np.array([100]), np.array([100.3]), np.array([1.0 + 0.5j]))
+    line = Lines(np.array([100]), np.array([100.3]), np.array([1.0 + 0.5j]))
     changed = np.flatnonzero(_left(given, line, np.array([0, 400, 500])) != 7.0)
     assert changed.tolist() == [*range(3), *range(35, 166), *range(398, 403), *range(498, 501)]
     assert _left(given, NONE, np.array([400])).tolist() == [7.0] * 501
@@ -113,9 +103,9 @@ def test_noise_is_the_median_of_every_third_bin_beside_the_lines(window: Window,
     lines = silent(int(bins[7]), int(bins[90]))
     apart = np.delete(bins, [7, 90])  # no other is within the lobe of either
     expected = scale * np.median(values[apart])
-    assert _noise(given, lines, here + 0.4) == pytest.approx(expected, rel=1e-12)
+    assert noise_beside(given, lines, here + 0.4) == pytest.approx(expected, rel=1e-12)
     grey = spectrum(values * np.maximum(np.arange(count), 1), window, 1)
-    assert _noise(grey, lines, here - 0.4) == pytest.approx(here * expected, rel=1e-12)
+    assert noise_beside(grey, lines, here - 0.4) == pytest.approx(here * expected, rel=1e-12)
 
 
 def test_noise_is_not_taken_from_the_ends_nor_from_beside_lines_if_there_is_else() -> None:
@@ -123,24 +113,24 @@ def test_noise_is_not_taken_from_the_ends_nor_from_beside_lines_if_there_is_else
     values[[0, -1]] = 1e9
     scale = math.sqrt(78.0 / (4.0 * math.log(2.0)))
     few = spectrum(values)
-    assert _noise(few, silent(20), 2.0) == pytest.approx(scale, rel=1e-12)
-    assert _noise(few, silent(20), 38.0) == pytest.approx(scale, rel=1e-12)
+    assert noise_beside(few, silent(20), 2.0) == pytest.approx(scale, rel=1e-12)
+    assert noise_beside(few, silent(20), 38.0) == pytest.approx(scale, rel=1e-12)
     # Of bins 1, 2 and 4, not of 0.
     tiny = spectrum(np.array([0.0, 10.0, 2.0, 0.0, 5.0, 0.0]))
-    assert _noise(tiny, silent(9), 2.0) == pytest.approx(5.0 * math.sqrt(10.0 / (4.0 * math.log(2.0))))
+    assert noise_beside(tiny, silent(9), 2.0) == pytest.approx(5.0 * math.sqrt(10.0 / (4.0 * math.log(2.0))))
     everywhere = silent(*range(40))
-    assert _noise(few, everywhere, 20.0) == pytest.approx(scale, rel=1e-12)
+    assert noise_beside(few, everywhere, 20.0) == pytest.approx(scale, rel=1e-12)
 
 
 def test_what_lines_show_is_no_noise() -> None:
     given = amplitude_spectrum(sine(100.3, 2.0), 1000.0, Window.RECTANGULAR)
-    line = _Lines(np.array([100]), np.array([100.3]), np.array([2.0 * np.exp(0.3j)]))
-    assert _noise(given, line, 100.3) < 0.01 * _noise(given, silent(100), 100.3)
+    line = Lines(np.array([100]), np.array([100.3]), np.array([2.0 * np.exp(0.3j)]))
+    assert noise_beside(given, line, 100.3) < 0.01 * noise_beside(given, silent(100), 100.3)
 
 
 def test_bins_within_a_reach_rise() -> None:
-    assert _near(np.array([7, 20]), 1).tolist() == [[6, 7, 8], [19, 20, 21]]
-    assert _near(np.array([7]), 2).tolist() == [[5, 6, 7, 8, 9]]
+    assert bins_near(np.array([7, 20]), 1).tolist() == [[6, 7, 8], [19, 20, 21]]
+    assert bins_near(np.array([7]), 2).tolist() == [[5, 6, 7, 8, 9]]
 
 
 @pytest.mark.parametrize("window", [Window.HANN, Window.FLAT_TOP])
@@ -149,28 +139,28 @@ def test_steps_of_the_fit_converge_on_a_line_but_stay_beside_their_bin(window: W
     bins = np.array([33, 70, 90, 120])
     places = np.array([33.3, 69.8, 91.2, 118.7])
     amplitudes = np.array([2.0 - 1.0j, 0.5j, 1.0, 1.0])
-    shown = amplitudes[:, None] * window.transform(_near(bins, 1) - places[:, None], 400)
-    lines = _Lines(bins, bins.astype(float), np.ones(4, complex))
+    shown = amplitudes[:, None] * window.transform(bins_near(bins, 1) - places[:, None], 400)
+    lines = Lines(bins, bins.astype(float), np.ones(4, complex))
     for _ in range(8):
         lines = _fitted(given, lines, shown)
     assert lines.bins is bins
     assert lines.places == pytest.approx([33.3, 69.8, 90.75, 119.25], abs=1e-10)
     assert lines.amplitudes[:2] == pytest.approx(amplitudes[:2], abs=1e-10)
-    near = _fitted(given, _Lines(bins[:1], np.array([33.29]), np.ones(1, complex)), shown[:1])
+    near = _fitted(given, Lines(bins[:1], np.array([33.29]), np.ones(1, complex)), shown[:1])
     assert near.places == pytest.approx([33.3], abs=2e-4)
 
 
 def test_a_line_is_added_to_others_and_both_are_fitted_without_each_other() -> None:
     values = sine(100.3, 2.0) + sine(107.6, 0.7)
     given = amplitude_spectrum(values, 1000.0, Window.HANN)
-    first = _Lines(np.array([100]), np.array([100.3]), np.array([2.0 * np.exp(0.3j)]))
-    both = _added(given, first, np.array([108]))
+    first = Lines(np.array([100]), np.array([100.3]), np.array([2.0 * np.exp(0.3j)]))
+    both = added(given, first, np.array([108]))
     assert both.bins.tolist() == [100, 108]
     assert both.places == pytest.approx([100.3, 107.6], abs=1e-6)
     assert np.abs(both.amplitudes) == pytest.approx([2.0, 0.7], abs=1e-5)
-    alone = _added(given, NONE, np.array([100, 108]))
+    alone = added(given, NONE, np.array([100, 108]))
     assert np.abs(alone.places - [100.3, 107.6]).max() > 1e-6
-    relaxed = _relaxed(given, alone)
-    assert relaxed.bins.tolist() == [100, 108]
-    assert relaxed.places == pytest.approx([100.3, 107.6], abs=1e-11)
-    assert relaxed.amplitudes == pytest.approx(np.exp(0.3j) * np.array([2.0, 0.7]), abs=1e-10)
+    turns = relaxed(given, alone)
+    assert turns.bins.tolist() == [100, 108]
+    assert turns.places == pytest.approx([100.3, 107.6], abs=1e-11)
+    assert turns.amplitudes == pytest.approx(np.exp(0.3j) * np.array([2.0, 0.7]), abs=1e-10)

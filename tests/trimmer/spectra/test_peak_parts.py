@@ -9,20 +9,11 @@ import numpy as np
 import pytest
 
 from trimmer.signals.signal import SignalError
+from trimmer.spectra.lines import Lines, leakage, noise_beside
 from trimmer.spectra.noise import noise_threshold
-from trimmer.spectra.peaks import (
-    _inside,
-    _is_maximum,
-    _leakage,
-    _left,
-    _Lines,
-    _maxima,
-    _noise,
-    _peak,
-    _threshold,
-)
+from trimmer.spectra.peaks import _inside, _is_maximum, _left, _maxima, _threshold
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
-from trimmer.spectra.window import Window, _dirichlet
+from trimmer.spectra.window import Window
 
 RATE = 2000.0
 
@@ -47,7 +38,7 @@ def test_the_kernel_of_a_window_has_the_period_of_its_samples() -> None:
     x = np.array([0.3, 5.0, 7.7, 20.4, -13.2])
     n = np.arange(12)
     expected = np.exp(-2j * np.pi * np.outer(x, n) / 12).sum(axis=1) / 12
-    assert _dirichlet(x, 12) == pytest.approx(expected, abs=1e-14)
+    assert Window.RECTANGULAR.transform(x, 12) == pytest.approx(expected, abs=1e-14)
 
 
 def test_a_spectrum_tells_its_bins_and_how_noise_lies_in_them() -> None:
@@ -108,34 +99,24 @@ def test_a_line_and_its_mirror_image_show_in_all_bins() -> None:
     amplitude = 0.7 * np.exp(0.4j)
     values = (amplitude * np.exp(2j * np.pi * 33.3 * RATE / 200 * times)).real
     given = amplitude_spectrum(values, RATE)
-    line = _Lines(np.array([33]), np.array([33.3]), np.array([amplitude]))
+    line = Lines(np.array([33]), np.array([33.3]), np.array([amplitude]))
     bins = np.array([20, 33, 34, 60])
-    assert _leakage(given, line, bins) == pytest.approx(given.lines[bins], abs=1e-2)
+    assert leakage(given, line, bins) == pytest.approx(given.lines[bins], abs=1e-2)
     left = _left(given, line, np.array([2]))
     assert left[20:60].max() < 1e-2
     assert left[99] == given.amplitude[99]  # beyond the skirt nothing is taken off
     assert left[97] != given.amplitude[97]
-    nothing = _Lines(np.empty(0, int), np.empty(0), np.empty(0, complex))
-    assert _leakage(given, nothing, bins).tolist() == [0.0] * 4
-
-
-def test_a_peak_has_the_bounds_of_cramer_and_rao_times_the_loss() -> None:
-    given = spectrum([0.0] * 101, Window.HANN)  # 200 samples, bins 10 Hz apart
-    peak = _peak(given, 20.5, 3 - 4j, 0.2)
-    assert (peak.frequency, peak.amplitude) == (205.0, 5.0)
-    assert peak.phase == pytest.approx(math.atan2(-4.0, 3.0))
-    share = 0.2 / math.sqrt(200.0)
-    assert peak.frequency_uncertainty == pytest.approx(1.90 * math.sqrt(6) / math.pi * share / 5.0 * 10.0)
-    assert peak.amplitude_uncertainty == pytest.approx(1.35 * math.sqrt(2.0) * share)
+    nothing = Lines(np.empty(0, int), np.empty(0), np.empty(0, complex))
+    assert leakage(given, nothing, bins).tolist() == [0.0] * 4
 
 
 @pytest.mark.parametrize("window", [Window.RECTANGULAR, Window.HANN])
 def test_noise_beside_a_peak_is_that_of_the_samples(window: Window) -> None:
     noise = 0.3 * np.random.default_rng(8).normal(size=40_000)
     given = amplitude_spectrum(noise, RATE, window)
-    nothing = _Lines(np.array([5000]), np.array([5000.0]), np.array([0j]))
+    nothing = Lines(np.array([5000]), np.array([5000.0]), np.array([0j]))
     # 133 bins: the median is uncertain by about a tenth; so the mean of many places.
-    levels = [_noise(given, nothing, place) for place in np.arange(500.0, 19_000.0, 400.0)]
+    levels = [noise_beside(given, nothing, place) for place in np.arange(500.0, 19_000.0, 400.0)]
     assert np.mean(levels) == pytest.approx(0.3, rel=0.03)
-    assert _noise(given, nothing, 3.0) == pytest.approx(0.3, rel=0.3)
-    assert _noise(given, nothing, 19_998.0) == pytest.approx(0.3, rel=0.3)
+    assert noise_beside(given, nothing, 3.0) == pytest.approx(0.3, rel=0.3)
+    assert noise_beside(given, nothing, 19_998.0) == pytest.approx(0.3, rel=0.3)

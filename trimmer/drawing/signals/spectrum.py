@@ -11,12 +11,15 @@ from trimmer.drawing.look import BLACK, colour
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.spectra.analysis import SpectrumAnalysis
     from trimmer.spectra.averaged import AveragedSpectrum
     from trimmer.spectra.harmonics import HarmonicFit
+    from trimmer.spectra.peaks import Peak
     from trimmer.spectra.spectrum import Spectrum
 
 POINTS = 4000
@@ -63,9 +66,26 @@ def draw_analysis(analysis: SpectrumAnalysis, ax: Axes | None = None) -> Axes:
         if found:
             places = [peak.frequency for peak in found], [peak.amplitude for peak in found]
             axes.plot(*places, marker, linestyle="none", color=colour(number), label=label)
+    _mark_unsteady(axes, [each.peak for each in analysis.peaks if not each.peak.resolved])
     _write_frequencies(axes, analysis)
     add_legend(axes)
     return axes
+
+
+def _mark_unsteady(axes: Axes, peaks: Sequence[Peak]) -> None:
+    """Draw how wide the frequencies are that no single steady sine explains, Hz."""
+    if peaks:
+        places, wide = [peak.frequency for peak in peaks], [peak.frequency_uncertainty for peak in peaks]
+        axes.errorbar(
+            places,
+            [peak.amplitude for peak in peaks],
+            xerr=wide,
+            fmt="none",
+            ecolor=BLACK,
+            elinewidth=1.0,
+            capsize=3.0,
+            label="no single steady sine",
+        )
 
 
 def _write_frequencies(axes: Axes, analysis: SpectrumAnalysis) -> None:

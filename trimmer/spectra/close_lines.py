@@ -1,0 +1,207 @@
+"""Lines closer than a window parts them: whether one sine explains what is around it, or how many do.
+
+The best fit of one sine is held against those of more: each that lowers the sum of squares, in units of the
+noise, by more than noise would is accepted (the likelihood ratio). What no few steady sines explain, such as
+a line that drifts or dies out, has no frequency to the accuracy that noise alone would allow.
+
+Source: S. M. Kay, Fundamentals of Statistical Signal Processing: Detection Theory, 1998, chapter 6.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.spectra.line_fit import Bins, LineFit, bins_around
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from trimmer.arrays import Complexes, Places, Reals
+    from trimmer.spectra.lines import Lines
+    from trimmer.spectra.spectrum import Spectrum
+    from trimmer.spectra.window import Window
+
+SURE = 30.0
+"""Fall of the sum of squares that makes another line certain: noise alone gives it once in 10^5 peaks."""
+POSSIBLE = 12.0
+"""Fall from which on another line is possible: noise alone gives it at one peak in twenty."""
+MOST = 3
+"""Sines that are tried for a group, or one more than were found in it."""
+LARGEST = 10.0
+"""A line that is so many times larger than what is seen is one of several that cancel, and no real one."""
+CLEAR = 3.0
+"""So many times larger than what is left, a line is there beside one that is no steady sine."""
+APART = 1.0
+"""Bins below which two sines cannot be told from one that changes during the record."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line as it is shown.
+
+    Attributes:
+        place: In bins.
+        amplitude: Complex.
+        spread: Standard deviation of the place, bins.
+        amplitude_spread: Of the amplitude.
+        resolved: Whether it is a steady sine, as far as the noise lets see.
+    """
+
+    place: float
+    amplitude: complex
+    spread: float
+    amplitude_spread: float
+    resolved: bool = True
+
+
+def groups(window: Window, places: Reals) -> list[Places]:
+    """Return the numbers of lines that are close to each other, group by group."""
+    order = np.argsort(places)
+    apart = np.diff(places[order]) > max(4, window.half_width + 2)
+    return [np.sort(each) for each in np.split(order, np.flatnonzero(apart) + 1)]
+
+
+def resolve(
+    spectrum: Spectrum, lines: Lines, members: Places, noise: float, alone: Sequence[Line]
+) -> list[Line]:
+    """Return the lines that explain what is around some.
+
+    Args:
+        spectrum: The spectrum.
+        lines: All lines that were found.
+        members: Numbers of those that are close to each other.
+        noise: Standard deviation of white noise there, per sample.
+        alone: What each of them is if there is no other.
+    """
+    bins = bins_around(spectrum, lines, members, noise)
+    largest_first = sorted(alone, key=lambda line: -abs(line.amplitude))
+    if len(alone) == 1:
+        seen = bins.at(lines.places[members])
+        if bins.promise(seen)[0] < POSSIBLE and seen.explains:
+            return list(alone)
+    fits = list(_ladder(bins, np.array([line.place for line in largest_first])))
+    chosen = 0
+    for number in range(1, len(fits)):
+        if fits[chosen].misfit - fits[number].misfit > SURE * (number - chosen):
+            chosen = number
+    fit = fits[chosen]
+    if not fit.explains:
+        return _unexplained(bins, largest_first)
+    if chosen == 0 and len(alone) == 1:
+        found = list(alone)
+    else:
+        found = [_line(bins, fit, part, largest_first) for part in _parts(fit, spectrum.window.parted)]
+    # What is possible but not certain makes what is shown less certain.
+    others = [each for each in fits[chosen + 1 :] if fit.misfit - each.misfit > POSSIBLE]
+    return [_widened(line, others[0]) for line in found] if others else found
+
+
+def _ladder(bins: Bins, found: Reals) -> Iterator[LineFit]:
+    """Yield the best fits of one sine, two and more, as long as another one is promising."""
+    fit = bins.refined(found[:1])
+    for count in range(2, max(MOST, len(found) + 1) + 1):
+        yield fit
+        gain, place = bins.promise(fit)
+        if gain < POSSIBLE and len(found) < count:
+            return
+        starts = [np.append(fit.places, place)]
+        if count <= len(found):
+            starts.append(found[:count])
+        if count == 2:
+            starts += list(bins.pairs(float(found[0])))
+        starts.sort(key=lambda start: bins.at(start).misfit)
+        fit = min((bins.refined(start) for start in starts[:2]), key=lambda each: each.misfit)
+    yield fit
+
+
+def _parts(fit: LineFit, parted: float) -> list[Places]:
+    """Return the numbers of the lines of a fit; together those that are too close to be told apart.
+
+    What is no steady sine by that may be anything within what its window parts.
+    """
+    order = np.argsort(fit.places)
+    spreads, apart = fit.spreads[0][order], np.diff(fit.places[order])
+    far = apart >= np.maximum(APART, 3.0 * (spreads[1:] + spreads[:-1]))
+    if not far.all():
+        far &= apart >= parted
+    return np.split(order, np.flatnonzero(far) + 1)
+
+
+def _line(bins: Bins, fit: LineFit, part: Places, found: Sequence[Line]) -> Line:
+    """Return a line of a fit, or what is seen of several that are too close.
+
+    Then what is shown is the line that was found, as wide as their places are apart, by their sizes.
+    """
+    spreads, sizes = fit.spreads
+    if len(part) == 1:
+        (each,) = part.tolist()
+        return Line(
+            float(fit.places[each]), complex(fit.amplitudes[each]), float(spreads[each]), float(sizes[each])
+        )
+    middle = float(np.median(fit.places[part]))
+    seen = min(found, key=lambda line: abs(line.place - middle))
+    others = np.setdiff1d(np.arange(len(fit.places)), part)
+    wide = _wide(
+        bins,
+        seen,
+        bins.left_by(
+            np.append(fit.places[others], seen.place), np.append(fit.amplitudes[others], seen.amplitude)
+        ),
+    )
+    amplitudes = abs(fit.amplitudes[part])
+    real = amplitudes < LARGEST * abs(seen.amplitude)
+    weights = np.minimum(amplitudes / abs(seen.amplitude), 1.0)[real]
+    reach = float((weights * abs(fit.places[part][real] - seen.place)).max(initial=0.0))
+    larger = float(amplitudes[real].max(initial=0.0)) - abs(seen.amplitude)
+    return replace(
+        wide,
+        spread=max(wide.spread, reach),
+        amplitude_spread=max(wide.amplitude_spread, larger),
+    )
+
+
+def _unexplained(bins: Bins, found: Sequence[Line]) -> list[Line]:
+    """Return what was found, the largest first, where no few steady sines explain it.
+
+    Of smaller lines those are left that are clearly larger than what all together leave.
+    """
+    left = bins.left_by(
+        np.array([line.place for line in found]), np.array([line.amplitude for line in found])
+    )
+    clear = [line for line in found[1:] if abs(line.amplitude) > CLEAR * abs(left).max()]
+    if len(clear) + 1 < len(found):
+        return _unexplained(bins, [found[0], *clear])
+    return [_wide(bins, line, left) for line in found]
+
+
+def _wide(bins: Bins, line: Line, left: Complexes) -> Line:
+    """Return a line that is no steady sine as wide as what is left lets it be.
+
+    Let that be a share r of it. A small second line at a distance d leaves about its own share times d², and
+    moves the first by that share times d: so by at most sqrt(r).
+    """
+    own = abs(line.amplitude) * math.sqrt(bins.spectrum.window.noise_bandwidth)
+    off = float(np.linalg.norm(left))
+    share = math.sqrt(off / math.hypot(off, own))
+    return replace(
+        line,
+        spread=max(share, line.spread),
+        amplitude_spread=max(share * abs(line.amplitude), line.amplitude_spread),
+        resolved=False,
+    )
+
+
+def _widened(line: Line, other: LineFit) -> Line:
+    """Return a line whose standard deviations hold what another fit says too."""
+    nearest = int(np.argmin(abs(other.places - line.place)))
+    off = float(other.places[nearest]) - line.place
+    larger = float(abs(other.amplitudes[nearest])) - abs(line.amplitude)
+    return replace(
+        line,
+        spread=math.hypot(line.spread, off),
+        amplitude_spread=math.hypot(line.amplitude_spread, larger),
+    )
