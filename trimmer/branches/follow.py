@@ -116,7 +116,7 @@ def _interval(mechanism: Mechanism, place: str, start: float | str, stop: float 
     if mechanism.frequency is None and parse_place(place) == ("frequency",):
         mechanism.value(place)
     for each in (begin, end):
-        require_repeating(ExactFlow(mechanism.with_value(place, each)))
+        require_repeating(ExactFlow.returning(mechanism.with_value(place, each)))
     return begin, end
 
 

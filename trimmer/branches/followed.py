@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.balanced import BalancedOrbit, balanced_beside
 from trimmer.branches.branch import BranchEnd, BranchPoint
@@ -16,6 +18,7 @@ from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_t
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.place_text import parse_place, place_text, unit_of
+from trimmer.response.orbit import with_shifts
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
 
@@ -57,10 +60,13 @@ class FollowedOrbit(Shown):
     def multipliers(self) -> Complexes:
         """Floquet multipliers by falling modulus, (n,).
 
-        Without a drive one of them is 1, since the motion may be shifted in time; ``stable`` leaves it out.
+        Without a drive one of them is 1, since the motion may be shifted in time, and one is for each
+        direction in which bodies may be shifted without a change of any force; ``stable`` leaves them out.
         """
         multipliers = self.point.multipliers
-        return with_trivial(multipliers) if isinstance(self.map, SelfExcitedMap) else multipliers
+        if isinstance(self.map, SelfExcitedMap):
+            multipliers = with_trivial(multipliers)
+        return with_shifts(self.map.flow(self.value), multipliers, np.zeros(len(multipliers)))[0]
 
     @property
     def largest_multiplier(self) -> float:
@@ -92,7 +98,7 @@ class FollowedOrbit(Shown):
     @cached_property
     def outputs(self) -> Mapping[str, OutputMeasure]:
         """Peak to peak and harmonics of each output."""
-        return output_measures(self.map.mechanism, self.passage.course)
+        return _outputs(self.passage)
 
     def balanced(self, harmonics: int) -> BalancedOrbit:
         """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
@@ -149,8 +155,7 @@ class FollowedBranch(Tabular):
 
     def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
         """Return peak to peak and harmonics of each output at a special point of the branch."""
-        course = self.map.passage(special.value, special.state).course
-        return output_measures(self.map.mechanism, course)
+        return _outputs(self.map.passage(special.value, special.state))
 
     def all(self) -> Iterator[FollowedBranch]:
         """Yield the branch, then those that part from it, each before those that part from that."""
@@ -212,6 +217,11 @@ class FollowedBranch(Tabular):
     def success(self) -> bool:
         """Whether it was followed to an end of the interval, around, or to one that it joins."""
         return self.reason.is_success
+
+
+def _outputs(passage: MechanismPassage) -> Mapping[str, OutputMeasure]:
+    flow, course = passage.flow.travelling(passage.course)
+    return output_measures(flow.mechanism, course)
 
 
 def _stroke(name: str) -> Callable[[tuple[int, FollowedOrbit]], float]:

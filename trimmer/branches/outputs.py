@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.response.extremes import extremes
 from trimmer.response.fourier import fourier
-from trimmer.response.motion_signals import output_rows, steady
+from trimmer.response.motion_signals import output_rows, output_speeds, steady
 from trimmer.showing.shown import Shown
 
 if TYPE_CHECKING:
@@ -25,11 +25,13 @@ class OutputMeasure(Shown):
     """What a displacement does over a period.
 
     Attributes:
+        advance: Shift over the period, m, which is taken off evenly before it is measured.
         peak_to_peak: m.
         harmonics: Amplitudes a_n, m, of a_n cos(n omega t + phase), n = 1 ... 15, omega that of the drive, or
             of the motion without a drive.
     """
 
+    advance: float
     peak_to_peak: float
     harmonics: Reals
 
@@ -42,15 +44,17 @@ def output_measures(mechanism: Mechanism, course: Course) -> dict[str, OutputMea
 
     Args:
         mechanism: The mechanism.
-        course: Its motion over a whole number of drive periods, after which it repeats; without a drive over
-            its own period.
+        course: Its motion over a whole number of drive periods, after which it repeats, in the frame that
+            advances with it; without a drive over its own period.
     """
     layout, found = course.modes.layout, {}
+    speeds = output_speeds(mechanism, layout)
     omega = layout.omega or 2.0 * np.pi / course.duration
     for name, row in output_rows(mechanism, layout).items():
         lowest, highest = extremes(course, steady(row))
         amplitudes = fourier(course, (course.nodes.states @ row)[:, None], omega, HARMONICS)
-        found[name] = OutputMeasure(highest - lowest, np.abs(amplitudes[:, 0]))
+        advance = speeds[name] * course.duration
+        found[name] = OutputMeasure(advance, highest - lowest, np.abs(amplitudes[:, 0]))
     return found
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
+from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import NO_STATE, machine_of
 from trimmer.contact.nodes import Nodes, nodes, sample
@@ -43,6 +44,10 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Integers, Reals
     from trimmer.mechanism.mechanism import Mechanism
+
+
+NEGLIGIBLE = 1e-9
+"""Share of the largest velocity of a motion below which the mean velocity is rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +80,12 @@ class Course:
         return sample(self.modes.tables, self.log, times)
 
     def tangents(self, at_start: Reals) -> Reals:
-        """Return what becomes of small distances of the state, (n, columns), over the motion."""
+        """Return what becomes of small distances of the state, (n, columns), over the motion.
+
+        In a frame that follows leaders a distance in which all that they lead is shifted is none.
+        """
+        frame = self.modes.layout.frame
+        at_start = frame.reduced(at_start.T).T if frame.follows else at_start
         return propagated(self.modes, self.log, self.duration, at_start)
 
     @property
@@ -118,14 +128,21 @@ class ExactFlow:
 
     Attributes:
         mechanism: The mechanism.
+        frame: In which displacements are; that of the ground if not given.
     """
 
     mechanism: Mechanism
+    frame: Frame | None = None
+
+    @classmethod
+    def returning(cls, mechanism: Mechanism) -> ExactFlow:
+        """Return the motion in the frame in which it repeats, if it does: see ``trimmer.contact.frame``."""
+        return cls(mechanism, frame_of(mechanism))
 
     @cached_property
     def modes(self) -> Modes:
         """The modes that were met so far, with ``machine`` and ``layout``."""
-        return Modes(*machine_of(self.mechanism))
+        return Modes(*machine_of(self.mechanism, self.frame))
 
     @property
     def size(self) -> int:
@@ -264,6 +281,40 @@ class ExactFlow:
             if ending is not Ending.REACHED_END:
                 break
         return self._joined(instant, begin, ending, parts, duration)
+
+    def travelling(self, course: Course) -> tuple[ExactFlow, Course]:
+        """Return a motion in the frame that moves evenly, at its leaders' mean velocities, and its flow.
+
+        There a motion that repeats up to a shift returns to where it was; without leaders nothing changes.
+        """
+        frame = self.modes.layout.frame
+        if not frame.follows or not self.shifts:
+            return self, course
+        bodies, nodes = len(self.modes.layout.bodies), course.nodes
+        flow = self.moving(nodes.weights @ nodes.states[:, bodies : 2 * bodies] / course.duration)
+        periods = course.end.periods - course.begin.periods
+        if periods and course.end.phase == course.begin.phase:
+            return flow, flow.course(course.begin, periods)
+        return flow, flow.timed(course.begin, course.duration)
+
+    @property
+    def shifts(self) -> int:
+        """Number of directions along which bodies may be shifted without a change of any force."""
+        return len(self.modes.layout.frame.leading)
+
+    def advances(self, sizes: Reals) -> bool:
+        """Say whether the frame moves on, beyond rounding, beside a motion with the sizes of states, (n,)."""
+        velocities = self.modes.layout.frame.velocities
+        fastest = sizes[len(velocities) : 2 * len(velocities)].max(initial=0.0)
+        return bool((abs(velocities) > NEGLIGIBLE * fastest).any())
+
+    def reduced(self, states: Reals) -> Reals:
+        """Return states, (..., n), shifted along all directions in which no force changes to leaders at 0."""
+        return self.modes.layout.frame.reduced(states)
+
+    def moving(self, mean: Reals) -> ExactFlow:
+        """Return the same in a frame that moves evenly, at mean velocities, m/s, (bodies,), of leaders."""
+        return ExactFlow(self.mechanism, self.modes.layout.frame.steady(mean))
 
     def _joined(
         self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None

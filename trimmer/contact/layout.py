@@ -2,6 +2,7 @@
 
 It holds displacements q and velocities v of the bodies, the springs z of relaxing contacts, sine and cosine
 of each order of the drive, the time if a pin that something leans on moves on for ever, and one.
+Displacements are those in a frame, which may move.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 
 if TYPE_CHECKING:
@@ -37,6 +39,9 @@ class Layout:
         pins: Names of the pins.
         pin_rows: Displacements of the pins as functionals, (pins, N), without the share of a ramp that
             nothing leans on.
+        frame: That in which displacements are.
+        speeds: By name, how fast each body or pin moves on beyond what its functional says, m/s: with the
+            frame, or as a pin that nothing leans on.
     """
 
     bodies: tuple[str, ...]
@@ -48,6 +53,8 @@ class Layout:
     omega: float
     pins: tuple[str, ...]
     pin_rows: Reals
+    frame: Frame
+    speeds: Mapping[str, float]
 
     @cached_property
     def state_count(self) -> int:
@@ -90,19 +97,30 @@ class Layout:
 
 
 def layout_of(
-    mechanism: Mechanism, contacts: Mapping[str, Play | Stop], frictions: tuple[str, ...]
+    mechanism: Mechanism,
+    contacts: Mapping[str, Play | Stop],
+    frictions: tuple[str, ...],
+    frame: Frame | None = None,
 ) -> Layout:
-    """Return the layout of a mechanism with some contacts and frictions that exert forces."""
+    """Return the layout of a mechanism with some contacts and frictions that exert forces.
+
+    Args:
+        mechanism: The mechanism.
+        contacts: Its plays and stops that exert forces.
+        frictions: Names of its frictions that do.
+        frame: In which displacements are; that of the ground if not given.
+    """
+    frame = frame_of(mechanism).fixed() if frame is None else frame
     omega = 2 * np.pi * (mechanism.frequency or 0.0)
     moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
     orders = sorted({part.order for part in moved if moves(part)})
-    leaning = {
-        end
+    speeds = {GROUND: 0.0, **dict(zip(mechanism.bodies, frame.velocities.tolist(), strict=True))}
+    speeds |= {name: speeds[pin.on] + pin.velocity for name, pin in mechanism.pins.items()}
+    ramp = any(
+        abs(speeds[part.between[1]] - speeds[part.between[0]]) > SAME * max(map(abs, speeds.values()))
         for part in (*mechanism.links.values(), *contacts.values())
-        if part.stiffness > 0
-        for end in part.between
-    }
-    ramp = any(pin.velocity != 0 and name in leaning for name, pin in mechanism.pins.items())
+        if leans(part)
+    )
     relaxing = tuple(
         name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
     )
@@ -116,6 +134,8 @@ def layout_of(
         omega,
         tuple(mechanism.pins),
         np.array([]),
+        frame,
+        dict.fromkeys(speeds, 0.0) if ramp else speeds,
     )
     rows = Rows(mechanism, layout)
     pin_rows = np.array([rows.displacement(name) for name in mechanism.pins]).reshape(-1, layout.size)
@@ -140,7 +160,10 @@ class Rows:
         if end == GROUND:
             return row
         if end in self.mechanism.bodies:
-            row[self.layout.bodies.index(end)] = 1.0
+            body = self.layout.bodies.index(end)
+            row[body] = 1.0
+            if self.layout.ramp:
+                row[-2] += self.layout.frame.velocities[body]
             return row
         pin = self.mechanism.pins[end]
         row += self.displacement(pin.on)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
+from trimmer.contact.frame import HELD, Frame
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
@@ -58,12 +59,12 @@ class Machine(NamedTuple):
     vertices: Integers
 
 
-def machine_of(mechanism: Mechanism) -> tuple[Machine, Layout]:
-    """Return the arrays of a mechanism and the names of their rows."""
+def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
+    """Return the arrays of a mechanism, in the frame of the ground or a given one, and their rows' names."""
     parts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
     contacts = {name: part for name, part in parts.items() if part.stiffness > 0 or part.damping > 0}
     frictions = {name: part for name, part in mechanism.frictions.items() if part.static_force > 0}
-    layout = layout_of(mechanism, contacts, tuple(frictions))
+    layout = layout_of(mechanism, contacts, tuple(frictions), frame)
     rows = Rows(mechanism, layout)
     machine = Machine(
         base=_base(mechanism, layout, rows),
@@ -87,6 +88,10 @@ def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
     count = len(layout.bodies)
     base = np.zeros((layout.size, layout.size))
     base[:count, count : 2 * count] = np.eye(count)
+    base[:count, -1] -= layout.frame.velocities
+    if layout.frame.follows:
+        led = np.flatnonzero(layout.frame.leaders != HELD)
+        base[led, count + layout.frame.leaders[led]] -= 1.0
     for link in mechanism.links.values():
         start, end = link.between
         force = link.stiffness * (rows.displacement(end) - rows.displacement(start))

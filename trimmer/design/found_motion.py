@@ -145,6 +145,7 @@ def of_settled(settled: SettledMotion) -> FoundMotion | None:
     course = flow.course(settled.window.end, WINDOW)
     if course.ending is not Ending.REACHED_END:
         return None
+    flow, course = flow.travelling(course)
     return _made(flow, course, settled, None, WINDOW)
 
 

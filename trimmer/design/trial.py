@@ -80,7 +80,7 @@ class TrialWork:
     def __call__(self, values: tuple[float, ...]) -> Trial:
         """Return what the mechanism does with these values."""
         try:
-            flow = ExactFlow(varied(self.mechanism, self.places, values))
+            flow = ExactFlow.returning(varied(self.mechanism, self.places, values))
             settled = settle(flow, flow.rest(), self.most_periods)
             return self._measured(values, flow, settled)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
@@ -99,6 +99,7 @@ class TrialWork:
             course = flow.course(settled.end, WINDOW)
             if course.ending is not Ending.REACHED_END:
                 return self._failed(values)
+            flow, course = flow.travelling(course)
             measures = Measures(course, flow, 1, WINDOW)
         count = None if orbit is None else orbit.period_count
         found = tuple((each, measured(measures, each, count)) for each in self.asked)

@@ -102,7 +102,7 @@ class Model:
 
     def _flow(self, coordinates: Reals) -> ExactFlow | None:
         try:
-            return ExactFlow(self.mechanism_at(coordinates))
+            return ExactFlow.returning(self.mechanism_at(coordinates))
         except MechanismError:
             return None
 

@@ -113,7 +113,7 @@ class CellWork:
     def __call__(self, cell: Cell) -> CellResult:
         """Return the motions of a cell; what fails is told by the motion, and stops no other cell."""
         try:
-            flow = ExactFlow(varied(self.mechanism, self.places, cell.values))
+            flow = ExactFlow.returning(varied(self.mechanism, self.places, cell.values))
             starts = _starts(flow, cell, self.settings)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
             return CellResult(cell.number, (_failed(error),))
@@ -185,6 +185,7 @@ def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
     course = flow.course(settled.end, WINDOW)
     if course.ending is not Ending.REACHED_END:
         return CellMotion(settled.kind, periods=settled.periods, failure=course.ending.value)
+    flow, course = flow.travelling(course)
     return CellMotion(
         settled.kind,
         periods=settled.periods,
@@ -200,7 +201,7 @@ def _repeating(flow: ExactFlow, kind: MotionKind, orbit: MechanismOrbit, periods
         kind,
         0 if rests else orbit.period_count,
         periods,
-        float(abs(orbit.multipliers).max()),
+        float(abs(orbit.nontrivial_multipliers).max(initial=0.0)),
         states=_tuples(orbit.strobed[: orbit.period_count]),
         measures=of_orbit(flow, orbit.course, orbit.periods),
         neutral=orbit.neutral,

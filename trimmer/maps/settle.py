@@ -90,7 +90,7 @@ def settle(flow: ExactFlow, begin: Instant, most_periods: int) -> Settled:
         most_periods: Drive periods to wait at most.
     """
     compared = min(COMPARED, most_periods)
-    following = _Following(flow, begin, begin.state[None], [])
+    following = _Following(flow, begin, flow.reduced(begin.state[None]), [])
     for length in _looks(most_periods - compared):
         settled = following.on(length)
         if settled is not None:
@@ -117,7 +117,7 @@ class _Following:
     Attributes:
         flow: The exact motion of the mechanism.
         instant: Where it is.
-        states: At the start of each drive period so far, (periods + 1, n).
+        states: At the start of each drive period so far, (periods + 1, n), shifted so that leaders are at 0.
         known: Stable orbits that were found on the way.
         tried: Difference of the last return from which an orbit was solved for.
     """
@@ -131,7 +131,8 @@ class _Following:
     def on(self, periods: int) -> Settled | None:
         """Go on for some drive periods; returns what the motion has settled to by then, or why it ended."""
         strobe = self.flow.strobe(self.instant, periods)
-        self.instant, self.states = strobe.end, np.concatenate([self.states, strobe.states[1:]])
+        self.instant = strobe.end
+        self.states = np.concatenate([self.states, self.flow.reduced(strobe.states[1:])])
         done = len(self.states) - 1
         if strobe.ending is not Ending.REACHED_END:
             grew = strobe.ending is Ending.DIVERGED and done > 0
@@ -205,7 +206,7 @@ def _beside(following: _Following, before: Instant, compared: int) -> Settled:
     neighbour = flow.strobe(flow.at(before.state + APART * sizes, like=before), compared)
     if neighbour.ending is not Ending.REACHED_END:
         return Settled(MotionKind.UNDECIDED, periods, end)
-    kind, exponent = _compared(states, neighbour.states, sizes)
+    kind, exponent = _compared(states, flow.reduced(neighbour.states), sizes)
     return Settled(kind, periods, end, lyapunov=exponent)
 
 

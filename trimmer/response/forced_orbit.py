@@ -71,7 +71,7 @@ def mechanism_orbit(
     whole_number("periods", periods, 1)
     if settling is not None:
         whole_number("settling", settling, 0)
-    flow = ExactFlow(mechanism)
+    flow = ExactFlow.returning(mechanism)
     require_repeating(flow)
     if not flow.period:
         if periods > 1:
@@ -110,9 +110,17 @@ def require_repeating(flow: ExactFlow) -> None:
     """Check that a mechanism can repeat.
 
     Raises:
-        UnsupportedMotionError: if a pin goes on for ever and a spring follows it.
+        UnsupportedMotionError: if pins go on for ever and pull at springs that something else holds.
     """
     if flow.modes.layout.ramp:
         raise UnsupportedMotionError(
-            "nothing repeats, because a spring leans on a pin that goes on for ever; simulate() follows it"
+            "nothing repeats, because a pin goes on for ever, and what leans on it is held elsewhere too; "
+            "simulate() follows it"
         )
+
+
+def diverges_by_pull(mechanism: Mechanism) -> bool:
+    """Say whether pins that go on for ever stretch springs without end, whatever else happens."""
+    from trimmer.contact.frame import frame_of
+
+    return frame_of(mechanism, without_stops=True).pulled

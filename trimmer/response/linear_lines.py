@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.response.measures import HARMONICS
-from trimmer.response.motion_signals import acceleration, output_rows
+from trimmer.response.motion_signals import acceleration, output_rows, output_speeds
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -42,6 +42,19 @@ class LinearLines:
         alive = self.motion.alive & (self.motion.rates.imag > 0)
         near = [abs(self.motion.rates.imag - each) <= 1e-12 * each for each in self.motion.frequencies]
         return waves, np.array([2 * abs(free[alive & each].sum()) for each in near])
+
+    @property
+    def mean(self) -> Mapping[str, float]:
+        """Mean of each output, m."""
+        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.layout)
+        return {name: self.motion.seen_by(row)[0] for name, row in rows.items()}
+
+    @property
+    def advance(self) -> Mapping[str, float]:
+        """Shift of each output over a drive period, or a second without a drive, m."""
+        flow = self.motion.flow
+        speeds = output_speeds(flow.mechanism, flow.modes.layout)
+        return {name: speed * (flow.period or 1.0) for name, speed in speeds.items()}
 
     @property
     def rms(self) -> Mapping[str, float]:

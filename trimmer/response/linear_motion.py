@@ -112,7 +112,19 @@ class LinearMotion:
     def still(self) -> bool:
         """Whether no body moves once what decays is gone."""
         moved = self.waves[:, : 2 * len(self.flow.modes.layout.bodies)]
-        return not self.alive.any() and not moved.any()
+        return not self.alive.any() and not moved.any() and not self.moves_on
+
+    @property
+    def moves_on(self) -> bool:
+        """Whether bodies go on at a constant velocity, beyond rounding, as they may with the frame."""
+        frame, count = self.flow.modes.layout.frame, len(self.flow.modes.layout.bodies)
+        if not frame.follows and not frame.velocities.any():
+            return False
+        mean, velocities = abs(self.mean), slice(count, 2 * count)
+        fastest = abs(self.parts[:, velocities]).sum(axis=0) + abs(self.instant.state[velocities])
+        turned = mean[:count].max(initial=0.0) * abs(self.rates).max(initial=0.0)
+        scale = max(fastest.max(initial=0.0), turned)
+        return bool((mean[velocities] > NOTHING * scale).any())
 
     @property
     def lasts(self) -> bool:

@@ -18,6 +18,7 @@ from trimmer.response.motion_signals import (
     contact_force,
     durations,
     output_rows,
+    output_speeds,
     steady,
     while_status,
 )
@@ -42,6 +43,7 @@ class OutputMeasures:
         rms: Root of the mean square about the mean.
         amplitudes: Complex amplitudes at p/k of the drive, p = 1, 2, ...: real part of c exp(i p w t / k).
         period_count: k.
+        advance: Shift over the motion, m, which was taken off evenly before all this was measured.
     """
 
     smallest: float
@@ -50,6 +52,7 @@ class OutputMeasures:
     rms: float
     amplitudes: Complexes
     period_count: int
+    advance: float = 0.0
 
     @property
     def peak_to_peak(self) -> float:
@@ -143,6 +146,7 @@ class Measures:
         apart = signals - means
         rms = np.sqrt(nodes.weights @ apart**2 / duration)
         count = self.period_count
+        speeds = output_speeds(self.flow.mechanism, self.course.modes.layout)
         omega = 2 * np.pi * self.periods / (duration * count)
         amplitudes = fourier(self.course, apart, omega, HARMONICS * count)
         return {
@@ -152,6 +156,7 @@ class Measures:
                 float(rms[place]),
                 amplitudes[:, place],
                 count,
+                speeds[name] * duration,
             )
             for place, (name, row) in enumerate(rows.items())
         }

@@ -25,10 +25,19 @@ Signal: TypeAlias = Callable[[int], "Reals"]
 def output_rows(mechanism: Mechanism, layout: Layout) -> dict[str, Reals]:
     """Return each output as a functional of the extended state, (N,).
 
-    Of a pin that goes on for ever and that nothing leans on, what it goes on by is left out.
+    In a frame that moves it is without what the frame moves by, and so is a pin that goes on for ever while
+    nothing leans on it: see ``output_speeds``.
     """
     return {
         name: np.asarray(sum((weight * _row(layout, of) for of, weight in output.weights.items())))
+        for name, output in mechanism.outputs.items()
+    }
+
+
+def output_speeds(mechanism: Mechanism, layout: Layout) -> dict[str, float]:
+    """Return how fast each output moves on beyond what its functional says, m/s."""
+    return {
+        name: sum(weight * layout.speeds[of] for of, weight in output.weights.items())
         for name, output in mechanism.outputs.items()
     }
 

@@ -16,7 +16,7 @@ from trimmer.showing.table import Column, Table, arrays
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from trimmer.arrays import Complexes, Reals
+    from trimmer.arrays import Complexes, Integers, Reals
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
     from trimmer.mechanism.mechanism import Mechanism
@@ -26,23 +26,26 @@ SAME = 1e-8
 """Distance of states as a share of their sizes below which a motion has returned before its time."""
 NEUTRAL = 1e-6
 """Distance from 1 within which a multiplier makes the step of a branch from an orbit ill-determined."""
+INSTANTS = 8
+"""At which a motion without events is looked at for any change."""
 RETURNS = 64
 """Returns over which the growth of small distances is followed."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MechanismOrbit(Tabular):
-    """A motion that repeats.
+    """A motion that repeats, or repeats up to an advance along which no force changes.
 
     Attributes:
-        flow: The motion of the mechanism.
+        flow: The motion of the mechanism, in the frame that advances evenly with the motion, if it does.
         periods: Number of drive periods after which it was to return; 0 without a drive.
         period_count: The smallest number of drive periods after which it returns, a divisor of ``periods``;
             1 without a drive.
         course: The motion over ``periods``.
         sizes: Scale of each state, m, m/s and m, (n,).
         multipliers: Floquet multipliers over ``periods``, largest modulus first, (n,). Zeros where stick or
-            contact takes a dimension away. Without a drive one of them is 1.
+            contact takes a dimension away. Without a drive one of them is 1, and so is one for each
+            direction in which bodies may be shifted without a change of any force.
         residual: Largest distance between end and start as a share of the sizes.
         success: Whether it returns.
         message: What was found, in a sentence.
@@ -77,11 +80,29 @@ class MechanismOrbit(Tabular):
         return self.course.duration
 
     @property
+    def advances(self) -> bool:
+        """Whether it repeats up to an advance: see ``OutputMeasures.advance``."""
+        return self.flow.advances(self.sizes)
+
+    @property
     def nontrivial_multipliers(self) -> Complexes:
-        """The multipliers without the one that is 1 because the motion may be shifted in time."""
-        if self.periods:
-            return self.multipliers
-        return np.delete(self.multipliers, np.argmin(abs(self.multipliers - 1)))
+        """The multipliers without those that are 1 because the motion may be shifted, in time or in place."""
+        return np.delete(self.multipliers, self._trivial)
+
+    @cached_property
+    def _trivial(self) -> Integers:
+        """Places of the multipliers that are 1 because the motion may be shifted."""
+        in_time = not self.periods and self._changes
+        nearest = np.argsort(abs(self.multipliers - 1), kind="stable")
+        return np.asarray(nearest[: self.flow.shifts + in_time], dtype=np.int64)
+
+    @property
+    def _changes(self) -> bool:
+        """Whether states change, in the frame that advances: else a shift in time is one in place."""
+        if self.course.events or not self.flow.shifts:
+            return True
+        states = self.course.states(np.linspace(0.0, self.course.duration, INSTANTS))[:, : self.flow.size]
+        return bool((np.ptp(self.flow.reduced(states), axis=0) > SAME * self.sizes).any())
 
     @property
     def stable(self) -> bool:
@@ -105,7 +126,7 @@ class MechanismOrbit(Tabular):
         """Return those of one value for each multiplier that belong to the nontrivial ones; 0 for none."""
         if not len(values):
             return np.zeros(1)
-        return values if self.periods else np.delete(values, np.argmin(abs(self.multipliers - 1)))
+        return np.delete(values, self._trivial)
 
     @property
     def events_per_period(self) -> float:
@@ -114,8 +135,12 @@ class MechanismOrbit(Tabular):
 
     @cached_property
     def monodromy(self) -> Reals:
-        """What becomes of small distances over ``periods``, as shares of the sizes, (n, n)."""
-        matrix: Reals = self.course.monodromy * self.sizes / self.sizes[:, None]
+        """What becomes of small distances over ``periods``, as shares of the sizes, (n, n).
+
+        Shifts along which no force changes are left out.
+        """
+        change = self.flow.reduced(self.course.monodromy.T).T
+        matrix: Reals = change * self.sizes / self.sizes[:, None]
         return matrix
 
     @cached_property
@@ -132,12 +157,11 @@ class MechanismOrbit(Tabular):
 
     @cached_property
     def strobed(self) -> Reals:
-        """States at the start of each drive period, (periods, n)."""
+        """States at the start of each drive period, (periods, n), shifted so that leaders are at 0."""
         if not self.periods:
-            return self.instant.state[None]
-        return self.course.states(np.arange(self.periods, dtype=np.float64) * self.flow.period)[
-            :, : self.flow.size
-        ]
+            return self.flow.reduced(self.instant.state[None])
+        states = self.course.states(np.arange(self.periods, dtype=np.float64) * self.flow.period)
+        return self.flow.reduced(states[:, : self.flow.size])
 
     @cached_property
     def measures(self) -> Measures:
@@ -184,13 +208,33 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
     """
-    multipliers, margins = multipliers_of(shot)
+    multipliers, margins = with_shifts(flow, *multipliers_of(shot))
     success = shot.miss <= CLOSED
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
+    seen, course = flow.travelling(shot.course) if success else (flow, shot.course)
     orbit = MechanismOrbit(
-        flow, periods, count, shot.course, shot.sizes, multipliers, shot.miss, success, "", margins
+        seen, periods, count, course, shot.sizes, multipliers, shot.miss, success, "", margins
     )
     return _told(orbit, about)
+
+
+def with_shifts(flow: ExactFlow, multipliers: Complexes, margins: Reals) -> tuple[Complexes, Reals]:
+    """Return multipliers by falling modulus, each 0 that stands for a shift as the 1 that it has.
+
+    A shift along which no force changes stays as it is; in the frame that follows the shifted bodies, where
+    motions are computed, nothing is left of it.
+
+    Args:
+        flow: The motion of the mechanism.
+        multipliers: Of that frame, by falling modulus, (n,).
+        margins: Their rounding, (n,).
+    """
+    if not flow.shifts:
+        return multipliers, margins
+    found: Complexes = np.append(multipliers[: -flow.shifts], np.ones(flow.shifts, dtype=np.complex128))
+    known = np.append(margins[: -flow.shifts], np.zeros(flow.shifts))
+    order = np.argsort(-abs(found), kind="stable")
+    return found[order], known[order]
 
 
 def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
@@ -208,6 +252,8 @@ def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
         told = f"{kind} motion that repeats after {_periods(orbit.period_count)} already, not {orbit.periods}"
     else:
         told = f"{kind} motion that repeats after {_periods(orbit.periods)}"
+    if orbit.advances:
+        told += ", up to an advance"
     return replace(orbit, message=f"{told}; {about}" if about else told)
 
 

@@ -60,12 +60,13 @@ def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:
 
     Args:
         orbit: The orbit, over its smallest number of periods.
-        states: At the start of each drive period, (count, n).
+        states: At the start of each drive period, (count, n), shifted so that leaders are at 0.
     """
     periods = orbit.periods
     if len(states) <= 3 * periods:
         return False
-    apart = (states[-1 - 3 * periods :] - orbit.instant.state) / orbit.sizes
+    start = orbit.flow.reduced(orbit.instant.state)
+    apart = (states[-1 - 3 * periods :] - start) / orbit.sizes
     first = int(np.argmin(abs(apart[: periods + 1]).max(axis=1)))
     returns = apart[first::periods][:3]
     distances = abs(returns).max(axis=1)

@@ -10,7 +10,8 @@ import numpy as np
 from trimmer.arguments import require_instance, whole_number
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.forced_orbit import require_repeating
+from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
+from trimmer.response.linear_motion import linear_motion
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.same import same_motion, same_orbit, twins
 from trimmer.response.self_excited import self_excited
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
     from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.rest import Rest
     from trimmer.response.self_excited import SelfExcited
     from trimmer.response.starts import Start
 
@@ -70,7 +72,7 @@ def respond(
     Raises:
         WrongTypeError: if an argument is of another type.
         MechanismError: if the state does not fit the mechanism.
-        UnsupportedMotionError: if the mechanism never repeats, because a pin goes on for ever and pulls.
+        UnsupportedMotionError: if a pin goes on for ever and leaves a stop.
     """
     from trimmer.contact.flow import ExactFlow
 
@@ -78,7 +80,9 @@ def respond(
     whole_number("starts", starts, 1)
     whole_number("most_periods", most_periods, 1)
     whole_number("seed", seed, 0)
-    flow = ExactFlow(mechanism)
+    flow = ExactFlow.returning(mechanism)
+    if diverges_by_pull(mechanism):
+        return Response(mechanism, (_pulled(starts),), starts, dict(box or {}), seed)
     require_repeating(flow)
     search = _Search(flow, most_periods, [])
     first = search.motion(instant_of(flow, state))
@@ -98,8 +102,28 @@ class _Search:
 
     def motion(self, instant: Instant) -> SettledMotion:
         """Return what a start settles to."""
-        if not self.flow.period:
-            return self._by_itself(instant)
+        if self.flow.period:
+            found = self._driven(instant)
+            waited = self.flow.period * found.drive_periods
+        else:
+            found, waited = self._by_itself(instant)
+        if found.rest is None:
+            return found
+        return replace(found, rest=self._in_place(found.rest, instant, waited))
+
+    def _in_place(self, rest: Rest, instant: Instant, waited: float) -> Rest:
+        """Return a rest where the start leads to: in the frame that was followed, leaders had not moved."""
+        if not self.flow.shifts:
+            return rest
+        from trimmer.contact.flow import ExactFlow
+
+        ground = ExactFlow(self.flow.mechanism)
+        end = ground.timed(instant, waited).end if waited else instant
+        motion = linear_motion(ground, end)
+        limit, family = (end, True) if motion is None else (motion.limit, motion.free)
+        return replace(rest, flow=ground, instant=limit, family=family)
+
+    def _driven(self, instant: Instant) -> SettledMotion:
         settling = Settling(self.flow, instant, self.known)
         orbit, seen = settling.until_settled(self.most_periods), None
         if orbit is None and settling.can_go_on:
@@ -116,20 +140,22 @@ class _Search:
             told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
         return _settled(orbit, settling.periods, agrees, told)
 
-    def _by_itself(self, instant: Instant) -> SettledMotion:
+    def _by_itself(self, instant: Instant) -> tuple[SettledMotion, float]:
+        """Return what a start settles to without a drive, and how long it was followed, s."""
         try:
             found = self_excited(self.flow, instant)
         except OrbitNotFoundError as error:
             grows = isinstance(error, DivergingMotionError)
             kind = MotionKind.DIVERGING if grows else MotionKind.UNDECIDED
-            return _of_kind(kind, 0, f"{str(error).capitalize()}.")
+            return _of_kind(kind, 0, f"{str(error).capitalize()}."), 0.0
         if found.solved is not None:
-            return settled_at_last(found.solved, found.waited)
+            return settled_at_last(found.solved, found.waited), found.waited
         if found.rest is not None:
-            return at_rest(found.rest, found.waited)
+            return at_rest(found.rest, found.waited), found.waited
         if found.orbit is not None:
-            return _settled(found.orbit, 0, None, f"It settles to {found.orbit.message}.")
-        return _of_kind(MotionKind.UNDECIDED, 0, _unsettled(found))
+            told = f"It settles to {found.orbit.message}."
+            return _settled(found.orbit, 0, None, told), found.waited
+        return _of_kind(MotionKind.UNDECIDED, 0, _unsettled(found)), found.waited
 
     def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
@@ -166,6 +192,14 @@ def _unsettled(found: SelfExcited) -> str:
         f"Within {found.waited:.6g} s it settles to nothing that repeats; it passes an unstable motion with "
         f"a period of {found.passed.period:.9g} s."
     )
+
+
+def _pulled(starts: int) -> SettledMotion:
+    told = (
+        "It diverges: a pin goes on for ever and pulls at a spring that something else holds, so that its "
+        "force grows without end."
+    )
+    return SettledMotion(MotionKind.DIVERGING, None, None, 0, None, starts, 1.0, False, told)
 
 
 def _settled(orbit: MechanismOrbit, periods: int, agrees: bool | None, told: str) -> SettledMotion:

@@ -94,7 +94,7 @@ class SettledMotion(Shown):
             return self.window.exponents[0]
         if self.orbit is None or not self.orbit.periods:
             return None
-        largest = float(abs(self.orbit.multipliers).max(initial=0.0))
+        largest = float(abs(self.orbit.nontrivial_multipliers).max(initial=0.0))
         return Estimate(float(np.log(largest)) / self.orbit.periods, 0.0) if largest > 0 else None
 
     @property
@@ -127,6 +127,30 @@ class SettledMotion(Shown):
         if self._lines is not None:
             return self._lines.peak_to_peak
         return {} if self.window is None else self.window.peak_to_peak
+
+    @cached_property
+    def mean(self) -> Mapping[str, float]:
+        """Mean of each output, m, less what it advances by; over the window if it does not repeat."""
+        if self.measures is not None:
+            return {name: each.mean for name, each in self.measures.outputs.items()}
+        if self._lines is not None:
+            return self._lines.mean
+        means = {} if self.window is None else self.window.output_means
+        return {name: each.value for name, each in means.items()}
+
+    @cached_property
+    def advance(self) -> Mapping[str, float]:
+        """Shift of each output over a period of the motion, m; if it does not repeat, over a drive period.
+
+        Without a drive that is the shift in a second.
+        """
+        if self.rest is not None:
+            return dict.fromkeys(self.rest.flow.mechanism.outputs, 0.0)
+        if self.measures is not None:
+            return {name: each.advance for name, each in self.measures.outputs.items()}
+        if self._lines is not None:
+            return self._lines.advance
+        return {} if self.window is None else self.window.advance
 
     @cached_property
     def harmonics(self) -> Mapping[str, Reals]:

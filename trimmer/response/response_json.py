@@ -69,6 +69,8 @@ def estimate_json(estimate: Estimate) -> dict[str, float]:
 def _output(motion: SettledMotion, name: str) -> dict[str, Any]:
     rms, harmonics = motion.rms[name], motion.harmonics[name].tolist()
     found = {
+        "advance": motion.advance[name],
+        "mean": motion.mean[name],
         "peak_to_peak": motion.peak_to_peak[name],
         "rms": rms.value,
         "rms_interval": list(rms.interval),

@@ -115,7 +115,7 @@ def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
     if about_its_mean:
         nodes = orbit.course.nodes
         states -= (nodes.weights @ nodes.states)[: orbit.flow.size] / orbit.period
-    return states
+    return orbit.flow.reduced(states)
 
 
 def _times_at(orbit: MechanismOrbit, state: Reals, about_its_mean: bool) -> list[float]:
@@ -154,7 +154,7 @@ def keeps_symmetry(orbit: MechanismOrbit) -> bool | None:
 def mirrored(orbit: MechanismOrbit) -> Reals:
     """Return the strobed states of the mirror image of an orbit, (periods, n)."""
     times = orbit.flow.period * (0.5 + np.arange(orbit.periods, dtype=np.float64))
-    return -orbit.course.states(times)[:, : orbit.flow.size]
+    return -orbit.flow.reduced(orbit.course.states(times)[:, : orbit.flow.size])
 
 
 def is_mirror_symmetric(mechanism: Mechanism) -> bool:

@@ -147,6 +147,8 @@ def at_rest(course: Course, unit: float) -> bool:
     flow = course.modes[course.modes.number(course.end.statuses)].flow
     extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
     rates = abs((flow @ extended)[: layout.state_count]) * unit
+    # A frame that moves along does not make what moves rest.
+    rates[:count] = np.maximum(rates[:count], abs(course.end.state[count : 2 * count]) * unit)
     return bool((rates <= RESTING * sizes).all())
 
 

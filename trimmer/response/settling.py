@@ -40,7 +40,7 @@ class Settling:
         flow: The motion of the mechanism.
         instant: Where it is.
         known: Stable orbits that it may settle to; those found on the way are added.
-        states: At the start of each of the last drive periods, (count, n).
+        states: At the start of each of the last drive periods, (count, n), shifted so that leaders are at 0.
         periods: Drive periods that were followed.
         ending: Why it cannot be followed further, if so.
         solved: What it comes to, if it was seen that no event comes any more.
@@ -56,7 +56,7 @@ class Settling:
     _quiet: bool = True
 
     def __post_init__(self) -> None:
-        self.states = self.instant.state[None]
+        self.states = self.flow.reduced(self.instant.state[None])
 
     @property
     def can_go_on(self) -> bool:
@@ -67,7 +67,7 @@ class Settling:
         """Go on; returns whether that was possible."""
         strobe = self.flow.strobe(self.instant, periods)
         self.instant, self.ending = strobe.end, strobe.ending
-        self.states = np.concatenate([self.states, strobe.states[1:]])[-KEPT:]
+        self.states = np.concatenate([self.states, self.flow.reduced(strobe.states[1:])])[-KEPT:]
         self.periods += len(strobe.states) - 1
         self._quiet = not strobe.counts[-1].any()
         return self.can_go_on
@@ -146,7 +146,7 @@ def orbit_from_rest(mechanism: Mechanism, most_periods: int) -> MechanismOrbit |
     Returns:
         The orbit over its smallest number of drive periods; None if the motion does not settle until then.
     """
-    flow = ExactFlow(mechanism)
+    flow = ExactFlow.returning(mechanism)
     return Settling(flow, flow.rest()).until_settled(most_periods)
 
 

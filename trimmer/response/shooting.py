@@ -160,13 +160,13 @@ def _like_end(flow: ExactFlow, course: Course, correction: Reals) -> Instant:
 def sizes_of(course: Course) -> Reals:
     """Return the largest modulus of each state over a motion, (n,).
 
-    What is much smaller than the others of its kind is measured by a share of theirs, and what does not move
-    at all by 1.
+    Where bodies may be shifted without a change of any force, it is that beside their leader. What is much
+    smaller than the others of its kind is measured by a share of theirs, and what does not move at all by 1.
     """
     layout = course.modes.layout
     count = len(layout.bodies)
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
-    sizes: Reals = abs(states).max(axis=0)
+    sizes: Reals = abs(layout.frame.reduced(states)).max(axis=0)
     displacements, velocities = slice(0, count), slice(count, 2 * count)
     rate = 2 * np.pi / course.duration
     longest = max(sizes[displacements].max(initial=0.0), STILL * sizes[velocities].max(initial=0.0) / rate)

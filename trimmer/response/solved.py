@@ -30,6 +30,10 @@ A_TURN = 1e-11
 """Share of a turn by which a phase may miss its return."""
 WINDOW = 128
 """Drive periods over which a torus is watched."""
+A_SECOND = 1.0
+"""Over which what only moves on evenly is told, s: any time is a period of it."""
+EVENLY = "it moves on evenly, so that any time is a period"
+"""What is said of that."""
 LEFT = 1e-3
 """Share of the start at which it is called gone."""
 
@@ -62,18 +66,29 @@ def solved(flow: ExactFlow, instant: Instant) -> Solved | None:
     motion = lasting_motion(flow, instant)
     if motion is None:
         return None
-    rests = motion.still and _pins_are_still(flow)
-    rest = Rest(flow, motion.limit, motion.free) if rests else None
+    rests, seen = motion.still and _pins_are_still(flow), _in_place(motion)
+    rest = Rest(seen.flow, seen.limit, seen.free) if rests else None
     if rests and not flow.period:
-        return Solved(MotionKind.REST, motion, rest=rest)
+        return Solved(MotionKind.REST, seen, rest=rest)
     count, duration = _repeats(flow, motion.frequencies)
     if not count:
-        return Solved(MotionKind.TORUS, motion)
+        return Solved(MotionKind.TORUS, seen)
     shot = solve(Return(flow, count if flow.period else 0), motion.limit, duration, PATIENCE)
-    orbit = None if shot is None else orbit_of(flow, shot, count if flow.period else 0)
+    about = "" if flow.period or len(motion.frequencies) else EVENLY
+    orbit = None if shot is None else orbit_of(flow, shot, count if flow.period else 0, about)
     if orbit is None or not orbit.success:
         return None
-    return Solved(MotionKind.REST if rests else MotionKind.PERIODIC, motion, orbit, rest)
+    return Solved(MotionKind.REST if rests else MotionKind.PERIODIC, seen, orbit, rest)
+
+
+def _in_place(motion: LinearMotion) -> LinearMotion:
+    """Return a motion in the frame that moves on evenly with it, in which no body is a leader."""
+    flow = motion.flow
+    if not flow.shifts:
+        return motion
+    count = len(flow.modes.layout.bodies)
+    speeds = motion.mean[count : 2 * count] if motion.moves_on else np.zeros(count)
+    return linear_motion(flow.moving(speeds), motion.instant) or motion
 
 
 def rest_of(orbit: MechanismOrbit) -> Rest | None:
@@ -95,7 +110,7 @@ def _repeats(flow: ExactFlow, frequencies: Reals) -> tuple[int, float]:
         flow: The motion of the mechanism.
         frequencies: Of free vibrations that never decay, rad/s.
     """
-    base = flow.period or 2 * np.pi / float(frequencies[0])
+    base = flow.period or (2 * np.pi / float(frequencies[0]) if len(frequencies) else A_SECOND)
     for count in range(1, MOST_PERIODS + 1):
         turns = count * base * frequencies / (2 * np.pi)
         if (abs(turns - np.round(turns)) <= A_TURN).all():

@@ -64,7 +64,7 @@ def look_closely(flow: ExactFlow, instant: Instant) -> Seen | None:
     seen = Seen(flow, window, _neighbour_leaves(flow, window))
     for _ in range(MOST_WINDOWS - 1):
         decided = seen.kind is not MotionKind.UNDECIDED or seen.contracts
-        more = None if decided else watch(flow, seen.window.end, WINDOW)
+        more = None if decided else watch(seen.window.flow, seen.window.end, WINDOW)
         if more is None:
             break
         seen = replace(seen, window=joined(seen.window, more))
@@ -123,8 +123,8 @@ def _neighbour_leaves(flow: ExactFlow, window: Window) -> bool:
     begin = window.begin
     direction = np.random.default_rng(SEED).normal(size=flow.size)
     step = NEIGHBOUR * window.sizes * direction / np.linalg.norm(direction)
-    first = flow.strobe(begin, BESIDE).states
-    second = flow.strobe(flow.at(begin.state + step, begin.phase, like=begin), BESIDE).states
+    beside = flow.at(begin.state + step, begin.phase, like=begin)
+    first, second = (flow.reduced(flow.strobe(each, BESIDE).states) for each in (begin, beside))
     count = min(len(first), len(second))
     apart = np.linalg.norm((first[:count] - second[:count]) / window.sizes, axis=1)
     return bool(apart.max() > LEAVES * NEIGHBOUR)

@@ -13,7 +13,7 @@ from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.extremes import extremes
 from trimmer.response.fourier import fourier
 from trimmer.response.measures import HARMONICS
-from trimmer.response.motion_signals import acceleration, along, output_rows, steady
+from trimmer.response.motion_signals import acceleration, along, output_rows, output_speeds, steady
 from trimmer.response.shooting import sizes_of
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ class Window:
     """What was seen of a motion, in rows of some drive periods each.
 
     Attributes:
-        flow: The motion of the mechanism.
+        flow: The motion of the mechanism, in the frame that advances evenly with it, if it does.
         sizes: Scale of each state, (n,).
         begin: Where the window begins.
         end: Where it ends.
@@ -51,7 +51,7 @@ class Window:
         ranges: Smallest and largest value of each output, m, (rows, outputs, 2).
         accelerations: Mean square of the acceleration of each body, m²/s⁴, (rows, bodies).
         events: Number of events per drive period, (rows,).
-        states: At the start of each period, (periods, n).
+        states: At the start of each period, (periods, n), shifted so that leaders are at 0.
         samples: Outputs at equal steps, m, (SAMPLES periods, outputs).
     """
 
@@ -97,6 +97,12 @@ class Window:
         return dict(zip(self.flow.mechanism.outputs, map(mean_of, self.means.T), strict=True))
 
     @cached_property
+    def advance(self) -> Mapping[str, float]:
+        """Shift of each output over a drive period in the mean, m, without which all else is measured."""
+        speeds = output_speeds(self.flow.mechanism, self.flow.modes.layout)
+        return {name: speed * self.flow.period for name, speed in speeds.items()}
+
+    @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
         """Amplitudes of the harmonics of the drive in each output, m."""
         mean = abs(self.waves.mean(axis=0))
@@ -134,7 +140,18 @@ class Window:
 
 def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window | None:
     """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once."""
-    return _Watch(flow, instant).over(periods)
+    return _Watch(_advancing(flow, instant, periods), instant).over(periods)
+
+
+def _advancing(flow: ExactFlow, instant: Instant, periods: int) -> ExactFlow:
+    """Return the motion in the frame that moves as leaders do in the mean over some drive periods."""
+    if not flow.modes.layout.frame.follows or not flow.shifts:
+        return flow
+    count = len(flow.modes.layout.bodies)
+    still = flow.moving(np.zeros(count))
+    states = still.strobe(instant, periods).states
+    gone = states[-1, :count] - states[0, :count]
+    return still.moving(gone / (max(len(states) - 1, 1) * flow.period))
 
 
 def joined(first: Window, second: Window) -> Window:
@@ -152,7 +169,8 @@ class _Watch:
         layout = flow.modes.layout
         self.rows = np.array([*output_rows(flow.mechanism, layout).values()]).reshape(-1, layout.size)
         self.sizes = np.ones(flow.size)
-        self.distances = np.linalg.qr(np.random.default_rng(SEED).normal(size=(flow.size, 2)))[0]
+        directions = np.random.default_rng(SEED).normal(size=(2, flow.size))
+        self.distances = np.linalg.qr(flow.reduced(directions).T)[0]
         self.seen: list[tuple[Any, ...]] = []
 
     def over(self, periods: int) -> Window | None:
@@ -191,11 +209,12 @@ class _Watch:
             np.array([extremes(course, steady(row)) for row in self.rows]).reshape(-1, 2),
             np.array(accelerations),
             np.array(len(course.events) / TOGETHER),
-            sampled[::SAMPLES, : self.flow.size],
+            self.flow.reduced(sampled[::SAMPLES, : self.flow.size]),
             sampled @ self.rows.T,
         )
 
     def _growth(self, course: Course) -> Reals:
-        at_end = course.tangents(self.sizes[:, None] * self.distances) / self.sizes[:, None]
+        at_end = self.flow.reduced(course.tangents(self.sizes[:, None] * self.distances).T).T
+        at_end /= self.sizes[:, None]
         self.distances, triangle = np.linalg.qr(at_end)
         return np.asarray(np.log(np.maximum(abs(np.diagonal(triangle)), SMALLEST)) / TOGETHER)

@@ -50,7 +50,9 @@ def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -
     numbers, distances, converged = [], [], []
     for at in repeating[:count]:
         values = samples.trials[at].values
-        flow = ExactFlow(varied(samples.inputs.mechanism, samples.inputs.uncertainty.places, values))
+        flow = ExactFlow.returning(
+            varied(samples.inputs.mechanism, samples.inputs.uncertainty.places, values)
+        )
         orbit = settle(flow, flow.rest(), samples.inputs.settings.most_periods).orbit
         if orbit is None:
             continue

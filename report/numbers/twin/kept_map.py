@@ -109,7 +109,7 @@ def _second_harmonic(inputs: MapInputs, number: int, motion: CellMotion) -> floa
     """Return the amplitude of twice the drive in the stroke of a motion that repeats, m."""
     if motion.kind is not MotionKind.PERIODIC:
         return None
-    flow = ExactFlow(varied(inputs.mechanism, inputs.places, inputs.cell_values(number)))
+    flow = ExactFlow.returning(varied(inputs.mechanism, inputs.places, inputs.cell_values(number)))
     course = flow.course(flow.at(np.array(motion.states[0])), motion.period_count)
     row = output_rows(inputs.mechanism, flow.modes.layout)[STROKE]
     second = abs(fourier(course, (course.nodes.states @ row)[:, None], 2 * flow.modes.layout.omega, 1)[0, 0])

@@ -127,7 +127,7 @@ def test_a_contact_is_told_from_one_on_the_other_side(side: str, phase: Phase) -
 
 
 def test_a_passage_begins_with_the_statuses_of_its_end_where_it_ends_with_them_again() -> None:
-    flow = SimpleNamespace(at=lambda state: SimpleNamespace(statuses=(0,)))
+    flow = SimpleNamespace(at=lambda state: SimpleNamespace(statuses=(0,)), reduced=lambda state: state)
     followed = mechanism_map.MechanismMap.followed
     for statuses, repeated, expected in (
         ((0,), "again", "course"),

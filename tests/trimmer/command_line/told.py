@@ -21,6 +21,6 @@ def point_of_branch(value: float = 1.0, *, stable: bool = True, converged: bool 
         stable=stable,
         multipliers=np.array([0.5 - 0.25j]),
         events_per_period=2,
-        outputs={"x": SimpleNamespace(peak_to_peak=4.0, harmonics=np.array([2.0, 1.0]))},
+        outputs={"x": SimpleNamespace(advance=0.5, peak_to_peak=4.0, harmonics=np.array([2.0, 1.0]))},
         balanced=lambda count: SimpleNamespace(distance=float(count), converged=converged),
     )

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from trimmer.contact.layout import Layout, Rows, layout_of, moves
+from trimmer.contact.layout import Rows, layout_of, moves
 from trimmer.contact.machine import independent, machine_of
 from trimmer.contact.statuses import PULLS, RELAXES, TRUNCATES
 from trimmer.mechanism.mechanism import Mechanism
@@ -86,7 +86,7 @@ def test_what_forces_at_a_time() -> None:
     waves = [math.sin(angle), math.cos(angle), math.sin(3 * angle), math.cos(3 * angle)]
     np.testing.assert_allclose(layout.forcing_at(1.3e-3, 0.5), [*waves, 0.5013, 1.0], rtol=1e-13)
     np.testing.assert_allclose(layout.forcing_at(1.3e-3), [*waves, 0.0013, 1.0], rtol=1e-13)
-    still = Layout(("body",), (), (), (), (), False, 0.0, (), np.zeros((0, 3)))
+    still = machine_of(Mechanism({"body": Body(1.0)}, links={"one": Link(("ground", "body"), 1.0)}))[1]
     assert still.period == 0.0
     assert still.forcing_at(3.0, 2.0).tolist() == [1.0]
     assert (still.state_count, still.size) == (2, 3)

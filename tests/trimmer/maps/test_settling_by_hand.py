@@ -143,6 +143,9 @@ class Strobing:
     def __init__(self, states: np.ndarray, ending: Ending = Ending.REACHED_END) -> None:
         self.states, self.ending, self.done = states, ending, 0
 
+    def reduced(self, states: np.ndarray) -> np.ndarray:
+        return states
+
     def strobe(self, instant: object, periods: int) -> SimpleNamespace:
         begin, self.done = self.done, self.done + periods
         rows = self.states[begin : self.done + 1]

@@ -43,7 +43,10 @@ def looked_for(
     monkeypatch.setattr(module, "settles_to", lambda orbit, given: orbit.settles)
     monkeypatch.setattr(module, "_listed", lambda orbit, known: orbit.name in [each.name for each in known])
     monkeypatch.setattr(Settling, "_orbit", orbit_of)
-    flow = SimpleNamespace(course=lambda instant, periods: SimpleNamespace(ending=ending, periods=periods))
+    flow = SimpleNamespace(
+        course=lambda instant, periods: SimpleNamespace(ending=ending, periods=periods),
+        reduced=lambda states: states,
+    )
     settling = Settling(flow, SimpleNamespace(state=states[0]), list(known))
     result = settling._looked_for()
     return None if result is None else result.name, [each.name for each in settling.known], asked
@@ -77,6 +80,9 @@ class Solved:
         self.counts, self.asked = counts, []
         monkeypatch.setattr(module, "solve", self._solve)
         monkeypatch.setattr(module, "orbit_of", self._orbit)
+
+    def reduced(self, states):
+        return states
 
     def at(self, state, like):
         assert like.state is state
@@ -124,7 +130,7 @@ def test_the_first_known_orbit_that_the_motion_settles_to_is_accepted(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(module, "settles_to", lambda orbit, states: orbit.settles)
-    settling = Settling(None, SimpleNamespace(state=np.zeros(2)))
+    settling = Settling(SimpleNamespace(reduced=lambda states: states), SimpleNamespace(state=np.zeros(2)))
     one, two, three = orbit("a"), orbit("b", settles=True), orbit("c", settles=True)
     assert settling._accepted([one, two, three]) is two
     assert settling._accepted([one]) is None

@@ -143,7 +143,7 @@ class Waiting(Settling):
     """A motion of which it is told how it is followed, and when an orbit is looked for."""
 
     def __init__(self, found: dict, near: bool = False, ends: int = 10**6) -> None:
-        super().__init__(None, SimpleNamespace(state=np.zeros(1)))
+        super().__init__(SimpleNamespace(reduced=lambda states: states), SimpleNamespace(state=np.zeros(1)))
         self.found, self.near, self.ends = found, near, ends
         self.blocks: list = []
         self.looks: list = []

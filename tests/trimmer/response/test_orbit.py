@@ -148,7 +148,7 @@ def test_what_cannot_repeat_is_named() -> None:
     pulled = Mechanism(
         {"body": Body(1.0)},
         pins={"winch": Pin("ground", velocity=1.0)},
-        links={"rope": Link(("winch", "body"), 1.0)},
+        links={"rope": Link(("winch", "body"), 1.0), "post": Link(("ground", "body"), 1.0)},
     )
     with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
         forced_orbit(pulled)

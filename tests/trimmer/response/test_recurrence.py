@@ -53,8 +53,14 @@ def test_it_has_returned_after_three_returns_to_rounding() -> None:
 
 
 def orbit(monodromy: np.ndarray, growth: float = 1.0) -> SimpleNamespace:
+    flow = SimpleNamespace(reduced=lambda states: states)
     return SimpleNamespace(
-        periods=1, sizes=SIZES, monodromy=monodromy, growth=growth, instant=SimpleNamespace(state=SIZES)
+        flow=flow,
+        periods=1,
+        sizes=SIZES,
+        monodromy=monodromy,
+        growth=growth,
+        instant=SimpleNamespace(state=SIZES),
     )
 
 

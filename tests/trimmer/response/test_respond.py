@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import Mechanism, MechanismError, MotionKind, UnsupportedMotionError, WrongTypeError, respond
 from trimmer.contact.flow import ExactFlow
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.response.response_json import response_json
 
 KEYS = {"kind", "period_count", "lyapunov", "drive_periods", "events_per_period", "multipliers"}
@@ -143,15 +144,22 @@ def test_what_cannot_be_used_is_named(call, error: type[Exception], named: str) 
         call()
 
 
-def test_what_goes_on_for_ever_does_not_settle() -> None:
+def test_what_a_pin_pulls_for_ever_diverges_and_what_may_leave_a_stop_is_refused() -> None:
     winch = Mechanism(
         {"body": Body(1.0)},
         frequency=1.0,
         pins={"winch": Pin("ground", velocity=1.0)},
-        links={"rope": Link(("winch", "body"), 1.0)},
+        links={"rope": Link(("winch", "body"), 1.0), "post": Link(("ground", "body"), 1.0)},
+    )
+    response = respond(winch, starts=3)
+    assert (response.kind, response.motion.starts) == (MotionKind.DIVERGING, 3)
+    assert "force grows without end" in response.message
+    assert response_json(response)["kind"] == "diverging"
+    stopped = replace(
+        winch, links={"rope": winch.links["rope"]}, stops={"post": Stop(("ground", "body"), 1.0, 0.0, 1.0)}
     )
     with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
-        respond(winch)
+        respond(stopped)
 
 
 def test_what_grows_for_ever_is_no_torus() -> None:

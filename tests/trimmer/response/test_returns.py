@@ -90,7 +90,8 @@ def test_without_a_drive_the_correction_is_at_right_angles_to_the_motion() -> No
 
 def course_of(states: list, end: list, bodies: int, duration: float):
     """A motion of which sizes are asked."""
-    layout = SimpleNamespace(bodies=("b",) * bodies, state_count=len(end))
+    frame = SimpleNamespace(reduced=lambda states: states)
+    layout = SimpleNamespace(bodies=("b",) * bodies, state_count=len(end), frame=frame)
     log = SimpleNamespace(state=np.column_stack([states, np.full(len(states), 99.0)]))
     last = SimpleNamespace(state=np.array(end))
     return SimpleNamespace(modes=SimpleNamespace(layout=layout), log=log, end=last, duration=duration)
@@ -210,7 +211,8 @@ def orbit(multipliers: list, periods: int = 1, success: bool = True, sizes: tupl
     course = SimpleNamespace(
         duration=3.0, events=[0] * 12, begin="begin", monodromy=parts.pop("monodromy", None)
     )
-    flow = SimpleNamespace(mechanism=SimpleNamespace(title="it"), period=1.5, size=2)
+    flow = SimpleNamespace(mechanism=SimpleNamespace(title="it"), period=1.5, size=2, shifts=0)
+    flow.reduced, flow.travelling = (lambda states: states), (lambda course: (flow, course))
     values = np.array(multipliers, dtype=complex)
     return MechanismOrbit(flow, periods, 1, course, np.array(sizes), values, 1e-12, success, "told")
 
@@ -285,7 +287,9 @@ def test_an_orbit_says_what_it_is(multipliers: list, periods: int, told: str) ->
         return np.ones((len(times), 2))
 
     course = SimpleNamespace(states=states, duration=0.5, events=[])
-    flow = SimpleNamespace(period=0.5, size=1)
+    flow = SimpleNamespace(period=0.5, size=1, shifts=0, reduced=lambda states: states)
+    flow.advances = lambda sizes: False
+    flow.travelling = lambda course: (flow, course)
     shot = SimpleNamespace(
         monodromy=np.diag(multipliers), miss=1e-12, course=course, sizes=np.ones(1), gap=None
     )
@@ -306,7 +310,9 @@ def test_an_orbit_says_what_it_is(multipliers: list, periods: int, told: str) ->
 def test_multipliers_come_by_falling_modulus() -> None:
     course = SimpleNamespace(duration=0.5, begin=None, events=[])
     shot = SimpleNamespace(monodromy=np.diag([0.1, -3.0, 1.0]), miss=0.0, course=course, sizes=np.ones(3))
-    found = orbit_of(SimpleNamespace(period=0.0, size=3), shot, 0)
+    flow = SimpleNamespace(period=0.0, size=3, shifts=0, travelling=lambda course: (flow, course))
+    flow.advances = lambda sizes: False
+    found = orbit_of(flow, shot, 0)
     assert found.multipliers.tolist() == [-3.0, 1.0, 0.1]
     assert found.message == "an unstable motion that repeats after 0.5 s"
 

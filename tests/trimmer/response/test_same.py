@@ -75,7 +75,7 @@ def orbit(strobed: list, halfway: list, periods: int = 0, mechanism: Mechanism =
         strobed=np.array(strobed),
         sizes=SIZES,
         course=SimpleNamespace(states=states),
-        flow=SimpleNamespace(period=0.5, size=2),
+        flow=SimpleNamespace(period=0.5, size=2, reduced=lambda states: states),
     )
 
 

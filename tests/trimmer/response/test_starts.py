@@ -107,7 +107,7 @@ def test_a_motion_that_repeats_has_the_exponent_of_its_multiplier() -> None:
     measured = SimpleNamespace(rms=0.7, peak_to_peak=2.5, harmonics=np.array([1.0, 0.1]))
     measures = SimpleNamespace(outputs={"two": measured}, rms_acceleration={"one": 5.0})
     orbit = SimpleNamespace(periods=3, period_count=3, events_per_period=4.5, measures=measures)
-    orbit.multipliers = np.array([0.2, -0.5j])
+    orbit.nontrivial_multipliers = np.array([0.2, -0.5j])
     found = motion(MotionKind.PERIODIC, orbit)
     assert found.lyapunov == Estimate(pytest.approx(math.log(0.5) / 3), 0.0)
     assert (found.period_count, found.events_per_period) == (3, 4.5)
@@ -115,7 +115,7 @@ def test_a_motion_that_repeats_has_the_exponent_of_its_multiplier() -> None:
     assert found.peak_to_peak == {"two": 2.5}
     assert found.harmonics["two"].tolist() == [1.0, 0.1]
     assert found.rms_acceleration == {"one": Estimate(5.0, 0.0)}
-    held = SimpleNamespace(**{**vars(orbit), "multipliers": np.zeros(2)})
+    held = SimpleNamespace(**{**vars(orbit), "nontrivial_multipliers": np.zeros(2)})
     assert motion(MotionKind.PERIODIC, held).lyapunov is None
     free = SimpleNamespace(**{**vars(orbit), "periods": 0})
     assert motion(MotionKind.PERIODIC, free).lyapunov is None
@@ -125,6 +125,8 @@ WINDOW = SimpleNamespace(
     exponents=(Estimate(0.3, 0.01), Estimate(-0.7, 0.02)),
     events=np.array([2.0, 5.0]),
     rms={"two": Estimate(0.7, 0.1)},
+    output_means={"two": Estimate(0.2, 0.05)},
+    advance={"two": 0.1},
     peak_to_peak={"two": 2.5},
     harmonics={"two": np.array([1.0, 0.1])},
     rms_acceleration={"one": Estimate(5.0, 0.2)},
@@ -143,6 +145,8 @@ def test_a_motion_that_does_not_repeat_has_the_numbers_of_its_window() -> None:
     low, high = Estimate(0.7, 0.1).interval
     assert content["outputs"] == {
         "two": {
+            "advance": 0.1,
+            "mean": 0.2,
             "peak_to_peak": 2.5,
             "rms": 0.7,
             "rms_interval": [low, high],

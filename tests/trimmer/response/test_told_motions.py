@@ -20,7 +20,7 @@ LINES = np.array([3j, -4.0, 1.5, 2.0])
 
 def periodic(name: str = "orbit") -> SettledMotion:
     measures = SimpleNamespace(
-        outputs={"x": OutputMeasures(-1.0, 4.0, 0.5, 1.25, LINES, 2)},
+        outputs={"x": OutputMeasures(-1.0, 4.0, 0.5, 1.25, LINES, 2, 0.25)},
         rms_acceleration={"one": 5.0},
         contacts={"slot": ContactMeasures(2.0, (0.1, 0.4), 7.0, 0.25)},
         frictions={"floor": FrictionMeasures(1.0, 110.0, 0.3)},
@@ -28,6 +28,7 @@ def periodic(name: str = "orbit") -> SettledMotion:
     orbit = SimpleNamespace(
         name=name, multipliers=np.array([0.5 + 0.25j, -0.125]), periods=2, period_count=2, period=0.75,
         residual=1e-12, events_per_period=3.5, measures=measures, course=None, flow=None,
+        nontrivial_multipliers=np.array([0.5 + 0.25j, -0.125]),
     )  # fmt: skip
     return SettledMotion(MotionKind.PERIODIC, orbit, None, 70, True, 3, 0.75, False, "Told.")
 
@@ -38,6 +39,8 @@ def test_json_holds_all_that_is_known_of_an_orbit() -> None:
     lines = [[1, 2, 3.0], [2, 2, 4.0], [3, 2, 1.5], [4, 2, 2.0]]
     assert content["outputs"] == {
         "x": {
+            "advance": 0.25,
+            "mean": 0.5,
             "peak_to_peak": 5.0,
             "rms": 1.25,
             "rms_interval": [1.25, 1.25],

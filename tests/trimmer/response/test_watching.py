@@ -185,7 +185,7 @@ def test_a_neighbour_leaves_where_its_distance_grows_a_thousandfold(growth: floa
         return SimpleNamespace(state=state)
 
     begin = SimpleNamespace(state=np.array([1e-3, -50.0]), phase=0.25)
-    flow = SimpleNamespace(size=2, strobe=strobe, at=at)
+    flow = SimpleNamespace(size=2, strobe=strobe, at=at, reduced=lambda states: states)
     assert _neighbour_leaves(flow, SimpleNamespace(begin=begin, sizes=sizes)) is leaves
 
 

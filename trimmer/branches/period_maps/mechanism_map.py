@@ -13,6 +13,7 @@ from trimmer.branches.period_maps.period_map import Phase, Signature
 from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.contact.advance import Ending, Instant
 from trimmer.contact.flow import Course, ExactFlow
+from trimmer.contact.frame import frame_of
 from trimmer.contact.machine import machine_of
 from trimmer.contact.statuses import (
     BACKWARD,
@@ -76,7 +77,7 @@ class MechanismMap:
     @cached_property
     def size(self) -> int:
         """Number of states."""
-        return ExactFlow(self.mechanism).size
+        return ExactFlow.returning(self.mechanism).size
 
     def flow(self, value: float) -> ExactFlow:
         """Return the motion of the mechanism with a value of the number.
@@ -88,7 +89,7 @@ class MechanismMap:
         if value not in known:
             if len(known) > 3:
                 known.pop(next(iter(known)))
-            known[value] = ExactFlow(self.mechanism.with_value(self.place, value))
+            known[value] = ExactFlow.returning(self.mechanism.with_value(self.place, value))
         return known[value]
 
     @cached_property
@@ -114,6 +115,8 @@ class MechanismMap:
         Raises:
             UnsupportedMotionError: if the motion cannot be followed.
         """
+        # Where in a direction along which no force changes an orbit lies does not matter: leaders are at 0.
+        state = flow.reduced(state)
         begin = flow.at(state)
         course = self.course(flow, begin, duration)
         final = self.returned(flow, course.end)
@@ -282,16 +285,17 @@ class MechanismPassage:
     def _rate(self) -> Reals:
         neighbour = self.map.neighbour(self.value)
         step = neighbour[0] - self.value
-        machine, layout = machine_of(neighbour[1])
+        machine, layout = machine_of(neighbour[1], frame_of(neighbour[1]))
         own = self.flow.modes.layout
-        if (layout.size, layout.contacts, layout.frictions) != (own.size, own.contacts, own.frictions):
+        alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
+        if not alike or (layout.frame.leaders != own.frame.leaders).any():
             return self._difference(neighbour[1], step)
         longer = self.course.duration * (layout.period / own.period - 1.0) / step if own.period else 0.0
         return self.sign * ValueChange(self.course, machine, step, longer).rate()
 
     def _difference(self, mechanism: Mechanism, step: float) -> Reals:
         """Return the derivative by a difference, where a part appears or vanishes with the number."""
-        flow = ExactFlow(mechanism)
+        flow = ExactFlow.returning(mechanism)
         duration = 0.0 if flow.period else self.course.duration
         end = self.map.course(flow, flow.at(self.begin.state), duration).end
         return np.asarray(self.sign * (end.state - self.course.end.state) / step)

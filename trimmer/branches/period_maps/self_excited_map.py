@@ -81,7 +81,7 @@ class SelfExcitedMap(MechanismMap):
     @cached_property
     def size(self) -> int:
         """Number of states, the period among them."""
-        return ExactFlow(self.mechanism).size + 1
+        return ExactFlow.returning(self.mechanism).size + 1
 
     def _at(self, section: Section) -> SelfExcitedMap:
         single = self.single

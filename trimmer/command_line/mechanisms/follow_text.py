@@ -124,7 +124,11 @@ def _point(point: FollowedOrbit, harmonics: int | None) -> dict[str, object]:
         "multipliers": [pair(value) for value in point.multipliers.tolist()],
         "events_per_period": point.events_per_period,
         "outputs": {
-            name: {"peak_to_peak": measure.peak_to_peak, "harmonics": measure.harmonics.tolist()}
+            name: {
+                "advance": measure.advance,
+                "peak_to_peak": measure.peak_to_peak,
+                "harmonics": measure.harmonics.tolist(),
+            }
             for name, measure in point.outputs.items()
         },
         "balance": None

@@ -57,9 +57,16 @@ def _motion(motion: SettledMotion) -> Iterator[str]:
     yield from _facts(motion)
     driven = motion.orbit is None or motion.orbit.periods > 0
     of = "p/k of the drive" if driven else "multiples of its own frequency"
-    heads = ("output", "peak to peak, m", "rms, m", f"lines as {of}: amplitude, m")
+    advance = _advance(motion)
+    heads = ("output", *advance, "peak to peak, m", "rms, m", f"lines as {of}: amplitude, m")
     rows = [
-        (name, f"{motion.peak_to_peak[name]:.9g}", _number(rms), _lines(motion, name))
+        (
+            name,
+            *(each[name] for each in advance.values()),
+            f"{motion.peak_to_peak[name]:.9g}",
+            _number(rms),
+            _lines(motion, name),
+        )
         for name, rms in motion.rms.items()
     ]
     yield from table(heads, rows)
@@ -67,6 +74,16 @@ def _motion(motion: SettledMotion) -> Iterator[str]:
     yield from table(("body", "rms acceleration, m/s²"), accelerations)
     if motion.orbit is not None:
         yield from _parts(motion.orbit.measures)
+
+
+def _advance(motion: SettledMotion) -> dict[str, dict[str, str]]:
+    """Return the column of advances with its heading; none if they are rounding."""
+    largest = max(motion.peak_to_peak.values(), default=0.0)
+    shown = {name: 0.0 if abs(each) <= SMALL * largest else each for name, each in motion.advance.items()}
+    if not any(shown.values()):
+        return {}
+    per = "period" if motion.orbit is not None else "drive period"
+    return {f"advance per {per}, m": {name: f"{each:.9g}" for name, each in shown.items()}}
 
 
 def _facts(motion: SettledMotion) -> Iterator[str]:

@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 PERIOD_COLOURS = ("#56B4E9", "#0072B2", "#009E73", "#F0E442", "#E69F00", "#D55E00")
 """Of motions of period 1, 2, ...: the colours of Okabe and Ito, which colour-blind readers tell apart."""
 LONGER_COLOUR = "#CC79A7"
-OTHER_COLOURS = {"rest": "#4B2E83", "torus": "#777777", "chaotic": "#222222", "diverging": "#8B1A1A"}
+OTHER_COLOURS = {"rest": "#4B2E83", "torus": "#777777", "chaotic": "#222222", "diverging": "#B3261E"}
 OTHER_COLOURS |= {"not settled": "#CCCCCC", "failed": "#FFFFFF"}
 LONGER = f"period {len(PERIOD_COLOURS) + 1} or more"
 HATCHES = {"period 3": "//", "period 5": "\\\\", "period 6": "xx", LONGER: "..", "torus": "--"}
 HATCHES |= {"rest": "oo"}
-HATCHES |= {"not settled": "||"}
+HATCHES |= {"not settled": "||", "diverging": "++"}
 """Of kinds whose colours are as light as others'."""
 
 

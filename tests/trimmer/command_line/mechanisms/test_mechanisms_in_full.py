@@ -51,7 +51,7 @@ def test_a_branch_is_in_the_json_with_those_that_part() -> None:
         "stable": False,
         "multipliers": [[0.5, -0.25]],
         "events_per_period": 2,
-        "outputs": {"x": {"peak_to_peak": 4.0, "harmonics": [2.0, 1.0]}},
+        "outputs": {"x": {"advance": 0.5, "peak_to_peak": 4.0, "harmonics": [2.0, 1.0]}},
         "balance": {"distance": 3.0, "converged": False},
     }
     assert second["value"] == 3.0
@@ -184,9 +184,12 @@ def test_a_motion_is_told_in_full() -> None:
 def test_what_wanders_is_told_over_its_window() -> None:
     motion = Made(
         orbit=None,
+        rest=None,
+        linear=None,
         window=1,
         events_per_period=2.25,
         harmonics={"x": np.array([3.0])},
+        advance={"x": 0.0},
         peak_to_peak={"x": 5.0},
         rms={"x": Estimate(2.0, 0.0)},
         rms_acceleration={},
