@@ -52,5 +52,4 @@ def in_plane(orbit: PeriodicOrbit, times: Reals) -> Reals:
 
 
 def _words(orbit: PeriodicOrbit) -> str:
-    kind = "stable" if orbit.stable else "not stable"
-    return f"{kind}: {orbit.frequency:.5g} Hz,\nA = {with_prefix(orbit.amplitude, 'm')}"
+    return f"{orbit.steadiness}: {orbit.frequency:.5g} Hz,\nA = {with_prefix(orbit.amplitude, 'm')}"

@@ -103,6 +103,21 @@ class PeriodicOrbit(Tabular):
         return bool((abs(self.nontrivial_multipliers) < 1.0 - NEUTRAL).all())
 
     @property
+    def neutral(self) -> bool:
+        """Whether neighbouring motions neither leave it nor all approach it, to rounding."""
+        return not self.stable and self.largest_multiplier <= 1.0 + NEUTRAL
+
+    @property
+    def has_neighbours(self) -> bool:
+        """Whether it seems to be of a continuum of orbits: a second multiplier is 1 to rounding."""
+        return bool((abs(self.nontrivial_multipliers - 1.0) <= NEUTRAL).any())
+
+    @property
+    def steadiness(self) -> str:
+        """``stable``, ``neutral`` or ``not stable``."""
+        return "stable" if self.stable else "neutral" if self.neutral else "not stable"
+
+    @property
     def largest_multiplier(self) -> float:
         """Largest modulus of the multipliers but the trivial one: what one period leaves of a disturbance."""
         return float(abs(self.nontrivial_multipliers).max(initial=0.0))
@@ -115,9 +130,8 @@ class PeriodicOrbit(Tabular):
     @property
     def message(self) -> str:
         """What came out, in words."""
-        kind = "stable" if self.stable else "not stable"
         returns = f"returns after {self.period:.6g} s" if self.success else "does not return"
-        return f"the state {returns}, with a miss of {self.residual:.1e} of its size; {kind}"
+        return f"the state {returns}, with a miss of {self.residual:.1e} of its size; {self.steadiness}"
 
     @property
     def switching_times(self) -> Reals:
@@ -200,8 +214,7 @@ class PeriodicOrbit(Tabular):
         return draw_orbit(self, ax)
 
     def _told(self) -> str:
-        kind = "stable" if self.stable else "not stable"
-        return f"amplitude {self.amplitude:.6g} m, {self.frequency:.6g} Hz, {kind}"
+        return f"amplitude {self.amplitude:.6g} m, {self.frequency:.6g} Hz, {self.steadiness}"
 
     def _table(self) -> Table:
         orders = np.arange(1, len(self.harmonics) + 1)

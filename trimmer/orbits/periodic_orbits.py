@@ -18,6 +18,7 @@ from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same
+from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.relay_orbits import relay_orbits
 from trimmer.orbits.search import (
@@ -65,7 +66,8 @@ def periodic_orbits(
 
     Returns:
         The orbits found, by falling amplitude, each once, whatever its phase; an orbit that is not its own
-        mirror image stands for that, too. Its ``search`` is what was searched.
+        mirror image stands for that, too, and the largest that was met of a continuum for all of it
+        (``families``). Its ``search`` is what was searched.
 
     Raises:
         WrongTypeError: if neither a closed loop nor a system and an element are given.
@@ -98,9 +100,9 @@ def periodic_orbits(
             _add(orbits, [orbit])
     settings = OrbitSearch() if search is None and predicted else search
     relay, simulated = _wider(loop, settings, orbits, failed > 0 or not tried)
-    by_amplitude = sorted(orbits, key=lambda orbit: -orbit.amplitude)
     searched = OrbitSearched(len(tried), predicted, failed, relay, simulated)
-    found = PeriodicOrbits(tuple(by_amplitude), searched)
+    by_amplitude, families = by_families(orbits)
+    found = PeriodicOrbits(by_amplitude, searched, families)
     if simulated is not None and simulated.interrupted:
         raise OrbitSearchInterrupted(found)
     return found

@@ -16,6 +16,7 @@ from trimmer.showing.table import Table
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from trimmer.orbits.families import OrbitFamily
     from trimmer.orbits.half_period import Interval
 
 
@@ -214,10 +215,12 @@ class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
     Attributes:
         orbits: The orbits.
         search: What was searched; an empty answer means no more than that.
+        families: Continua, each of which one of the orbits stands for.
     """
 
     orbits: tuple[PeriodicOrbit, ...]
     search: OrbitSearched
+    families: tuple[OrbitFamily, ...] = ()
 
     @overload
     def __getitem__(self, place: int) -> PeriodicOrbit: ...
@@ -241,7 +244,11 @@ class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
     def message(self) -> str:
         """What came out, in words."""
         found = f"{_counted(len(self), 'periodic orbit')} found"
-        return "; ".join([found, *self.search.doubts, self.search.sentence])
+        return "; ".join([found, *self._continua, *self.search.doubts, self.search.sentence])
+
+    @property
+    def _continua(self) -> list[str]:
+        return [family.sentence for family in self.families]
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the orbits in the phase plane of the element's input: stable ones solid, others dashed.
@@ -258,7 +265,7 @@ class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
 
     def _told(self) -> str:
         found = _counted(len(self), "periodic orbit")
-        return "; ".join([found, *(self.search.doubts or ["the search went to its end"])])
+        return "; ".join([found, *self._continua, *(self.search.doubts or ["the search went to its end"])])
 
     def _table(self) -> Table:
         return Table("Periodic orbits", self.orbits, ORBIT_COLUMNS)

@@ -1,13 +1,13 @@
 """What a mechanism settles to: exact periodic motions, and statistics of those that do not repeat.
 
-``shooting`` solves for a state that returns, ``orbit`` is what it gives, with ``multipliers`` and their
-rounding, and ``forced_orbit`` its entry; ``self_excited`` does the same without a drive, where the period is unknown. ``respond`` follows a motion from
-its start: ``settling`` looks for orbits on the way, ``recurrence`` says whether the motion comes to one, and
-``same`` whether two are one. What meets no event any more is solved for: ``linear_motion`` is it in closed
-form, ``linear_lines`` its exact measures, ``rest`` where it stands still, and ``solved`` what it comes to.
-What does not settle is seen through a ``window`` of drive periods, whose means have the errors that
-``estimate`` gives, and ``verdict`` says what it is, with the help of ``zero_one``. ``response`` is the
-result, ``response_json`` its JSON.
+``shooting`` solves for a state that returns, ``orbit`` is what it gives, with its ``multipliers``, and
+``forced_orbit`` its entry; ``self_excited`` does the same without a drive, where the period is unknown.
+``respond`` follows a motion from its start: ``settling`` looks for orbits on the way, ``recurrence`` says
+whether the motion comes to one, and ``same`` whether two are one. What meets no event any more is solved for:
+``linear_motion`` is it in closed form, ``linear_lines`` its exact measures, ``rest`` where it stands still,
+``solved`` what it comes to. What does not settle is seen through a ``window`` of drive periods, whose means
+have the errors that ``estimate`` gives, and ``verdict`` says what it is, with the help of ``zero_one``.
+``response`` is the result, ``response_json`` its JSON.
 
 ``motion_signals`` names what is measured, ``extremes`` and ``fourier`` measure it exactly, ``measures`` and
 ``energy`` collect the results. ``simulate`` is the entry of plain simulation, ``motion`` its result, and

@@ -20,13 +20,16 @@ COMMANDS = {
     "orbits": LOOP,
     "simulate": [*LOOP, "--drive", "100", "--amplitude", "0.0015", "--duration", "0.02"],
 }
-EMPTY_LISTS = {"certificate.undecided", "not_found"}
+EMPTY_LISTS = {"certificate.undecided", "not_found", "families"}
 """Lists that these calls leave empty, and the keys of their entries."""
 OF_EMPTY_LISTS = {
     "certificate.undecided[].amplitudes",
     "certificate.undecided[].omegas",
     "not_found[].amplitude",
     "not_found[].frequency",
+    "families[].amplitude",
+    "families[].met",
+    "families[].amplitudes",
 }
 OF_FAULTS = {"faults[].kind", "faults[].certainty", "faults[].message"}
 OF_GAPS = {"gaps[].begin", "gaps[].end", "gaps[].line", "gaps[].missing"}

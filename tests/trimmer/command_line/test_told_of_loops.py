@@ -108,12 +108,14 @@ def test_what_was_identified_is_told_with_its_band() -> None:
 def test_orbits_stand_beside_their_predictions() -> None:
     prediction, missed = cycle(), cycle(amplitude=3e-5)
     usual = {"amplitude": 2e-5, "frequency": 110.0, "stable": False, "largest_multiplier": 1.25}
+    usual["neutral"] = False
     orbit = Made(**usual, prediction=prediction, amplitude_error=0.0125, frequency_error=-0.001)
     assert orbits_text._row(orbit) == (
         *("2e-05", "110", "no", "1.25"),
         *("2e-05", "+1.25%", "109.975", "-0.100%"),
     )
     assert orbits_text._row(Made(**usual, prediction=None))[4:] == ("none", "", "", "")
+    assert orbits_text._row(Made(**{**usual, "neutral": True}, prediction=None))[2] == "neutral"
     assert orbits_text._without_orbit([prediction, missed], [orbit]) == [missed]
 
 

@@ -68,6 +68,7 @@ def test_orbits_are_drawn_with_their_events() -> None:
             period=4.0,
             switching_times=np.array([1.00001, 4.5]),
             stable=stable,
+            steadiness="stable" if stable else "not stable",
             frequency=0.25,
             amplitude=2e-5,
         )

@@ -176,3 +176,22 @@ def test_no_orbit_means_a_warning_and_an_empty_list() -> None:
 def test_a_guess_must_be_positive_and_finite(guess: tuple[float, float]) -> None:
     with pytest.raises(ValueError, match="of a guess must be positive and finite"):
         periodic_orbits(thesis_loop(), FrictionBacklash(1.0), [guess])
+
+
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_a_double_integrator_with_a_relay_keeps_any_amplitude_and_is_told_once() -> None:
+    """x'' = -sign x from A takes sqrt(2 A) to zero, a quarter of the period."""
+    found = periodic_orbits(ClosedLoop(control.tf([1], [1, 0, 0]), Relay(1.0)))
+    (orbit,), (family,) = found, found.families
+    assert orbit.period == pytest.approx(4 * math.sqrt(2 * orbit.amplitude), rel=1e-12)
+    assert (orbit.stable, orbit.neutral) == (False, True)
+    assert family.member is orbit
+    assert family.met > 20
+    assert family.amplitudes[0] < 0.1 < 100 < family.amplitudes[1] == orbit.amplitude
+    assert "stands for a continuum" in found.message
+
+
+def test_isolated_orbits_are_of_no_continuum() -> None:
+    found = periodic_orbits(ClosedLoop(THIRD_ORDER[0], Relay(1.0)))
+    assert (len(found), found.families) == (1, ())
+    assert (found[0].stable, found[0].neutral) == (True, False)

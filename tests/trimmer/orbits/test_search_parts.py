@@ -32,7 +32,7 @@ DONE = SimulationSearch(32, 0, 32, 0, 0, 0, 0, 32)
 
 
 def found(name: str, amplitude: float) -> SimpleNamespace:
-    return SimpleNamespace(name=name, amplitude=amplitude)
+    return SimpleNamespace(name=name, amplitude=amplitude, has_neighbours=False)
 
 
 @pytest.fixture

@@ -30,6 +30,7 @@ def as_text(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
     ]
     searched, *undecided = certificate_as_text(predictions.certificate)
     lines += [f"predictions {searched}", *undecided, orbits.search.sentence]
+    lines += [f"{family.sentence[0].upper()}{family.sentence[1:]}." for family in orbits.families]
     if orbits:
         lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
     return "\n".join(lines)
@@ -40,6 +41,10 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
     content = {
         "element": repr(element),
         "orbits": [_entry(orbit) for orbit in orbits],
+        "families": [
+            {"amplitude": each.member.amplitude, "met": each.met, "amplitudes": list(each.amplitudes)}
+            for each in orbits.families
+        ],
         "not_found": [
             {"amplitude": each.amplitude, "frequency": each.frequency}
             for each in _without_orbit(predictions.limit_cycles, orbits)
@@ -54,7 +59,7 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
 def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
     prediction = orbit.prediction
     measured = (
-        *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", "yes" if orbit.stable else "no"),
+        *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", _stable(orbit)),
         f"{orbit.largest_multiplier:.4g}",
     )
     if prediction is None:
@@ -66,12 +71,17 @@ def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
     )
 
 
+def _stable(orbit: PeriodicOrbit) -> str:
+    return "yes" if orbit.stable else "neutral" if orbit.neutral else "no"
+
+
 def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
     return {
         "amplitude": orbit.amplitude,
         "period": orbit.period,
         "frequency": orbit.frequency,
         "stable": orbit.stable,
+        "neutral": orbit.neutral,
         "multipliers": [pair(value) for value in orbit.multipliers.tolist()],
         "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
         "switching_times": orbit.switching_times.tolist(),

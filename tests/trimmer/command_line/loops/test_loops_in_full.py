@@ -95,6 +95,7 @@ def made_orbits(prediction: object, **changes: object) -> list[Made]:
         "period": 0.01,
         "frequency": 100.0,
         "stable": True,
+        "neutral": False,
         "multipliers": np.array([1.0, 0.25j]),
         "harmonics": np.array([3j, -1.0]),
         "switching_times": np.array([0.001, 0.006]),
@@ -107,6 +108,7 @@ def made_orbits(prediction: object, **changes: object) -> list[Made]:
     class Found(list[Made]):
         success = True
         search = Made(sentence="searched all")
+        families = (Made(member=Made(amplitude=3e-5), met=2, amplitudes=(1e-5, 3e-5), sentence="it is one"),)
 
     return Found([Made(**usual | changes, prediction=prediction)])
 
@@ -122,6 +124,7 @@ def test_orbits_are_told_with_what_was_not_found() -> None:
             "period": 0.01,
             "frequency": 100.0,
             "stable": True,
+            "neutral": False,
             "multipliers": [[1.0, 0.0], [0.0, 0.25]],
             "harmonics": [3.0, 1.0],
             "switching_times": [0.001, 0.006],
@@ -130,12 +133,14 @@ def test_orbits_are_told_with_what_was_not_found() -> None:
             "frequency_error": -0.5,
         }
     ]
+    assert data["families"] == [{"amplitude": 3e-5, "met": 2, "amplitudes": [1e-5, 3e-5]}]
     assert data["not_found"] == [{"amplitude": 2e-5, "frequency": 109.975}]
     assert data["certificate"] == CERTIFIED
     assert (data["element"], data["search"], data["success"]) == ("'E'", "searched all", True)
     lines = orbits_text.as_text("E", predictions, orbits).splitlines()
     assert lines[0] == "Exact limit cycles of 'E'"
     assert cells(lines[2:3]) == [["3e-05", "100", "yes", "0.25", "none"]]
+    assert "It is one." in lines
     assert lines[3] == "predicted, but not found: amplitude 2e-05 at 109.975 Hz"
     assert lines[4].startswith("predictions searched from 10 to 1000 rad/s")
     assert (lines[5][:9], lines[6], lines[7][:10]) == ("undecided", "searched all", "multiplier")

@@ -1,0 +1,62 @@
+"""Orbits that are members of a continuum: one stands for all of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+
+@dataclass(frozen=True)
+class OrbitFamily:
+    """A continuum of orbits, as of a relay that drives a double integrator, which keeps any amplitude.
+
+    Attributes:
+        member: The largest of those that were met; it stands for all.
+        met: How many were met.
+        amplitudes: Smallest and largest amplitude of these, in the unit of the element's input, m.
+    """
+
+    member: PeriodicOrbit
+    met: int
+    amplitudes: tuple[float, float]
+
+    @property
+    def sentence(self) -> str:
+        """What it is, in words, without a full stop."""
+        smallest, largest = self.amplitudes
+        return (
+            f"that of amplitude {largest:.6g} stands for a continuum, in which one lies beside the other "
+            f"without end ({self.met} were met, with amplitudes from {smallest:.6g})"
+        )
+
+
+def by_families(
+    orbits: Sequence[PeriodicOrbit],
+) -> tuple[tuple[PeriodicOrbit, ...], tuple[OrbitFamily, ...]]:
+    """Return orbits by falling amplitude with one for each continuum, and the continua.
+
+    Two orbits are of one continuum if both have neighbours in one, and as many events in a period. One that
+    was met alone stays an orbit among others: it may be where two orbits meet.
+    """
+    members: dict[int, list[PeriodicOrbit]] = {}
+    for orbit in orbits:
+        if orbit.has_neighbours:
+            members.setdefault(len(orbit.switching_times), []).append(orbit)
+    families = tuple(
+        OrbitFamily(
+            max(met, key=lambda orbit: orbit.amplitude),
+            len(met),
+            (min(orbit.amplitude for orbit in met), max(orbit.amplitude for orbit in met)),
+        )
+        for met in members.values()
+        if len(met) > 1
+    )
+    left_out = {id(orbit) for met in members.values() if len(met) > 1 for orbit in met}
+    kept = [orbit for orbit in orbits if id(orbit) not in left_out]
+    kept += [family.member for family in families]
+    return tuple(sorted(kept, key=lambda orbit: -orbit.amplitude)), families
