@@ -15,7 +15,6 @@ WITHOUT_DIGITS = (
     "report/cache",
     "report/copy",
     "report/rendering",
-    "trimmer/runners",
     "trimmer/test_argument_limits.py",
     "trimmer/test_code_generation.py",
     "trimmer/test_files.py",
