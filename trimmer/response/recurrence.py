@@ -20,6 +20,10 @@ CLOSE = 0.2
 """Distance to an orbit, as a share of the sizes, beyond which its multipliers say nothing."""
 ROUNDING = 1e-9
 """Distance at which what is left is taken for rounding."""
+LEAST_RETURNS = 24
+"""Returns from which it is told whether a motion comes nearer to an orbit."""
+ERRORS = 4.0
+"""Standard errors by which a distance has to fall per return."""
 RETURNED = 1e-10
 """Distance of a motion to itself that counts as none."""
 
@@ -80,3 +84,32 @@ def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:
     return bool(
         (missed <= LINEAR * distances[:2] + ROUNDING).all() and share * farthest <= LINEAR * max(distances)
     )
+
+
+def approach(orbit: MechanismOrbit, states: Reals) -> float | None:
+    """Return how fast a motion comes nearer to a stable orbit, though it may still be far from it.
+
+    The distance is measured in the eigenvectors of the return, in which it falls at once close to the orbit.
+    A line is laid through its logarithm over all returns that are known.
+
+    Args:
+        orbit: The orbit, over its smallest number of periods.
+        states: At the start of each drive period, (count, n).
+
+    Returns:
+        What the distance loses per return in proportion to what the multipliers say, both as logarithms; None
+        if it does not surely fall, or if there are too few returns.
+    """
+    vectors = np.linalg.eig(orbit.monodromy)[1]
+    scaled = (states - orbit.instant.state) / orbit.sizes
+    first = int(np.argmin(abs(scaled[-orbit.periods :]).max(axis=1))) - orbit.periods
+    apart = scaled[first :: -orbit.periods][::-1]
+    largest = float(abs(orbit.multipliers).max())
+    if len(apart) < LEAST_RETURNS or not 0 < largest < 1:
+        return None
+    distances = np.linalg.norm(np.linalg.lstsq(vectors, apart.T, rcond=None)[0], axis=0)
+    numbers = np.arange(len(distances)) - (len(distances) - 1) / 2
+    logarithms = np.log(np.maximum(distances, np.finfo(float).tiny))
+    slope = float(numbers @ logarithms / (numbers @ numbers))
+    error = float(np.std(logarithms - logarithms.mean() - slope * numbers) / np.linalg.norm(numbers))
+    return slope / np.log(largest) if slope < -ERRORS * error else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 MOST_PERIODS = 1000
 """Drive periods that are waited for a motion to settle, if no number is given."""
 MORE = 10
-"""By how much longer is waited where all small distances were seen to shrink."""
+"""By how much longer is waited where all small distances shrink, or that to a stable orbit does."""
 LONG = 100
 """Drive periods of settling beyond which a neighbouring start is tried too."""
 NEIGHBOUR = 1e-6
@@ -126,6 +127,8 @@ class _Search:
     def _driven(self, instant: Instant) -> SettledMotion:
         settling = Settling(self.flow, instant, self.known)
         orbit, seen = settling.until_settled(self.most_periods), None
+        if orbit is None and settling.can_go_on and settling.approaches:
+            orbit = settling.until_settled(MORE * self.most_periods)
         if orbit is None and settling.can_go_on:
             seen = look_closely(self.flow, settling.instant)
             if seen is not None and seen.contracts:
@@ -133,6 +136,10 @@ class _Search:
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
         if settling.solved is not None:
             return replace(settled_at_last(settling.solved, settling.periods), neighbour_agrees=agrees)
+        slow = None if seen is None or seen.leaves else settling.slowly_approached(seen.window.end)
+        if slow is not None:
+            told = f"It settles to {slow.message}, but so slowly that its end was not waited for"
+            return _settled(slow, settling.periods, agrees, f"{told}: {_slowness(slow)}.")
         if orbit is None:
             return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
         told = f"It settles within {settling.periods} drive periods to {orbit.message}."
@@ -179,6 +186,13 @@ class _Search:
             else:
                 found[place] = replace(found[place], starts=found[place].starts + 1)
         return found
+
+
+def _slowness(orbit: MechanismOrbit) -> str:
+    """Say how slowly small distances to an orbit die out."""
+    largest = float(abs(orbit.multipliers).max())
+    halved = math.ceil(orbit.periods * math.log(0.5) / math.log(largest))
+    return f"its distance was seen to fall as the multipliers say, by half in {halved} drive periods"
 
 
 def _of_kind(kind: MotionKind, periods: int, told: str) -> SettledMotion:

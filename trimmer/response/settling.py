@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.response.orbit import orbit_of
-from trimmer.response.recurrence import candidates, has_returned, settles_to
+from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.solved import Solved, solved
 
@@ -26,6 +26,8 @@ FIRST, LONGEST = 8, 128
 """Drive periods before the first look at a motion, and at most between two looks."""
 KEPT = 256
 """Drive periods that are kept for a look."""
+LONG_LOOK = 2048
+"""Drive periods over which a slow approach is measured."""
 MOST_REPEATS = 24
 """The largest number of drive periods after which a motion is taken to repeat."""
 PATIENCE = Patience(iterations=12, halvings=4, followed=0)
@@ -93,6 +95,25 @@ class Settling:
             block = FIRST if self._is_near() else min(look - self.periods, LONGEST)
         return None
 
+    @property
+    def approaches(self) -> bool:
+        """Whether it comes ever nearer to a stable orbit that is known, however slowly."""
+        return any(approach(orbit, self.states) is not None for orbit in self.known)
+
+    def slowly_approached(self, instant: Instant) -> MechanismOrbit | None:
+        """Return the stable orbit to which a motion comes nearer as slowly as its multipliers say.
+
+        Args:
+            instant: Where the motion is, after a long wait.
+        """
+        if not self.known:
+            return None
+        strobe = self.flow.strobe(instant, LONG_LOOK)
+        if strobe.ending is not Ending.REACHED_END:
+            return None
+        shares = ((approach(orbit, strobe.states), orbit) for orbit in self.known)
+        return next((orbit for share, orbit in shares if share is not None and 0.5 <= share <= 2.0), None)
+
     def _accepted(self, orbits: Sequence[MechanismOrbit]) -> MechanismOrbit | None:
         return next((orbit for orbit in orbits if settles_to(orbit, self.states)), None)
 
@@ -107,9 +128,13 @@ class Settling:
         course = self.flow.course(self.instant, 1)
         if course.ending is not Ending.REACHED_END:
             return None
-        sizes = sizes_of(course)
-        for periods in candidates(self.states, sizes, MOST_REPEATS):
-            orbit = self._orbit(periods)
+        sizes, here = sizes_of(course), self.instant.state
+        tried = [(periods, here) for periods in candidates(self.states, sizes, MOST_REPEATS)]
+        if not self.known:
+            # A motion that winds around an orbit for long comes near itself late, but has it in its middle.
+            tried.append((1, self.states[len(self.states) // 2 :].mean(axis=0)))
+        for periods, state in tried:
+            orbit = self._orbit(periods, state)
             if orbit is None:
                 continue
             if (orbit.stable or orbit.neutral) and has_returned(self.states, sizes, periods):
@@ -120,9 +145,9 @@ class Settling:
                     return orbit
         return None
 
-    def _orbit(self, periods: int) -> MechanismOrbit | None:
-        """Return the orbit that Newton's method finds from here, over its smallest number of periods."""
-        start = self.flow.at(self.instant.state, like=self.instant)
+    def _orbit(self, periods: int, state: Reals) -> MechanismOrbit | None:
+        """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""
+        start = self.flow.at(state, like=self.instant)
         for count in _counts(periods):
             shot = solve(Return(self.flow, count), start, patience=PATIENCE)
             if shot is None:

@@ -207,3 +207,31 @@ def test_a_contact_that_is_lost_on_the_way_does_not_count() -> None:
     assert response.motion.peak_to_peak["body"] == pytest.approx(expected, rel=1e-10)
     late = simulate(mechanism, 40000 / DRIVE, state={"body": (9.0, 0.0)})
     assert late.states(late.duration)[:2] == pytest.approx(response.motion.orbit.instant.state[:2], abs=1e-7)
+
+
+def loosely_held(damping: float, in_contact: float) -> Mechanism:
+    """A driven body in a slot, which it meets in each period, with little damping."""
+    slot = Play(("ground", "body"), 0.3, in_contact, 0.2)
+    return oscillator(damping, plays={"slot": slot})
+
+
+def test_slow_approach_with_impacts_is_decided() -> None:
+    mechanism = loosely_held(5e-4, 1e-3)
+    response = respond(mechanism)
+    assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
+    orbit = response.motion.orbit
+    assert orbit.stable
+    assert orbit.events_per_period > 0
+    late = orbit.flow.strobe(orbit.flow.rest(), 40_000).states[-1]
+    np.testing.assert_allclose(late, orbit.instant.state, atol=1e-9)
+
+
+@pytest.mark.slow
+def test_an_approach_that_is_too_slow_to_wait_for_is_no_torus() -> None:
+    mechanism = loosely_held(2e-5, 1e-5)
+    response = respond(mechanism, state={"body": (0.0, 0.0)})
+    assert (response.kind, response.period_count) == (MotionKind.PERIODIC, 1)
+    assert "so slowly that its end was not waited for" in response.message
+    orbit = response.motion.orbit
+    late = orbit.flow.strobe(orbit.flow.rest(), 600_000).states[-1]
+    np.testing.assert_allclose(late, orbit.instant.state, atol=1e-6)
