@@ -90,7 +90,7 @@ def settled_sentences(design: Design) -> str:
         exponent = motion.lyapunov
         grown = (
             f" Small distances grow by the factor {plain(written(float(np.exp(exponent.value)), 3))} per "
-            f"drive period."
+            f"drive period. Chaos over so many periods may still be a transient that ends."
             if exponent is not None and motion.kind is MotionKind.CHAOTIC
             else ""
         )

@@ -44,7 +44,7 @@ def _cell_words(drawn: DesignMap) -> str:
     return {
         MotionKind.TORUS: "on a torus",
         MotionKind.REST: "rest, in which nothing moves",
-        MotionKind.CHAOTIC: "chaotic",
+        MotionKind.CHAOTIC: f"chaotic over {motion.periods} drive periods, which may be a transient",
         MotionKind.DIVERGING: "one that grows without bound",
         MotionKind.UNDECIDED: "not known, because the motion had not settled",
     }.get(motion.kind, f"of {described(motion)}")

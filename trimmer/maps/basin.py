@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MapError
-from trimmer.maps.cells import CellMotion, described, same_motion
+from trimmer.maps.cells import CellMotion, described, same_motion, waited_for
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
@@ -52,7 +52,8 @@ class Basin(Tabular):
     @property
     def names(self) -> tuple[str, ...]:
         """What each motion is, numbered from 1, as in the legend of the picture."""
-        return tuple(f"{number}: {described(motion)}" for number, motion in enumerate(self.motions, start=1))
+        told = (waited_for(described(motion), motion.periods) for motion in self.motions)
+        return tuple(f"{number}: {each}" for number, each in enumerate(told, start=1))
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw which motion is reached from where; the legend numbers them from 1.

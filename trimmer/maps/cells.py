@@ -240,6 +240,18 @@ def described(motion: CellMotion) -> str:
     return "failed" if motion.failure else motion.kind.described(motion.period_count)
 
 
+def waited_for(description: str, periods: int) -> str:
+    """Add to what a motion is the drive periods that were waited, if it rests on them.
+
+    What had not settled by then may do so later: chaos too may be a transient.
+    """
+    begun = {
+        MotionKind.CHAOTIC.described(None): "chaotic over",
+        MotionKind.UNDECIDED.described(None): "not settled within",
+    }.get(description)
+    return description if begun is None else f"{begun} {periods} drive periods"
+
+
 def same_motion(first: CellMotion, second: CellMotion) -> bool:
     """Return whether two motions of one cell are one.
 

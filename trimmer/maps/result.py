@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import MapError
-from trimmer.maps.cells import described
+from trimmer.maps.cells import described, waited_for
 from trimmer.mechanism.place_text import unit_of
+from trimmer.response.response import MotionKind
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table
 
@@ -70,7 +71,7 @@ class MotionMap(Tabular):
 
     @cached_property
     def kind(self) -> np.ndarray[tuple[int, int], np.dtype[np.object_]]:
-        """Kinds of motion, ``MotionKind``, (n2, n1)."""
+        """Kinds of motion, ``MotionKind``, (n2, n1); chaos is that over ``periods``, and may be transient."""
         kinds = np.empty(len(self.cells), dtype=object)
         kinds[:] = [cell.motions[0].kind for cell in self.cells]
         return kinds.reshape(self.shape)
@@ -153,9 +154,29 @@ class MotionMap(Tabular):
         }
 
     @property
+    def counts(self) -> Mapping[str, int]:
+        """Cells by what their first motion is in words, such as ``period 3``, the most frequent first."""
+        kinds = Counter(described(cell.motions[0]) for cell in self.cells)
+        waited = self.inputs.settings.most_periods
+        return {waited_for(name, waited): count for name, count in kinds.most_common()}
+
+    @property
     def searched(self) -> str:
         """What was looked at, in a sentence."""
         return _searched(self)
+
+    @property
+    def passing(self) -> str:
+        """What may still change in chaotic cells, in a sentence without a full stop; empty without any."""
+        chaotic = int((self.kind == MotionKind.CHAOTIC).sum())
+        if not chaotic:
+            return ""
+        waited = self.inputs.settings.most_periods
+        cells = "1 cell is" if chaotic == 1 else f"{chaotic} cells are"
+        return (
+            f"{cells} chaotic over the {waited} drive periods that were waited: such chaos may be transient "
+            "and end in a motion that repeats"
+        )
 
     @property
     def units(self) -> tuple[str, ...]:
@@ -179,8 +200,7 @@ class MotionMap(Tabular):
         return draw_map(self, ax, curves)
 
     def _told(self) -> str:
-        kinds = Counter(described(cell.motions[0]) for cell in self.cells)
-        found = ", ".join(f"{count} {name}" for name, count in kinds.most_common())
+        found = ", ".join(f"{count} {name}" for name, count in self.counts.items())
         size = " x ".join(str(len(values)) for values in self.inputs.values)
         return f"{size} cells over {' and '.join(self.places)}: {found}"
 

@@ -143,6 +143,10 @@ def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
         f"{seen.window.periods} more its largest Lyapunov exponent is {exponent}; a neighbouring motion "
         f"{'leaves it' if seen.leaves else 'stays near it'}."
     )
+    if seen.kind is MotionKind.CHAOTIC:
+        told += (
+            f" Chaos over {waited + seen.window.periods} drive periods may still be a transient that ends."
+        )
     if agrees is None:
         return told
     return told + f" A neighbouring start {'does not settle either' if agrees else 'settles'}."

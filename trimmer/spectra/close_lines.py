@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from trimmer.spectra.spectrum import Spectrum
     from trimmer.spectra.window import Window
 
+LINKED = 6
+"""Bins up to which lines are fitted together."""
 SURE = 30.0
 """Fall of the sum of squares that makes another line certain: noise alone gives it once in 10^5 peaks."""
 POSSIBLE = 12.0
@@ -61,7 +63,7 @@ class Line:
 def groups(window: Window, places: Reals) -> list[Places]:
     """Return the numbers of lines that are close to each other, group by group."""
     order = np.argsort(places)
-    apart = np.diff(places[order]) > max(4, window.half_width + 2)
+    apart = np.diff(places[order]) > max(LINKED, window.half_width + 2)
     return [np.sort(each) for each in np.split(order, np.flatnonzero(apart) + 1)]
 
 

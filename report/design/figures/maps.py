@@ -42,7 +42,11 @@ def kind_map(drawn: DesignMap) -> Figure:
         ylabel=f"{place_words(drawn.second.place)} [{second.unit}]",
     )
     axes.grid(visible=False)
-    axes.legend(handles=legend_of(legend), loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    axes.legend(
+        handles=legend_of(legend, result.inputs.settings.most_periods),
+        loc="upper left",
+        bbox_to_anchor=(1.01, 1.0),
+    )
     return figure
 
 

@@ -58,9 +58,9 @@ def test_kinds_have_their_own_colours() -> None:
 
 
 def test_patches_of_a_legend_are_hatched_densely() -> None:
-    shown = {each.get_label(): each for each in legend_of(categories())}
+    shown = {each.get_label(): each for each in legend_of(categories(), 120)}
     assert shown["period 3"].get_hatch() == "////"
-    assert shown["not settled"].get_hatch() == "||||"
+    assert shown["not settled within 120 drive periods"].get_hatch() == "||||"
     assert not shown["period 1"].get_hatch()
     assert to_hex(shown["period 1"].get_facecolor()) == "#56b4e9"
 

@@ -113,7 +113,7 @@ def test_a_spectrum_has_its_unit_if_that_is_known() -> None:
 def classified(frequency: float, amplitude: float, origin: object) -> SimpleNamespace:
     explanation = None if origin is None else SimpleNamespace(origin=origin)
     return SimpleNamespace(
-        peak=SimpleNamespace(frequency=frequency, amplitude=amplitude), explanation=explanation
+        peak=SimpleNamespace(frequency=frequency, amplitude=amplitude, resolved=True), explanation=explanation
     )
 
 

@@ -117,7 +117,7 @@ def test_impacts_are_drawn_of_what_has_no_output() -> None:
         values=(np.array([1e-6, 2e-6, 4e-6]),),
         stroke=np.array([[3e-3, 2e-3, 1e-3]]),
         impacts=np.array([[1.0, 2.0, 5.0]]),
-        inputs=Made(mechanism=Made(outputs={})),
+        inputs=Made(mechanism=Made(outputs={}), settings=Made(most_periods=300)),
     )
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("trimmer.drawing.mechanisms.kinds.described", lambda motion: "chaotic")

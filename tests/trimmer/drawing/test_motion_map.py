@@ -38,7 +38,7 @@ def legend(axes) -> dict[str, object]:
 def test_the_legend_names_the_kinds_that_occur_in_plain_words() -> None:
     axes = Figure().add_subplot()
     drawn_map().plot(axes)
-    assert list(legend(axes)) == ["period 1", "period 2", "chaotic"]
+    assert list(legend(axes)) == ["period 1", "period 2", "chaotic over 300 drive periods"]
 
 
 def colour_at(axes, place: tuple[float, float]) -> str:
@@ -52,7 +52,7 @@ def test_each_cell_has_the_colour_of_its_kind() -> None:
     drawn_map().plot(axes)
     named = {name: to_hex(patch.get_facecolor()) for name, patch in legend(axes).items()}
     for second in (8.0, 10.0):
-        for first, name in ((1.0, "period 1"), (1.1, "period 2"), (1.4, "chaotic")):
+        for first, name in ((1.0, "period 1"), (1.1, "period 2"), (1.4, "chaotic over 300 drive periods")):
             assert colour_at(axes, (first, second)) == named[name]
 
 
@@ -69,7 +69,7 @@ def test_values_that_fall_are_drawn_where_they_are() -> None:
     drawn_map(values=((1.4, 1.1, 1.0), (8.0, 10.0))).plot(axes)
     named = {name: to_hex(patch.get_facecolor()) for name, patch in legend(axes).items()}
     assert colour_at(axes, (1.4, 8.0)) == named["period 1"]
-    assert colour_at(axes, (1.0, 8.0)) == named["chaotic"]
+    assert colour_at(axes, (1.0, 8.0)) == named["chaotic over 300 drive periods"]
 
 
 def test_axes_have_units_and_readable_numbers() -> None:
@@ -95,7 +95,7 @@ def test_a_map_over_one_place_is_a_stroke() -> None:
     axes = Figure().add_subplot()
     drawn_map(values=((1.0, 1.1, 1.4),)).plot(axes)
     assert axes.get_ylabel().startswith("x, peak to peak, ")
-    assert list(legend(axes)) == ["period 1", "period 2", "chaotic"]
+    assert list(legend(axes)) == ["period 1", "period 2", "chaotic over 300 drive periods"]
 
 
 @pytest.mark.parametrize(("count", "name"), [(1, "period 1"), (6, "period 6"), (24, "period 7 or more")])

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.errors import MapError, MechanismError, TrimmerError
@@ -182,3 +183,16 @@ def test_an_error_of_the_program_stops_no_process_behind() -> None:
     with pytest.raises(MechanismError):
         motion_map(TWIN, {"frequency": [0.0]}, runner=ProcessRunner(1))
     assert multiprocessing.active_children() == []
+
+
+def test_chaos_is_named_with_the_periods_that_were_waited() -> None:
+    """It may be a transient: what is chaotic over 120 periods may repeat later."""
+    wide = TWIN.with_value("plays.bridge.gap", 200e-6)
+    result = motion_map(wide, {"frictions.blade.force": [0.4, 4.0]}, most_periods=120, quiet=True)
+    assert [kind.word for kind in result.kind[0]] == ["chaotic", "periodic"]
+    assert list(result.counts) == ["chaotic over 120 drive periods", "period 1"]
+    assert result.passing.startswith("1 cell is chaotic over the 120 drive periods")
+    names = [text.get_text() for text in result.plot(Figure().add_subplot()).get_legend().get_texts()]
+    assert names == ["period 1", "chaotic over 120 drive periods"]
+    chaotic = respond(wide.with_value("frictions.blade.force", 0.4), most_periods=120)
+    assert "Chaos over 632 drive periods may still be a transient" in chaotic.message

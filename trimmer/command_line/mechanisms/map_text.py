@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +9,6 @@ import numpy as np
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
-from trimmer.maps.cells import described
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -28,8 +26,7 @@ def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = No
     units = mechanism.places
     for place, values in zip(result.places, result.values, strict=True):
         lines.append(f"  {place} from {values[0]:g} to {values[-1]:g} {units[place]}, {len(values)} values")
-    counts = Counter(described(cell.motions[0]) for cell in result.cells)
-    rows = [(name, str(count), f"{count / cells:.1%}") for name, count in counts.most_common()]
+    rows = [(name, str(count), f"{count / cells:.1%}") for name, count in result.counts.items()]
     lines += table(("motion", "cells", "share"), rows)
     lines += table(("measure", "smallest", "median", "largest", "unit"), _ranges(result))
     several = int((result.motion_count > 1).sum())
@@ -41,6 +38,8 @@ def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = No
         lines.append(f"failed at {at}: {failure}")
     if len(result.failures) > _MOST_FAILURES:
         lines.append(f"and {len(result.failures) - _MOST_FAILURES} more failed, which --json lists")
+    if result.passing:
+        lines.append(f"{result.passing}; --periods waits longer")
     lines.append(f"searched: {searched}")
     return "\n".join([*lines, *([] if special is None else _curves(special))])
 
@@ -102,6 +101,7 @@ def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = No
             {"row": row, "column": column, "message": message}
             for (row, column), message in result.failures.items()
         ],
+        "passing": result.passing or None,
         "searched": searched,
         "special": None if special is None else _special(special),
     }

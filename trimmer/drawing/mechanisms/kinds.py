@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.patches import Patch
 
-from trimmer.maps.cells import described
+from trimmer.maps.cells import described, waited_for
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -61,9 +61,11 @@ def _named(name: str, colour: str) -> Category:
     return Category(name, colour, HATCHES.get(name, ""))
 
 
-def legend_of(legend: Sequence[Category]) -> list[Patch]:
-    """Return a patch for each category."""
+def legend_of(legend: Sequence[Category], waited: int) -> list[Patch]:
+    """Return a patch for each category; what had not settled says after how many drive periods."""
     return [
-        Patch(facecolor=each.colour, edgecolor="0.4", hatch=2 * each.hatch, label=each.name)
+        Patch(
+            facecolor=each.colour, edgecolor="0.4", hatch=2 * each.hatch, label=waited_for(each.name, waited)
+        )
         for each in legend
     ]

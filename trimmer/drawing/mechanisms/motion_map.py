@@ -43,7 +43,7 @@ def draw_map(result: MotionMap, ax: Axes | None = None, curves: Iterable[tuple[s
     else:
         draw_areas(axes, result, numbers, legend)
         lines = add_curves(axes, curves, hold=True)
-    add_legend(axes, [*legend_of(legend), *lines])
+    add_legend(axes, [*legend_of(legend, result.inputs.settings.most_periods), *lines])
     return axes
 
 
@@ -75,7 +75,7 @@ def draw_basin(basin: Basin, ax: Axes | None = None) -> Axes:
     axes = axes_for(ax)
     legend = [_of_basin(basin, number) for number in range(len(basin.motions))]
     draw_areas(axes, basin.result, basin.number, legend)
-    add_legend(axes, legend_of(legend))
+    add_legend(axes, legend_of(legend, basin.result.inputs.settings.most_periods))
     return axes
 
 

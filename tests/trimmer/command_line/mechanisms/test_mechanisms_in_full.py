@@ -89,6 +89,7 @@ def made_map() -> Made:
         rms_acceleration={"m": 20 * grid},
         wear_power={"f": 30 * grid},
         failures={(1, 2): "it fails"},
+        passing="3 cells are chaotic",
     )
 
 
@@ -115,6 +116,7 @@ def test_a_map_is_in_the_json_row_by_row() -> None:
         "bodies": {"m": {"rms_acceleration": rows(20.0)}},
         "frictions": {"f": {"wear_power": rows(30.0)}},
         "failures": [{"row": 1, "column": 2, "message": "it fails"}],
+        "passing": "3 cells are chaotic",
         "searched": "all",
         "special": None,
     }
@@ -162,7 +164,8 @@ def test_a_motion_is_told_in_full() -> None:
         events=[Made(time=0.25, kind=Made(word="impact", value="impact"), part="wall")],
         mechanism=Made(outputs={"a": 1, "b": 2}),
         output=lambda name, times: {"a": 2.0, "b": -4.0}[name] * times,
-        energy=Made(**energy),
+        energy=Made(**energy, undetermined=()),
+        undetermined_frictions=("blade",),
     )
     data = json.loads(of_mechanism.as_json(motion))
     assert data.pop("last_amplitudes") == pytest.approx({"a": 0.05, "b": 0.1})
@@ -173,6 +176,7 @@ def test_a_motion_is_told_in_full() -> None:
         "message": "done",
         "events": [{"time": 0.25, "kind": "impact", "part": "wall"}],
         "energy": energy | {"kinetic": [1.0, 3.0], "stored": [0.5, 7.0]},
+        "undetermined_frictions": ["blade"],
     }
     lines = of_mechanism.as_text(motion).splitlines()
     assert lines[:2] == ["Motion of 0.5 s: done", "  wall: 1 x impact"]
