@@ -151,7 +151,10 @@ def test_a_folder_that_cannot_be_made_is_told_before_any_work(
     (folder / "taken").write_text("notes")
     monkeypatch.setattr(Keeper, "made", lambda *_: pytest.fail("work was begun"))
     assert main(["design", "block.toml", "--directory", "taken"]) == 2
-    assert "taken/.kept cannot be made" in capsys.readouterr().err
+    assert (
+        "taken/block.html cannot be written: a file stands where its folder would be"
+        in capsys.readouterr().err
+    )
 
 
 @pytest.mark.slow
