@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import statistics
 import time
+from argparse import ArgumentParser
 from pathlib import Path
 
 import numpy as np
@@ -72,4 +73,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     main()

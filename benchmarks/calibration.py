@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 import time
+from argparse import ArgumentParser
 
 import numpy as np
 
@@ -51,5 +52,6 @@ def sentence() -> str:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     print(sentence())
     sys.exit(0)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import statistics
 import sys
 import time
+from argparse import ArgumentParser
 from collections.abc import Callable
 from itertools import chain
 from pathlib import Path
@@ -127,4 +128,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     main()

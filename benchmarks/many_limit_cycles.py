@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 import warnings
+from argparse import ArgumentParser
 from dataclasses import asdict
 
 import numpy as np
@@ -58,4 +59,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     main()

@@ -123,8 +123,8 @@ def peer() -> float:
 
 def main() -> None:
     """Print times, their ratio, memory, and what was found."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--cells", type=int, default=CELLS)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--cells", type=int, default=CELLS, help="cells of each side (default: %(default)s)")
     cells = parser.parse_args().cells
     print(sentence())
     own(4, 4)  # compiles, or reads what was compiled

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import statistics
 import time
+from argparse import ArgumentParser
 from collections.abc import Callable
 
 import numpy as np
@@ -115,4 +116,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     main()

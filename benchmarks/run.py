@@ -11,14 +11,16 @@ import statistics
 import subprocess
 import sys
 import time
+from argparse import ArgumentParser
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from benchmarks.calibration import sentence
 
 PROJECT = Path(__file__).resolve().parent.parent
-BUILD = PROJECT / "build"
 
 
 @dataclass(frozen=True)
@@ -49,21 +51,15 @@ def python(statement: str) -> list[str]:
     return [sys.executable, "-c", statement]
 
 
-def remove_build() -> None:
-    """Remove all that a build writes."""
-    shutil.rmtree(BUILD, ignore_errors=True)
-
-
-def measurements() -> tuple[Measurement, ...]:
-    """Return what is measured, in the order of the table."""
+def measurements(folder: Path) -> tuple[Measurement, ...]:
+    """Return what is measured, in the order of the table; reports go into the folder, which is removed."""
     trimmer = str(Path(sys.executable).with_name("trimmer"))
-    report = ["make", "--no-print-directory", "report"]
+    report = [trimmer, "report", "--directory", str(folder)]
+    remove = partial(shutil.rmtree, folder, ignore_errors=True)
     control = python("import control")
     return (
-        Measurement(
-            "make report, from nothing", report, "import control", control, 30.0, runs=3, prepare=remove_build
-        ),
-        Measurement("make report, again", report, "import control", control, 10.0, runs=3),
+        Measurement("report, from nothing", report, "import control", control, 30.0, runs=3, prepare=remove),
+        Measurement("report, again", report, "import control", control, 10.0, runs=3),
         Measurement("import trimmer", python("import trimmer"), "import control", control, 0.5, runs=7),
         Measurement(
             "trimmer --help",
@@ -114,19 +110,11 @@ def main() -> int:
     print(sentence())
     row = "{:<27} {:>9} {:>9}  {:<17} {:>9} {:>8}"
     print(row.format("measured", "median", "target", "peer", "median", "ratio"))
-    for measurement in measurements():
-        own, peer = measure(measurement)
-        print(
-            row.format(
-                measurement.name,
-                f"{own:.3f} s",
-                f"{measurement.target:g} s",
-                measurement.peer_name,
-                f"{peer:.3f} s",
-                f"{own / peer:.2f}",
-            ),
-            flush=True,
-        )
+    with TemporaryDirectory(prefix="benchmark ") as name:
+        for each in measurements(Path(name) / "report"):
+            own, peer = measure(each)
+            times = f"{own:.3f} s", f"{each.target:g} s", each.peer_name, f"{peer:.3f} s", f"{own / peer:.2f}"
+            print(row.format(each.name, *times), flush=True)
     imported = subprocess.run(
         python("import sys, trimmer; raise SystemExit('sympy' in sys.modules)")
     ).returncode
@@ -135,4 +123,5 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     sys.exit(main())

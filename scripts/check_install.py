@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import venv
+from argparse import ArgumentParser
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -46,4 +47,5 @@ def run(command: Sequence[str], folder: Path) -> None:
 
 
 if __name__ == "__main__":
+    ArgumentParser(description=__doc__).parse_args()
     sys.exit(main())

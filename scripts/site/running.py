@@ -13,6 +13,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from argparse import ArgumentParser
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -129,5 +130,7 @@ def _write_outputs(page: Path) -> None:
 
 
 if __name__ == "__main__":
-    for argument in sys.argv[1:]:
-        _write_outputs(Path(argument))
+    parser = ArgumentParser(description="Run the blocks of pages, and write what they print into the pages.")
+    parser.add_argument("pages", type=Path, nargs="+", metavar="PAGE")
+    for page in parser.parse_args().pages:
+        _write_outputs(page)
