@@ -134,12 +134,20 @@ def _loaded(entry: EntryPoint) -> Command | None:
     try:
         command = entry.load()
     except Exception as error:
-        tell(f"command {entry.name!r} ({entry.value}) does not load: {error}")
+        tell(f"command {entry.name!r} ({entry.value}) does not load: {error}{_hiding(entry)}")
         return None
     if isinstance(command, Command):
         return command
     tell(f"command {entry.name!r} ({entry.value}) is not a Command")
     return None
+
+
+def _hiding(entry: EntryPoint) -> str:
+    """Name the file that was found under the name of an entry's package, if it is no package."""
+    found = sys.modules.get(entry.value.partition(".")[0])
+    if found is None or hasattr(found, "__path__"):
+        return ""
+    return f"; {getattr(found, '__file__', 'another module')} hides the package: give it another name"
 
 
 def _parsed(arguments: Sequence[str] | None) -> Namespace:

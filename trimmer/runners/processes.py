@@ -10,10 +10,12 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import chain, islice
 from multiprocessing.connection import Connection
 from multiprocessing.connection import wait as wait_for
+from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any
 
 from tqdm import TMonitor
@@ -23,6 +25,7 @@ from trimmer.errors import WorkerError
 from trimmer.runners.chunks import handed_back
 from trimmer.runners.runner import CHUNK, Cell, Result
 
+_SAFE = "PYTHONSAFEPATH"
 MOST_OF_A_CORE = 4
 """Processes for each core that may be asked for."""
 
@@ -69,7 +72,8 @@ class ProcessRunner:
         context = _context()
         # A pipe, as the lock of an event would be lost with a process that is ended from outside.
         ended, end = context.Pipe(duplex=False)
-        pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
+        with _away_from_here():  # its locks begin a process too
+            pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
         whole = False
         try:
             yield from handed_back(
@@ -102,7 +106,30 @@ def _context() -> multiprocessing.context.BaseContext:
         if thread is not threading.main_thread() and not isinstance(thread, TMonitor)
     ]
     copies = "fork" in multiprocessing.get_all_start_methods() and not others
-    return multiprocessing.get_context("fork" if copies else "spawn")
+    return multiprocessing.get_context("fork") if copies else _Spawning()
+
+
+@contextmanager
+def _away_from_here() -> Iterator[None]:
+    """Let processes that begin meanwhile find no modules among the user's files in the current folder."""
+    before = os.environ.get(_SAFE)
+    os.environ[_SAFE] = before or "1"
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ[_SAFE]
+
+
+class _Process(SpawnProcess):
+    @staticmethod
+    def _Popen(process_obj: Any) -> Any:
+        with _away_from_here():
+            return SpawnProcess._Popen(process_obj)  # type: ignore[attr-defined]
+
+
+class _Spawning(SpawnContext):
+    Process = _Process
 
 
 def most_processes() -> int:
