@@ -2,11 +2,8 @@
 # into .venv; a file in .venv says that this is done, so that it costs nothing until a lock file changes.
 
 PYTHON ?= python3
-# The interpreter behind it, if it is new enough: an active .venv may be the one that is replaced.
-BASE := $(shell "$(PYTHON)" -c "import sys; sys.version_info < (3, 11) or \
-  print(getattr(sys, '_base_executable', sys.executable), '%d.%d' % sys.version_info[:2])" 2>/dev/null)
-MADE := .venv/made-by-make
-PIP := .venv/bin/python -I -m pip --disable-pip-version-check --no-input install --quiet
+# The Python to make .venv of, after = if the .venv that is there will do; nothing if it is too old.
+FOUND := $(shell "$(PYTHON)" -I scripts/environment.py --find 2>/dev/null)
 COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --no-header \
   --no-emit-index-url --no-emit-find-links pyproject.toml
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
@@ -70,35 +67,20 @@ check-install: .venv/for-development ## build the wheel, install it in a fresh e
 clean: ## remove what the targets above have written, except .venv
 	rm -rf build dist .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 
-.venv/for-use: requirements.lock pyproject.toml $(MADE)
+.venv/for-use: requirements.lock pyproject.toml
 	$(install)
 
-.venv/for-development: requirements-dev.lock pyproject.toml $(MADE)
+.venv/for-development: requirements-dev.lock pyproject.toml
 	$(install)
-	@touch .venv/for-use # the development packages hold those for use
 
-# Wheels only: building a package would fetch build tools that no hash covers. All cores compile the packages.
 define install
-	@echo "installing the packages of $<; this takes a minute or two, once" >&2
-	@rm -f $@ && touch .venv/unfinished
-	@$(PIP) --require-hashes --no-deps --only-binary=:all: --no-compile --requirement $< || \
-	  { echo "error: the packages of $< were not installed; what pip says is above" >&2; exit 1; }
-	@-.venv/bin/python -I -m compileall -qq -j 0 .venv/lib >/dev/null
-	@$(PIP) --no-index --no-deps --no-build-isolation --editable .
-	@rm .venv/unfinished && touch $@
-endef
-
-# A virtual environment survives neither a move nor another Python, and an installation not being interrupted.
-ifneq ($(shell cat $(MADE) 2>/dev/null; ls .venv/unfinished 2>/dev/null),$(BASE) $(CURDIR))
-.PHONY: $(MADE)
-endif
-
-$(MADE):
 	@command -v "$(PYTHON)" >/dev/null || \
 	  { echo "error: '$(PYTHON)' is not there; install Python 3.11 or newer, or run make PYTHON=/path/to/it" >&2; exit 1; }
-	@test -n "$(BASE)" || { echo "error: this project needs Python 3.11 or newer, but '$(PYTHON)' is \
+	@test -n "$(FOUND)" || { echo "error: this project needs Python 3.11 or newer, but '$(PYTHON)' is \
 	$$("$(PYTHON)" -V 2>&1); run make PYTHON=/path/to/newer/python" >&2; exit 1; }
-	@test -e $@ || test ! -e .venv || \
-	  { echo "error: the folder .venv was not made by make; move it away or remove it" >&2; exit 1; }
-	@"$(firstword $(BASE))" -m venv --clear .venv
-	@printf %s "$(BASE) $(CURDIR)" >$@
+	@"$(patsubst =%,%,$(FOUND))" -I scripts/environment.py $<
+endef
+
+ifeq ($(filter =%,$(FOUND)),)
+.PHONY: .venv/for-use .venv/for-development
+endif
