@@ -1,4 +1,4 @@
-"""Make .venv and install the packages of a lock file into it; ``make`` runs this, with the Python to make it of.
+"""Make .venv and install the packages of a lock file; ``make`` runs this, with the Python to make it of.
 
 It is safe against an interrupt at any place, and against a second one that runs at the same time: what is not
 finished says so and is begun anew, and who comes second waits. Only the standard library is there.

@@ -8,6 +8,7 @@ from __future__ import annotations
 import ctypes
 import re
 import sys
+from argparse import ArgumentParser
 from pathlib import Path
 
 from report.collect import collect
@@ -52,4 +53,7 @@ def _running(library: Path) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    parser = ArgumentParser(description=__doc__)
+    parser.add_argument("file", metavar="FILE")
+    parser.add_argument("kernel", nargs="?", choices=KERNELS, metavar="KERNEL")
+    sys.exit(main(**vars(parser.parse_args())))
