@@ -106,13 +106,22 @@ def follow(
     return _followed(branch, base)
 
 
+def require_continuous(place: str) -> None:
+    """Check that a number has values between any two of its values.
+
+    Raises:
+        MechanismError: if it is a whole number.
+    """
+    if place.endswith(".order"):
+        raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
+
+
 def _interval(mechanism: Mechanism, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
     """Return both ends of an interval of a number, in SI units, once they were checked."""
     begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
     if begin == end:
         raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {begin:.10g}")
-    if place.endswith(".order"):
-        raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
+    require_continuous(place)
     if mechanism.frequency is None and parse_place(place) == ("frequency",):
         mechanism.value(place)
     for each in (begin, end):

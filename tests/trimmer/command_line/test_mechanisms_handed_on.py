@@ -76,7 +76,9 @@ def test_follow_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path:
     settings = follow.keywords["settings"]
     assert follow.keywords["periods"] == 3
     assert (settings.most_points, settings.switches, settings.most_periods) == (2, 4, 9)
-    assert (capsys.readouterr(), written) == (("told\n", ""), [])
+    told = capsys.readouterr()
+    assert (told.out, written) == ("told\n", [])
+    assert told.err == f"trimmer: {picture} was not written, because there is no motion on the branch\n"
     branch.points, branch.success = [1], False
     assert main([*words, "--json"]) == 3
     assert capsys.readouterr() == ("data\n", "trimmer: ended\n")

@@ -1,0 +1,162 @@
+"""Nothing that writes files, from Python or the command line, replaces a file of the user by default."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import time
+from argparse import _SubParsersAction
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import trimmer
+from tests.trimmer.maps.machines import linear_oscillator
+from trimmer import Signal, TrimmerError, motion_map, write_atomically, write_signal, write_wav
+from trimmer.command_line.file_options import file_to_write
+from trimmer.command_line.main import _parser, installed_commands, main
+from trimmer.runners.runner import SerialRunner
+from trimmer.uncertainty.kept import Keeping
+from trimmer.uncertainty.sample_file import read_sample_file
+from trimmer.uncertainty.samples import SampleSettings, sample_mechanism
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")
+NOTES = "my notes, which nobody wrote twice\n"
+SIGNAL = Signal(np.sin(np.arange(100.0)), 1000.0, "x", "m")
+
+
+def write_map(path: Path, **how: bool) -> None:
+    motion_map(linear_oscillator(), {"frequency": [1.0]}, runner=SerialRunner(), file=path, **how)
+
+
+def write_samples(path: Path, *, overwrite: bool = Keeping().overwrite) -> None:
+    settings = SampleSettings(2, most_periods=2)
+    sample_mechanism(
+        read_sample_file(Path(SCATTER)),
+        settings,
+        runner=SerialRunner(),
+        keeping=Keeping(path, overwrite=overwrite),
+    )
+
+
+WRITERS: dict[str, Callable[..., None]] = {
+    "write_atomically": lambda path, **how: write_atomically(path, b"RIFF\x24\x00\x00\x00WAVEfmt ", **how),
+    "write_signal": lambda path, **how: write_signal(path, SIGNAL, **how),
+    "write_wav": lambda path, **how: write_wav(path, SIGNAL.values, 1000.0, **how),
+    "motion_map": write_map,
+    "samples": write_samples,
+}
+
+
+def test_every_public_writer_is_among_them() -> None:
+    public = ((name, getattr(trimmer, name)) for name in trimmer.__all__)
+    functions = {
+        name for name, each in public if inspect.isfunction(each) and "overwrite" in _arguments(each)
+    }
+    assert functions == WRITERS.keys() - {"samples"}
+
+
+def _arguments(function: Callable[..., object]) -> list[str]:
+    return list(inspect.signature(function).parameters)
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_a_function_replaces_a_file_only_if_it_is_told_to(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "mine.wav"
+    path.write_text(NOTES, "utf-8")
+    with pytest.raises(TrimmerError, match=r"mine\.wav is there already"):
+        WRITERS[name](path)
+    assert path.read_text("utf-8") == NOTES
+    WRITERS[name](path, overwrite=True)
+    assert path.read_bytes() != NOTES.encode()
+
+
+PLAY = "--element friction --gap 4e-5"
+LINE = "--vary frequency=100:110:40"
+COMMANDS = {
+    "linear": "linear",
+    "limit-cycles": f"limit-cycles {PLAY}",
+    "identify": "identify --gap 4e-5 --frequency 740",
+    "orbits": f"orbits {PLAY}",
+    "simulate": "simulate --drive 110 --amplitude 1e-3 --duration 2000",
+    "spectrum": "spectrum record.csv --drive 110 --as velocity",
+    "overlay": f"overlay record.csv --against {TWIN}",
+    "respond": f"respond {TWIN} --starts 500",
+    "follow": f"follow {TWIN} --vary frequency --from 100 --to 200",
+    "map": f"map {TWIN} {LINE} --vary plays.bridge.gap=0:1e-4:40",
+    "sample": f"sample {SCATTER}",
+    "fit": f"fit {TWIN} record.csv",
+    "init": "init",
+    "parameters": "parameters",
+    "derive": f"derive {TWIN}",
+    "design": f"design {TWIN}",
+    "compare": f"compare {TWIN} {SCATTER}",
+    "report": "report",
+}
+"""Of each command that writes files a use that works for long, if it is not refused at once."""
+IN_FOLDER = {
+    "design": ["thesis-play.html", "thesis-play.pdf"],
+    "compare": ["thesis-play-scatter.html"],
+    "report": ["report.html", "report.pdf", "claims.json", "errata.csv"],
+}
+"""What is written into the folder that is named."""
+
+
+def places() -> Iterator[tuple[str, str, str]]:
+    """Yield each command with an option that names what it writes, and a name of it."""
+    for action in _parser(installed_commands())._actions:
+        if isinstance(action, _SubParsersAction):
+            for command, parser in action.choices.items():
+                for each in parser._actions:
+                    option = each.option_strings[0] if each.option_strings else ""
+                    if each.type is file_to_write or option == "--module":
+                        yield command, option, {"--wav": "mine.wav", "--plot": "mine.svg"}.get(option, "mine")
+                yield from ((command, "--directory", name) for name in IN_FOLDER.get(command, ()))
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    times = np.arange(1000) / 2000.0
+    lines = (f"{at:.6f},{1e-3 * math.sin(math.tau * 110 * at):.9f}\n" for at in times)
+    Path("record.csv").write_text(f"time [s],x [m]\n{''.join(lines)}", "utf-8")
+    return tmp_path
+
+
+def refused(capsys: pytest.CaptureFixture[str], command: str, option: str, value: str) -> str:
+    """Run a command that must be refused before its work, and return what it tells."""
+    begun = time.process_time()
+    words = [each for each in (*COMMANDS[command].split(), option, value) if each]
+    assert main(words) == 2
+    assert time.process_time() - begun < 4.0  # its work would take longer
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert told.err.count("\n") == 1
+    return told.err
+
+
+def test_every_command_that_writes_is_among_them() -> None:
+    assert {command for command, *_ in places()} == COMMANDS.keys()
+
+
+@pytest.mark.parametrize(("command", "option", "name"), places())
+def test_a_command_replaces_no_file_of_another_kind(
+    folder: Path, capsys, command: str, option: str, name: str
+) -> None:
+    (folder / name).write_text(NOTES, "utf-8")
+    told = refused(capsys, command, option, "." if option == "--directory" else name)
+    assert f"{name} is there already" in told
+    assert (folder / name).read_text("utf-8") == NOTES
+
+
+@pytest.mark.parametrize(("command", "option", "name"), places())
+def test_what_cannot_be_written_is_told_before_the_work(
+    folder: Path, capsys, command: str, option: str, name: str
+) -> None:
+    (folder / "taken").write_text(NOTES, "utf-8")
+    told = refused(capsys, command, option, "taken" if option == "--directory" else f"taken/{name}")
+    assert "a file stands where its folder would be" in told
+    assert sorted(each.name for each in folder.iterdir()) == ["record.csv", "taken"]
