@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
+from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -184,6 +185,8 @@ def reason_against(value: object, quantity: ParameterKind) -> str:
         return f"give a number in {quantity.unit}"
     if not math.isfinite(number):
         return "must be finite"
+    if reason := reason_against_size(number):
+        return reason
     if quantity is ParameterKind.MASS and number <= 0:
         return "a mass must be greater than zero"
     if number < 0:

@@ -28,6 +28,11 @@ from trimmer.progress import silenced
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
+_NUMERIC = ("numpy", "scipy", "control", "numba", "matplotlib")
+_STRANGE = (
+    "some numbers on the way became too large, too small or undefined, which may show in the result; use "
+    "numbers of usual sizes"
+)
 _IN_ASCII = {"±": "+-", "µ": "u", "μ": "u", "ω": "omega", "·": "*", "…": "..."}
 
 
@@ -80,14 +85,28 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 @contextmanager
 def _warnings_told() -> Iterator[None]:
-    """Tell warnings in a sentence, without the line of code that they come from."""
+    """Tell warnings in a sentence, without the line of code that they come from.
 
-    def told(message: Warning | str, *_: object) -> None:
-        tell(f"warning: {message}")
+    Those of libraries on numbers are in the words of whoever writes programs with them, and come in dozens:
+    one sentence stands for them.
+    """
+    strange: list[Warning | str] = []
+
+    def told(message: Warning | str, category: type[Warning], *_: object) -> None:
+        if not _of_a_library(category):
+            tell(f"warning: {message}")
+        elif not strange:
+            strange.append(message)
+            tell(f"warning: {_STRANGE}")
 
     with warnings.catch_warnings():
         warnings.showwarning = told  # type: ignore[assignment]
         yield
+
+
+def _of_a_library(category: type[Warning]) -> bool:
+    """Say whether warnings of a kind come from NumPy, SciPy or their like, and not from this package."""
+    return issubclass(category, RuntimeWarning) or category.__module__.partition(".")[0] in _NUMERIC
 
 
 def _hush_drawing() -> None:

@@ -6,7 +6,7 @@ import math
 from argparse import ArgumentTypeError
 from collections.abc import Callable
 
-from trimmer.command_line.parser import MOST
+from trimmer.command_line.parser import MOST, of_usual_size
 from trimmer.messages import shown_value
 
 _DIGITS = len(str(MOST)) + 1
@@ -22,7 +22,7 @@ def positive(unit: str) -> Callable[[str], float]:
             value = math.nan
         if not 0 < value < math.inf:
             raise ArgumentTypeError(f"{shown_value(text)} is not a positive number ({unit})")
-        return value
+        return of_usual_size(value, text)
 
     return number
 
@@ -37,7 +37,7 @@ def finite(unit: str) -> Callable[[str], float]:
             value = math.nan
         if not math.isfinite(value):
             raise ArgumentTypeError(f"{text!r} is not a finite number{f' ({unit})' if unit else ''}")
-        return value
+        return of_usual_size(value, text)
 
     return number
 

@@ -22,6 +22,7 @@ from typing import Any, NoReturn, TextIO
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, near_match, shown_value
 from trimmer.progress import is_silenced
+from trimmer.sizes import reason_against_size
 
 WRONG_USE = 2
 """Exit code for what the user can put right."""
@@ -102,9 +103,22 @@ class Parser(ArgumentParser):
 
 def _number(text: str) -> float:
     try:
-        return float(text)
+        value = float(text)
     except ValueError:
         raise ArgumentTypeError(f"{shown_value(text)} is no number") from None
+    return of_usual_size(value, text)
+
+
+def of_usual_size(value: float, text: str) -> float:
+    """Return the number that a text states.
+
+    Raises:
+        ArgumentTypeError: if it is too large or too small to be computed with.
+    """
+    reason = reason_against_size(value)
+    if reason:
+        raise ArgumentTypeError(f"{shown_value(text)} {reason}")
+    return value
 
 
 def _whole(text: str) -> int:

@@ -17,6 +17,7 @@ from trimmer.command_line.loops.loop_options import unusable
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop, impulse_of
 from trimmer.command_line.mechanisms.simulation import (
     add_mechanism,
+    check_periods,
     draw,
     mechanism_motion,
     refuse_options_of_the_other,
@@ -98,6 +99,7 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
         moved = mechanism_motion(arguments)
         return moved, (of_mechanism.as_json if arguments.json else of_mechanism.as_text)(moved)
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
+    check_periods(arguments.duration, arguments.drive)
     _check_targets(arguments)
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
@@ -122,6 +124,7 @@ def _check_duration(arguments: Namespace) -> None:
     duration, rate = arguments.duration, arguments.sample_rate
     require_positive(arguments, "duration", "s")
     require_positive(arguments, "sample_rate", "Hz")
+    check_periods(duration, None)
     if arguments.csv is None and arguments.wav is None:
         refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
     elif not 2 <= duration * rate <= MOST_SAMPLES:

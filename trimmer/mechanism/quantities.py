@@ -11,6 +11,9 @@ from types import MappingProxyType
 
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
 
+_LOWEST = 1e-300
+"""Hz; thousands of periods of it are still finite."""
+
 
 class Range(Enum):
     """Which numbers will do; the value says so after "must be"."""
@@ -47,6 +50,8 @@ class Quantity:
             return "is too large for a floating-point number" if isinstance(value, int) else "must be finite"
         if self.unit == "Hz" and not math.isfinite(math.tau * number):
             return "is too large: its angular frequency must be finite"
+        if self.unit == "Hz" and 0 < number < _LOWEST:
+            return "is too small: its period must be finite"
         fits = {
             Range.ANY: True,
             Range.NOT_NEGATIVE: number >= 0,

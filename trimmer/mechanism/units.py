@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from trimmer.messages import near_match
+from trimmer.sizes import reason_against_size
 
 _NUMBER_AND_UNIT = re.compile(
     r"\s*(?P<number>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE](?P<exponent>[+-]?[0-9]+))?)\s*(?P<unit>.*?)\s*",
@@ -21,8 +22,8 @@ _NUMBER_AND_UNIT = re.compile(
 _FACTOR = re.compile(r"(?P<name>[A-Za-zµμ]+|°|1)(?:\^(?P<power>[+-]?[1-9])|(?P<raised>⁻?[¹²³⁴⁵⁶⁷⁸⁹]))?")
 _RAISED = str.maketrans("⁻¹²³⁴⁵⁶⁷⁸⁹", "-123456789")
 _LONGEST_NUMBER = 60
-_LARGEST_EXPONENT = 400
-"""Beyond these a fraction would cost memory, and no double-precision number is so large or so small."""
+_LARGEST_EXPONENT = 100
+"""Beyond these a fraction would cost memory."""
 
 
 class UnitError(ValueError):
@@ -117,7 +118,9 @@ def quantity(text: str, si_unit: str) -> float:
     if found is None:
         raise UnitError(f"is no number{'' if si_unit == '1' else ' with a unit'}; text is not evaluated")
     if len(found["number"]) > _LONGEST_NUMBER or abs(int((found["exponent"] or "0")[:9])) > _LARGEST_EXPONENT:
-        raise UnitError("has too many digits, or is too large or too small for a floating-point number")
+        raise UnitError("has too many digits, or is too large or too small to be computed with")
+    if reason := reason_against_size(float(found["number"])):
+        raise UnitError(reason)
     wanted = unit(si_unit)
     if not found["unit"] and wanted != _ONE:
         raise UnitError(
@@ -126,17 +129,7 @@ def quantity(text: str, si_unit: str) -> float:
     given = unit(found["unit"] or "1")
     if given.dimension != wanted.dimension:
         raise UnitError(f"{found['unit']!r} does not measure what {si_unit} does")
-    return _product(Fraction(found["number"]) * given.scale / wanted.scale, given.half_turns)
-
-
-def _product(number: Fraction, half_turns: int) -> float:
-    try:
-        result = float(number) * math.pi**half_turns
-    except OverflowError:
-        raise UnitError("is too large for a floating-point number") from None
-    if number and not result:
-        raise UnitError("is too small for a floating-point number")
-    return result
+    return float(Fraction(found["number"]) * given.scale / wanted.scale) * math.pi**given.half_turns
 
 
 def _factor(text: str, whole: str) -> Unit:

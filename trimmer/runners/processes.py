@@ -7,6 +7,7 @@ import multiprocessing.context
 import os
 import signal
 import threading
+import warnings
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -125,7 +126,7 @@ class _Process(SpawnProcess):
     @staticmethod
     def _Popen(process_obj: Any) -> Any:
         with _away_from_here():
-            return SpawnProcess._Popen(process_obj)  # type: ignore[attr-defined]
+            return SpawnProcess._Popen(process_obj)
 
 
 class _Spawning(SpawnContext):
@@ -151,6 +152,7 @@ class _Worker:
 def _begin(work: Callable[[Any], Any], ended: Connection) -> None:
     """Prepare a process: it leaves interrupts to the one that began it, and ends with it or when told."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    warnings.simplefilter("ignore", RuntimeWarning)  # a result says itself what became of it
     threading.Thread(target=_end_with_parent, daemon=True).start()
     threading.Thread(target=_end_when, args=(ended,), daemon=True).start()
     _Worker.work = staticmethod(work)

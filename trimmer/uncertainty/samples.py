@@ -43,12 +43,21 @@ class SampleSettings:
         plan: How points are chosen.
         seed: Of the points.
         most_periods: Drive periods to wait for each to settle.
+
+    Raises:
+        UncertaintyError: if there are more than ``MOST_SAMPLES``.
     """
 
     count: int = 512
     plan: Plan = Plan.LATIN_HYPERCUBE
     seed: int = 0
     most_periods: int = 300
+
+    def __post_init__(self) -> None:
+        if self.count > MOST_SAMPLES:
+            raise UncertaintyError(
+                f"{self.count} samples do not fit into memory: draw at most {MOST_SAMPLES}"
+            )
 
 
 @dataclass(frozen=True, eq=False)

@@ -88,7 +88,8 @@ def distribution_of(values: Reals) -> Distribution | None:
     finite = np.sort(values[np.isfinite(values)])
     if not finite.size:
         return None
-    scale = float(np.abs(finite).max()) or 1.0  # sums and squares of the values themselves may overflow
+    # Sums and squares of the values themselves may overflow; a power of two leaves their digits alone.
+    scale = 2.0 ** min(np.frexp(np.abs(finite).max())[1], 1000)
     mean = scale * float((finite / scale).mean())
     deviation = scale * float((finite / scale).std(ddof=1)) if finite.size > 1 else 0.0
     quantiles = tuple(_quantile(finite, share) for share in QUANTILES)

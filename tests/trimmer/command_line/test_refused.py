@@ -96,6 +96,23 @@ def test_what_is_read_is_not_written(
             "'frequency=3' is no place: write names with dots",
         ),
         (["map", TWIN, *LINE, "--special", "1"], "--special follows points over two numbers"),
+        (
+            ["map", TWIN, *LINE, "--vary", "pins.pin.order=1:2:2", "--special", "2"],
+            "pins.pin.order: orders are whole numbers",
+        ),
+        (
+            ["map", TWIN, *LINE, "--vary", "plays.bridge.gap=0:1:2", "--special", "1001"],
+            "--special 1001: give",
+        ),
+        (["sample", SCATTER, "--count", "1000001"], "1000001 samples do not fit into memory"),
+        (
+            ["follow", TWIN, "--vary", "frequency", "--from", "1", "--to", "2", "--harmonics", "1001"],
+            "--harmonics 1001: give at most 1000",
+        ),
+        (
+            ["simulate", TWIN, "--duration", "1e9"],
+            "--duration 1e+09 s is 1.1e+11 drive periods; give at most",
+        ),
         (["map", TWIN, *LINE, "--seed", "1"], "--seed has no effect without --starts"),
         (["map", TWIN, *LINE, "--periods", "1"], "--periods 1: give a whole number from 2 on"),
         (["map", TWIN, *LINE, "--starts", "0"], "--starts 0: give a whole number from 1 on"),

@@ -46,8 +46,8 @@ def test_units_multiply_and_rise() -> None:
     for name in ("cN", "krad", "Mm", "cs", "nHz", "kt", "mmin"):
         with pytest.raises(UnitError, match="unknown unit"):
             unit(name)
-    assert quantity("0e400 m", "m") == 0.0
-    for text in ("1e401 m", "1e-401 m", f"{'1' * 61} m"):
+    assert quantity("0e100 m", "m") == 0.0
+    for text in ("1e101 m", "1e-101 m", f"{'1' * 61} m"):
         with pytest.raises(UnitError, match="too many digits"):
             quantity(text, "m")
     assert quantity(f"{'0' * 59}7 m", "m") == 7.0

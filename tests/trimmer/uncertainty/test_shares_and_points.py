@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from types import SimpleNamespace
 from typing import Any
@@ -14,10 +15,11 @@ from trimmer import MotionKind
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import Asked, Trial
 from trimmer.errors import UncertaintyError
+from trimmer.json_data import parsed_json, typed
 from trimmer.uncertainty import indices as index_module
 from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.indices import Index, indices_of, saltelli_points
-from trimmer.uncertainty.kept import _as_data, _trial, header
+from trimmer.uncertainty.kept import _as_data, _Kept, _trial, header
 from trimmer.uncertainty.points import EDGE, Plan, within_cube
 from trimmer.uncertainty.samples import SampleInputs, Samples, SampleSettings
 from trimmer.uncertainty.statistics import Share, distribution_of, share_of
@@ -202,9 +204,10 @@ def test_quantities_are_what_is_so_and_what_is_measured() -> None:
 
 @pytest.mark.parametrize("given", MIXED)
 def test_a_trial_comes_back_from_its_line(given: Trial) -> None:
-    data = _as_data((4, given))
-    assert data["number"] == 4
-    found = _trial(data, given.values, (STROKE, PERIOD))
+    made = SimpleNamespace(values=np.array([given.values] * 5))
+    said = typed(_Kept, parsed_json(json.dumps(_as_data((4, given)))))
+    assert said.number == 4
+    found = _trial(said, made, (STROKE, PERIOD))
     assert (found.values, found.kind, found.period_count) == (given.values, given.kind, given.period_count)
     assert [each for each, _ in found.measures] == [STROKE, PERIOD]
     np.testing.assert_array_equal([v for _, v in found.measures], [v for _, v in given.measures])

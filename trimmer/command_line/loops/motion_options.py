@@ -14,6 +14,7 @@ from trimmer.command_line.loops.loop_options import (
     chosen_parameters,
 )
 from trimmer.command_line.parser import OptionError, refuse_unused, require_positive
+from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
     from trimmer.motion.loops import Drive
@@ -114,6 +115,8 @@ def _friction(text: str) -> BodyFriction:
         magnitude = float(force)
     except ValueError:
         raise OptionError(f"--friction {text}: {force!r} is not a number (N)") from None
+    if reason := reason_against_size(magnitude):
+        raise OptionError(f"--friction {text}: {reason}")
     try:
         return BodyFriction(Displacement.parse(between), CoulombFriction(magnitude))
     except ValueError as error:

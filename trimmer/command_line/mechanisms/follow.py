@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
 
+MOST_HARMONICS = 1000
+"""Harmonics whose equations are solved in seconds; an orbit with stick needs hundreds."""
+
+
 def _configure(parser: ArgumentParser) -> None:
     add_mechanism_options(parser)
     parser.add_argument(
@@ -83,6 +87,8 @@ def _run(arguments: Namespace) -> int:
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
     if arguments.points < 2:
         raise OptionError(f"--points {arguments.points}: give a whole number from 2 on")
+    if arguments.harmonics is not None and arguments.harmonics > MOST_HARMONICS:
+        raise OptionError(f"--harmonics {arguments.harmonics}: give at most {MOST_HARMONICS}")
     mechanism = chosen_mechanism(arguments)
     if mechanism.frequency is None:
         refuse_unused(arguments, ["periods", "harmonics", "wait"], "a frequency in the file")
@@ -117,7 +123,9 @@ def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
 
 
 def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
-    if arguments.plot is not None and branch.points:
+    if arguments.plot is not None and not branch.points:
+        tell(f"{arguments.plot} was not written, because there is no motion on the branch")
+    elif arguments.plot is not None:
         from trimmer.drawing.mechanisms.branch import branch_figure
 
         write_picture(arguments, branch_figure(branch))

@@ -37,6 +37,10 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
 
+MOST_LINES = 1000
+"""Values of the second number at which branches are followed, each for seconds or minutes."""
+
+
 def _configure(parser: ArgumentParser) -> None:
     add_mechanism_options(parser)
     parser.add_argument(
@@ -92,11 +96,15 @@ def _add_search_options(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
+    from trimmer.branches.follow import require_continuous
     from trimmer.maps.motion_map import MapInterruptedError
 
     _check(arguments)
     mechanism = chosen_mechanism(arguments)
     values = varied_values(mechanism, arguments.vary)
+    if arguments.special is not None:
+        for place in values:
+            require_continuous(place)
     try:
         result, searched = _map(arguments, mechanism, values)
         special = _special(arguments, result)
@@ -113,6 +121,8 @@ def _check(arguments: Namespace) -> None:
     check_resuming(arguments)
     if arguments.special is not None and len(arguments.vary) < 2:
         raise OptionError("--special follows points over two numbers: give --vary twice")
+    if arguments.special is not None and arguments.special > MOST_LINES:
+        raise OptionError(f"--special {arguments.special}: give at most {MOST_LINES} values")
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts, the first of which is not random")
     for name, least in (("periods", 2), ("starts", 1), ("seed", 0)):

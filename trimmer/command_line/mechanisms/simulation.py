@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from trimmer.motion.motion import Motion
     from trimmer.response.motion import MechanismMotion
 
+MOST_PERIODS = 1e9
+"""Periods of a drive, or seconds without one, of the longest motion: an hour's work and more."""
 OF_LOOPS: tuple[str, ...] = ("element", "gap", "time_constant", "force", "parameters", "output", "channels")
 OF_LOOPS += ("drive", "amplitude", "impulse")
 """Options that say what a loop is; a mechanism says it in its file."""
@@ -62,9 +64,23 @@ def mechanism_motion(arguments: Namespace) -> MechanismMotion:
     from trimmer.response.simulate import simulate
 
     mechanism = chosen_mechanism(arguments)
+    check_periods(arguments.duration, mechanism.frequency)
     state = chosen_state(arguments.state, mechanism)
     with patience():
         return simulate(mechanism, arguments.duration, state=state)
+
+
+def check_periods(duration: float, frequency: float | None) -> None:
+    """Refuse a duration, s, of more drive periods than anybody waits for, or without a drive of more seconds.
+
+    Raises:
+        OptionError: if it is so long.
+    """
+    if duration * (frequency or 1.0) > MOST_PERIODS:
+        told = f"{duration * frequency:.3g} drive periods" if frequency else "too long without a drive"
+        raise OptionError(
+            f"--duration {duration:g} s is {told}; give at most {MOST_PERIODS / (frequency or 1.0):.3g} s"
+        )
 
 
 def draw(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
