@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.advance import Ending
+from trimmer.response.growth import OLDER, grows
+from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import orbit_of
 from trimmer.response.recurrence import has_returned, settles_to
 from trimmer.response.response import MotionKind
@@ -150,7 +152,8 @@ class _Following:
         """Return what the motion comes to if it meets no event any more."""
         found = solved(self.flow, self.instant)
         if found is None:
-            return None
+            grown = grows_for_ever(self.flow, self.instant)
+            return Settled(MotionKind.DIVERGING, done, self.instant) if grown else None
         end = found.motion.limit if found.orbit is None else found.orbit.instant
         lyapunov = 0.0 if found.orbit is None else None
         return Settled(found.kind, done, end, found.orbit, lyapunov, linear=found.motion)
@@ -207,6 +210,8 @@ def _beside(following: _Following, before: Instant, compared: int) -> Settled:
     if neighbour.ending is not Ending.REACHED_END:
         return Settled(MotionKind.UNDECIDED, periods, end)
     kind, exponent = _compared(states, flow.reduced(neighbour.states), sizes)
+    if kind is MotionKind.UNDECIDED and grows(flow, end, states, periods):
+        return Settled(MotionKind.DIVERGING, OLDER * periods, end)
     return Settled(kind, periods, end, lyapunov=exponent)
 
 

@@ -173,6 +173,20 @@ def lasting_motion(flow: ExactFlow, instant: Instant) -> LinearMotion | None:
     return motion if motion is not None and motion.lasts else None
 
 
+def grows_for_ever(flow: ExactFlow, instant: Instant) -> bool:
+    """Say whether a motion surely grows without bound: no event can come, and a force meets no resistance.
+
+    A constant force meets what nothing holds or damps, or a wave of the drive a free vibration that nothing
+    damps.
+    """
+    mode = _mode(flow, instant)
+    if flow.modes.layout.ramp or mode.functions:
+        return False
+    held = _Held.of(flow, mode)
+    modal = _modal(flow, mode, held)
+    return modal is not None and _forced(held, modal) is None
+
+
 def _mode(flow: ExactFlow, instant: Instant) -> Mode:
     return flow.modes[flow.modes.number(instant.statuses)]
 

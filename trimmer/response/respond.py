@@ -20,7 +20,7 @@ from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import instant_of
-from trimmer.response.verdict import cut_short, look_closely, unsettled
+from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -131,6 +131,8 @@ class _Search:
             orbit = settling.until_settled(MORE * self.most_periods)
         if orbit is None and settling.can_go_on:
             seen = look_closely(self.flow, settling.instant)
+            if seen is not None and seen.grows(settling.periods):
+                return grown(seen, settling.periods)
             if seen is not None and seen.contracts:
                 orbit = settling.until_settled(MORE * self.most_periods)
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None

@@ -14,7 +14,7 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import NOTHING
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
-from trimmer.response.linear_motion import linear_motion
+from trimmer.response.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.orbit import orbit_of
 from trimmer.response.response import MotionKind
 from trimmer.response.rest import Rest
@@ -94,6 +94,11 @@ def self_excited(flow: ExactFlow, instant: Instant) -> SelfExcited:
         at_last = solved(flow, instant)
         if at_last is not None:
             return SelfExcited(waited, _repeating(at_last), at_last.rest, at_last)
+        if grows_for_ever(flow, instant):
+            raise DivergingMotionError(
+                "it diverges: a constant force meets what nothing holds or damps, and no event comes any "
+                "more, so that it grows for ever"
+            )
         course = flow.timed(instant, stretch * unit)
         if course.ending is Ending.DIVERGED:
             waited += course.duration

@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
+from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import orbit_of
 from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
@@ -46,6 +47,7 @@ class Settling:
         periods: Drive periods that were followed.
         ending: Why it cannot be followed further, if so.
         solved: What it comes to, if it was seen that no event comes any more.
+        grows: Whether it was seen that no event comes any more and it grows for ever.
     """
 
     flow: ExactFlow
@@ -55,6 +57,7 @@ class Settling:
     periods: int = 0
     ending: Ending = Ending.REACHED_END
     solved: Solved | None = None
+    grows: bool = False
     _quiet: bool = True
 
     def __post_init__(self) -> None:
@@ -63,7 +66,7 @@ class Settling:
     @property
     def can_go_on(self) -> bool:
         """Whether the motion can be followed further, and is not known for all time."""
-        return self.ending is Ending.REACHED_END and self.solved is None
+        return self.ending is Ending.REACHED_END and self.solved is None and not self.grows
 
     def follow(self, periods: int) -> bool:
         """Go on; returns whether that was possible."""
@@ -90,6 +93,9 @@ class Settling:
                 self.solved = solved(self.flow, self.instant)
                 if self.solved is not None:
                     return self.solved.orbit
+                self.grows = grows_for_ever(self.flow, self.instant)
+                if self.grows:
+                    return None
             if orbit is not None:
                 return orbit
             block = FIRST if self._is_near() else min(look - self.periods, LONGEST)

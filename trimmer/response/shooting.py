@@ -31,6 +31,8 @@ STILL = 1e-1
 """Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
 SINGULAR = 1e-12
 """Share of the largest singular value of Newton's matrix below which one is rounding."""
+SAMPLES = 16
+"""Instants at which a motion without events is looked at."""
 LONGEST = 4.0
 """Factor by which an unknown period may grow; a longer one has lost the motion."""
 
@@ -166,6 +168,9 @@ def sizes_of(course: Course) -> Reals:
     layout = course.modes.layout
     count = len(layout.bodies)
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
+    if len(states) == 2 and course.modes.layout.period:  # Without events both may pass by zero.
+        times = np.linspace(0.0, course.duration, SAMPLES)
+        states = np.vstack([states, course.states(times)[:, : layout.state_count]])
     sizes: Reals = abs(layout.frame.reduced(states)).max(axis=0)
     displacements, velocities = slice(0, count), slice(count, 2 * count)
     rate = 2 * np.pi / course.duration

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.advance import Ending
+from trimmer.response.growth import OLDER, grows
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
@@ -41,12 +42,32 @@ BESIDE = 256
 
 def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
     """Return what is known of a motion that could not be followed further."""
+    if settling.grows:
+        told = (
+            "It diverges: the drive or a constant force meets what nothing holds or damps, and no event "
+            "comes any more, so that it grows for ever."
+        )
+        return _diverging(settling.periods, told)
     kind = MotionKind.UNDECIDED
     told = f"It could be followed for {settling.periods} drive periods only: {settling.ending.value}."
     if settling.ending is Ending.DIVERGED and settling.periods:
         kind = MotionKind.DIVERGING
         told = f"It diverges: after {settling.periods} drive periods {settling.ending.value}."
     return SettledMotion(kind, None, None, settling.periods, agrees, 1, 1.0, False, told)
+
+
+def grown(seen: Seen, waited: int) -> SettledMotion:
+    """Return what is known of a motion that grows in proportion to its age."""
+    periods = waited + seen.window.periods
+    told = (
+        f"It diverges: after {periods} drive periods it had not settled, and until {OLDER * periods} it grew "
+        "in proportion to the time; nothing that it met held it."
+    )
+    return _diverging(OLDER * periods, told)
+
+
+def _diverging(periods: int, told: str) -> SettledMotion:
+    return SettledMotion(MotionKind.DIVERGING, None, None, periods, None, 1, 1.0, False, told)
 
 
 def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
@@ -84,6 +105,10 @@ class Seen:
     flow: ExactFlow
     window: Window
     leaves: bool
+
+    def grows(self, waited: int) -> bool:
+        """Say whether it grows in proportion to its age, after some drive periods and the window."""
+        return grows(self.window.flow, self.window.end, self.window.states, waited + self.window.periods)
 
     @property
     def contracts(self) -> bool:

@@ -162,19 +162,6 @@ def test_what_a_pin_pulls_for_ever_diverges_and_what_may_leave_a_stop_is_refused
         respond(stopped)
 
 
-def test_what_grows_for_ever_is_no_torus() -> None:
-    mechanism = Mechanism(
-        {"body": Body(1.0)},
-        frequency=1.0 / (2 * np.pi),
-        links={"spring": Link(("ground", "body"), 1.0)},
-        forces={"push": Force("body", amplitude=1.0)},
-        outputs={"body": Output({"body": 1.0})},
-    )
-    response = respond(mechanism, most_periods=64)
-    assert response.kind is MotionKind.UNDECIDED
-    assert not response.success
-
-
 def test_what_cannot_be_followed_is_said() -> None:
     mechanism = Mechanism(
         {"body": Body(1.0)},

@@ -91,7 +91,7 @@ def test_without_a_drive_the_correction_is_at_right_angles_to_the_motion() -> No
 def course_of(states: list, end: list, bodies: int, duration: float):
     """A motion of which sizes are asked."""
     frame = SimpleNamespace(reduced=lambda states: states)
-    layout = SimpleNamespace(bodies=("b",) * bodies, state_count=len(end), frame=frame)
+    layout = SimpleNamespace(bodies=("b",) * bodies, state_count=len(end), frame=frame, period=0.0)
     log = SimpleNamespace(state=np.column_stack([states, np.full(len(states), 99.0)]))
     last = SimpleNamespace(state=np.array(end))
     return SimpleNamespace(modes=SimpleNamespace(layout=layout), log=log, end=last, duration=duration)

@@ -100,11 +100,11 @@ def test_what_has_not_settled_was_followed_for_the_wait_and_the_window() -> None
 
 
 def test_what_could_not_be_followed_is_undecided() -> None:
-    motion = cut_short(SimpleNamespace(periods=12, ending=Ending.STEP_LIMIT), True)
+    motion = cut_short(SimpleNamespace(periods=12, ending=Ending.STEP_LIMIT, grows=False), True)
     assert motion.kind is MotionKind.UNDECIDED
     assert (motion.orbit, motion.window) == (None, None)
     assert (motion.drive_periods, motion.neighbour_agrees) == (12, True)
     assert (motion.starts, motion.share, motion.mirrored) == (1, 1.0, False)
     assert motion.message == f"It could be followed for 12 drive periods only: {Ending.STEP_LIMIT.value}."
-    grown = cut_short(SimpleNamespace(periods=12, ending=Ending.DIVERGED), True)
+    grown = cut_short(SimpleNamespace(periods=12, ending=Ending.DIVERGED, grows=False), True)
     assert (grown.kind, grown.orbit) == (MotionKind.DIVERGING, None)

@@ -1,0 +1,134 @@
+"""What grows without bound, and what only seems to."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.response.response_json import response_json
+
+OUTPUTS = {"body": Output({"body": 1.0})}
+
+
+def resonant(rubs: float = 0.0, frequency: float = 1.0, **parts: object) -> Mechanism:
+    """An undamped oscillator of 1 Hz, pushed by 3 N in each period."""
+    frictions = {"floor": Friction(("ground", "body"), rubs)} if rubs else {}
+    return Mechanism(
+        {"body": Body(1.0)},
+        frequency=frequency,
+        links={"spring": Link(("ground", "body"), (2 * math.pi) ** 2)},
+        forces={"push": Force("body", amplitude=3.0)},
+        frictions=frictions,
+        outputs=OUTPUTS,
+        **parts,
+    )
+
+
+def test_an_undamped_resonance_diverges_and_beside_it_nothing_does() -> None:
+    response = respond(resonant())
+    content = response_json(response)
+    assert (content["kind"], content["success"], content["period_count"]) == ("diverging", True, None)
+    assert "grows for ever" in content["message"]
+    assert content["outputs"] == {}
+    assert respond(resonant(frequency=1.001)).kind is not MotionKind.DIVERGING
+    # At a third of its frequency the third harmonic alone would meet it.
+    assert respond(resonant(frequency=1 / 3)).kind is not MotionKind.DIVERGING
+
+
+@pytest.mark.parametrize(("rubs", "grows"), [(0.95, True), (1.05, False)])
+def test_dry_friction_holds_a_resonance_from_a_quarter_of_pi_of_the_force_on(
+    rubs: float, grows: bool
+) -> None:
+    """The work of the push in a period is pi P x, that of friction 4 F x (Den Hartog 1931)."""
+    response = respond(resonant(rubs * 3.0 * math.pi / 4))
+    assert (response.kind is MotionKind.DIVERGING) is grows
+    assert response.success
+
+
+@pytest.mark.parametrize("frequency", [2.0, None])
+def test_a_constant_force_that_nothing_holds_or_damps_diverges(frequency: float | None) -> None:
+    pushed = Mechanism(
+        {"body": Body(1.0)},
+        frequency=frequency,
+        forces={"push": Force("body", constant=3.0)},
+        outputs=OUTPUTS,
+    )
+    response = respond(pushed)
+    assert (response.kind, response.motion.orbit) == (MotionKind.DIVERGING, None)
+    if frequency is None:
+        with pytest.raises(OrbitNotFoundError, match="grows for ever"):
+            forced_orbit(pushed)
+
+
+def test_a_constant_force_beyond_friction_diverges_and_below_it_rests() -> None:
+    def pushed(force: float) -> Mechanism:
+        return Mechanism(
+            {"body": Body(1.0)},
+            frequency=2.0,
+            forces={"push": Force("body", constant=force)},
+            frictions={"floor": Friction(("ground", "body"), 1.0)},
+            outputs=OUTPUTS,
+            start={"body": (0.3, 0.7)},
+        )
+
+    response = respond(pushed(1.2))
+    assert response.kind is MotionKind.DIVERGING
+    assert "in proportion to the time" in response.message
+    rest = respond(pushed(0.6))
+    assert rest.kind is MotionKind.REST
+    # It slides on until its energy is lost to the difference of both forces.
+    assert rest.motion.rest.positions["body"] == pytest.approx(0.3 + 0.7**2 / (2 * (1.0 - 0.6)), rel=1e-12)
+
+
+def test_a_free_body_that_a_wave_pushes_goes_on_and_does_not_diverge() -> None:
+    free = Mechanism(
+        {"body": Body(2.0)}, frequency=5.0, forces={"push": Force("body", amplitude=3.0)}, outputs=OUTPUTS
+    )
+    content = response_json(respond(free))
+    omega = 2 * math.pi * 5.0
+    assert content["kind"] == "periodic"
+    # From rest the velocity is F (1 - cos w t) / (m w).
+    assert content["outputs"]["body"]["advance"] == pytest.approx(3.0 / (2.0 * omega) / 5.0, rel=1e-12)
+    assert content["outputs"]["body"]["peak_to_peak"] == pytest.approx(2 * 3.0 / (2.0 * omega**2), rel=1e-9)
+
+
+def test_what_moves_on_evenly_without_a_drive_repeats_after_any_time() -> None:
+    def dragged(damping: float) -> Mechanism:
+        return Mechanism(
+            {"body": Body(1.0)},
+            links={"oil": Link(("ground", "body"), 0.0, damping)},
+            forces={"push": Force("body", constant=3.0)},
+            outputs=OUTPUTS,
+        )
+
+    response = respond(dragged(4.0))
+    content = response_json(response)
+    assert (content["kind"], content["success"]) == ("periodic", True)
+    assert content["outputs"]["body"]["advance"] / content["period"] == pytest.approx(0.75, rel=1e-12)
+    assert response.motion.orbit.stable
+    assert "any time is a period" in content["message"]
+    pulled = Mechanism(
+        {"body": Body(1.0)},
+        pins={"winch": Pin("ground", velocity=0.2)},
+        links={"rope": Link(("winch", "body"), 40.0, 2.0)},
+        frictions={"floor": Friction(("ground", "body"), 0.5)},
+        outputs={"body": Output({"body": 1.0}), "rope": Output({"body": 1.0, "winch": -1.0})},
+    )
+    content = response_json(respond(pulled))
+    assert content["outputs"]["body"]["advance"] / content["period"] == pytest.approx(0.2, rel=1e-12)
+    assert content["outputs"]["rope"]["mean"] == pytest.approx(-0.5 / 40.0, rel=1e-9)
+
+
+def test_a_resonance_that_meets_a_stop_is_bounded() -> None:
+    held = resonant(plays={"slot": Play(("ground", "body"), 2e3, 20.0, 0.5)})
+    response = respond(held)
+    assert response.kind in (MotionKind.PERIODIC, MotionKind.CHAOTIC)
+
+
+def test_a_map_names_what_diverges() -> None:
+    found = motion_map(resonant(0.5), {"frictions.floor.force": [0.5, 2.8]}, most_periods=200)
+    assert found.kind.tolist() == [[MotionKind.DIVERGING, MotionKind.PERIODIC]]
+    assert not found.failures

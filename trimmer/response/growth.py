@@ -1,0 +1,65 @@
+"""Whether a motion that has not settled grows without bound: in proportion to the time, or faster.
+
+Where no event can come it is shown: a constant force meets nothing that holds or damps, or a wave of the
+drive meets a free vibration that nothing damps. Else the motion is followed until it is four times as old.
+What grows then as it did before, in proportion to its age, is taken to go on so.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.contact.advance import Instant
+    from trimmer.contact.flow import ExactFlow
+
+BLOCK = 32
+"""Drive periods over which the size of a motion is taken."""
+NEGLIGIBLE = 1e-6
+"""Share of the size that a motion has within a period below which its growth is rounding."""
+OLDER = 4
+"""Factor of its age at which it is looked at again."""
+SUSPECT = 0.5
+"""Share of a growth in proportion to the age from which on it is followed further."""
+PROPORTIONAL = 0.75
+"""Share of a growth in proportion to the age from which on it is taken for one."""
+
+
+def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
+    """Say whether a motion grows in proportion to its age, or faster.
+
+    Args:
+        flow: The motion of the mechanism.
+        end: The last instant that was followed.
+        states: At the starts of the last drive periods, (count, n), shifted so that leaders are at 0.
+        age: Drive periods since the start.
+    """
+    block = min(BLOCK, len(states) // 4)
+    if not block or len(states) > age + 1:
+        return False
+    first, last = _sizes(flow, states[:block]), _sizes(flow, states[-block:])
+    younger = age - len(states) + block
+    expected = 1 + SUSPECT * (age / younger - 1)
+    course = flow.course(end, 1)
+    within = flow.reduced(course.states(np.linspace(0.0, course.duration, BLOCK))[:, : flow.size])
+    # Where a motion passes by zero at the start of each period, rounding grows too.
+    growing = (first > 0) & (last >= expected * first) & (last > NEGLIGIBLE * _sizes(flow, within))
+    if course.ending is not Ending.REACHED_END or not growing.any():
+        return False
+    strobe = flow.strobe(end, (OLDER - 1) * age)
+    if strobe.ending is not Ending.REACHED_END:
+        return strobe.ending is Ending.DIVERGED
+    later = _sizes(flow, flow.reduced(strobe.states[-block:]))
+    return bool((later[growing] >= PROPORTIONAL * OLDER * last[growing]).any())
+
+
+def _sizes(flow: ExactFlow, states: Reals) -> Reals:
+    """Return the largest displacement, m, and the largest velocity, m/s, among states, (2,)."""
+    count = len(flow.modes.layout.bodies)
+    moduli = abs(states).max(axis=0)
+    return np.array([moduli[:count].max(initial=0.0), moduli[count : 2 * count].max(initial=0.0)])
