@@ -29,7 +29,8 @@ _ROUNDING = 64 * np.finfo(float).eps
 class ZeroPoleGain(Shown):
     """G(s) = gain (s - z1)(s - z2).../((s - p1)(s - p2)...).
 
-    A real part that is rounding beside the largest root is 0: a root on the imaginary axis is there exactly.
+    A root that the imaginary axis holds as well, to rounding of the coefficients (of a state-space system: of
+    the largest root), has the real part 0: a root on the axis is there exactly.
 
     Attributes:
         gain: Factor, in the unit of output over input times (rad/s)^relative_degree.
@@ -59,9 +60,9 @@ class ZeroPoleGain(Shown):
             if numerator.size == 0:
                 raise _zero_system()
             gain = numerator[0] / denominator[0]
-            return cls(float(gain), _ordered(np.roots(numerator)), _ordered(np.roots(denominator)))
+            return cls(float(gain), _ordered(roots_of(numerator)), _ordered(roots_of(denominator)))
         gain, zeros = _gain_and_zeros(system)
-        return cls(gain, _ordered(zeros), _ordered(_eigenvalues(system.A)))
+        return cls(gain, *(_ordered(_without_rounding(roots)) for roots in (zeros, _eigenvalues(system.A))))
 
     def _told(self) -> str:
         roots = (counted(len(self.zeros), "zero"), counted(len(self.poles), "pole"))
@@ -130,12 +131,52 @@ class ZeroPoleGain(Shown):
         return np.asarray(self.exponents / safe, dtype=complex)
 
 
-def _ordered(roots: NDArray[np.inexact]) -> tuple[complex, ...]:
-    """Put roots in order of magnitude, then of imaginary part, with rounded real parts set to 0."""
+_NEAR_AXIS = 1e-6
+"""Real part over modulus up to which a root may be one on the axis; a double one has half of the digits."""
+
+
+def roots_of(polynomial: ArrayLike) -> Complexes:
+    """Find the roots of a real polynomial, highest power first, whose first coefficient is not 0.
+
+    They are those of the companion matrix, with s in units of their mean size: unscaled, the matrix of many
+    slow roots loses them. A root moves onto the imaginary axis if that holds one too, to rounding of the
+    coefficients. What is rounding follows from the coefficients at that very place: beside 1e9 rad/s a root
+    at -1e-9 rad/s is one.
+    """
+    coefficients = np.trim_zeros(np.asarray(polynomial, dtype=float), "b")
+    order, at_origin = coefficients.size - 1, np.size(polynomial) - coefficients.size
+    octave = 0
+    if order:
+        first, last = np.frexp(coefficients[[0, -1]])[1]
+        octave = round(int(last - first) / order)
+    mantissas, exponents = np.frexp(coefficients)
+    exponents = exponents - exponents[0] - octave * np.arange(order + 1)
+    scaled = np.ldexp(mantissas, exponents)
+    roots = _on_axis_if_it_holds(np.roots(scaled).astype(complex), scaled)
+    return np.concatenate([np.ldexp(1.0, octave) * roots, np.zeros(at_origin)])
+
+
+def _on_axis_if_it_holds(roots: Complexes, coefficients: Reals) -> Complexes:
+    """Set real parts to 0 where that leaves a root of the polynomial, to rounding of its coefficients."""
+    near = np.flatnonzero((np.abs(roots.real) <= _NEAR_AXIS * np.abs(roots)) & (roots.real != 0))
+    place = roots.imag[near]
+    with np.errstate(all="ignore"):
+        value = np.abs(np.polyval(coefficients, 1j * place))
+        size = np.polyval(np.abs(coefficients), np.abs(place))
+        roots.real[near[value <= 4.0 * roots.size * np.finfo(float).eps * size]] = 0.0
+    return roots
+
+
+def _without_rounding(roots: NDArray[np.inexact]) -> Complexes:
+    """Set real parts to 0 that are rounding beside the largest root."""
     cleaned = roots.astype(complex)
-    sizes = np.abs(cleaned)
-    cleaned.real[np.abs(cleaned.real) <= _ROUNDING * sizes.max(initial=0.0)] = 0.0
-    return tuple(cleaned[np.lexsort((cleaned.imag, sizes))].tolist())
+    cleaned.real[np.abs(cleaned.real) <= _ROUNDING * np.abs(cleaned).max(initial=0.0)] = 0.0
+    return cleaned
+
+
+def _ordered(roots: Complexes) -> tuple[complex, ...]:
+    """Put roots in order of magnitude, then of imaginary part."""
+    return tuple(roots[np.lexsort((roots.imag, np.abs(roots)))].tolist())
 
 
 def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexact]]:
