@@ -64,11 +64,13 @@ class ElementCurve:
         return self.element.expansion(self.amplitude(u), self._omega(x))
 
     def amplitude(self, u: Reals) -> Reals:
-        """Amplitude that belongs to u, in the unit of the element's input; NaN for u < 0.
+        """Amplitude that belongs to u, in the unit of the element's input; NaN for u < 0, or infinite u.
 
         It is infinite for u = 0, with NumPy's warning.
         """
-        return np.asarray(self.element.amplitude_scale / np.where(u >= 0, u, np.nan))
+        amplitude = self.element.amplitude_scale / np.where(u >= 0, u, np.nan)
+        # A step of Newton's method may lead to an amplitude that is too small for a double.
+        return np.asarray(np.where(amplitude > 0, amplitude, np.nan))
 
     def edge(self, x: Reals) -> Reals:
         """Supremum of u at which N exists and changes with u, a number or in the shape of x.

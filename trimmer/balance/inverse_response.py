@@ -6,11 +6,15 @@ the imaginary axis. All bounds follow from the distances between an interval of 
 
 from __future__ import annotations
 
+import math
+import sys
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol, Self, TypeVar
 
 import numpy as np
+
+from trimmer.linear.frequency_response import UnsupportedSystemError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -82,6 +86,9 @@ class ConstantResponse:
         return Enclosure(value, slope, nothing, nothing, np.abs(value), np.abs(value))
 
 
+LARGEST_ERROR = math.sqrt(sys.float_info.epsilon)
+"""Relative error of 1/G from which on nothing is certain: half of the digits are lost."""
+
 _EVEN = 16
 """Equal parts of a range of x."""
 
@@ -96,12 +103,12 @@ class Turning:
     """Bounds of the phase of 1/G on n intervals of x; each field has shape (n,).
 
     Attributes:
-        centre: 1/G in the middle of the interval.
-        spread: Upper bound of how far the phase is from that in the middle, rad.
+        direction: 1/G over its modulus in the middle of the interval; NaN where that is a root.
+        spread: Upper bound of how far the phase is from that in the middle, rad; infinite if there is none.
         one_way: Whether the phase is proven to be monotonic.
     """
 
-    centre: Complexes
+    direction: Complexes
     spread: Reals
     one_way: Flags
 
@@ -115,20 +122,28 @@ class InverseResponse:
         poles: Poles of G over the reference, shape (number of poles,); at least as many as zeros.
         zeros: Zeros of G over the reference, shape (number of zeros,).
         reference: Geometric mean of the roots' magnitudes, rad/s; it keeps products within range.
+        error: How far 1/G may be off on the axis, relative: by rounding of what it was factored from, and of
+            the factoring (``trimmer.balance.factoring_error``). All bounds allow for it, as long as it is
+            at most ``LARGEST_ERROR``; what holds beyond is not certain.
     """
 
     gain: complex
     poles: Complexes
     zeros: Complexes
     reference: float
+    error: float = 0.0
 
     @classmethod
     def of(cls, factored: ZeroPoleGain) -> Self:
-        """Return 1/G from the zeros, poles and gain of G."""
+        """Return 1/G from the zeros, poles and gain of G.
+
+        Raises:
+            UnsupportedSystemError: if its size among its roots is not one of a double.
+        """
         magnitudes = np.abs(factored.roots)
         magnitudes = magnitudes[magnitudes > 0]
         reference = float(np.exp(np.log(magnitudes).mean())) if magnitudes.size else 1.0
-        gain = reference**factored.relative_degree / factored.gain
+        gain = _power_over(reference, factored.relative_degree, factored.gain)
         poles, zeros = np.array(factored.poles, complex), np.array(factored.zeros, complex)
         return cls(gain, poles / complex(reference), zeros / complex(reference), reference)
 
@@ -143,10 +158,31 @@ class InverseResponse:
         return np.repeat([1.0, -1.0], [self.poles.size, self.zeros.size])
 
     @cached_property
+    def is_real(self) -> bool:
+        """Whether all coefficients are real: roots come in exact pairs."""
+        above, below = self.roots[self.roots.imag > 0], self.roots[self.roots.imag < 0]
+        signs = self.exponents[self.roots.imag > 0], self.exponents[self.roots.imag < 0]
+        pairs = (
+            sorted(zip(roots.real.tolist(), np.abs(roots.imag).tolist(), sign.tolist(), strict=True))
+            for roots, sign in zip((above, below), signs, strict=True)
+        )
+        return complex(self.gain).imag == 0.0 and next(pairs) == next(pairs)
+
+    @cached_property
     def _root_columns(self) -> tuple[Reals, Reals, Reals]:
         """Of each root the modulus, the imaginary part and the squared real part, of shape (roots, 1)."""
         column = self.roots[:, None]
         return np.abs(column), column.imag, column.real**2
+
+    @property
+    def allowance(self) -> float:
+        """What bounds allow for the error."""
+        return min(self.error, LARGEST_ERROR)
+
+    @property
+    def _steepness(self) -> float:
+        """Bound of the slope in x of a polynomial of the order of G, over its size: an error is one."""
+        return 2.0 * self.roots.size
 
     @property
     def relative_degree(self) -> int:
@@ -179,15 +215,19 @@ class InverseResponse:
             centre, log_slope = self._value_and_log_slope(middle)
             bend = self._bend(lower, upper)
             slope, size, rate = centre * log_slope, self._size(centre, middle), np.abs(log_slope)
-            spread = half * (rate + 0.5 * half * bend)
+            spread = half * (rate + 0.5 * half * bend) + self.allowance
             # Without a number, as where the centre is a root, there is no bound.
             spread[np.isnan(spread)] = np.inf
             growth = np.exp(spread)
-            slope_radius = half * size * growth * ((rate + half * bend) ** 2 + bend)
+            slope_radius = half * ((rate + half * bend) ** 2 + bend) + self.allowance * (
+                rate + self._steepness
+            )
+            slope_radius *= size * growth
             slope_radius[np.isnan(slope_radius)] = np.inf
             radius, smallest, largest = size * (growth - 1.0), size / growth, size * growth
             if self._reaches_zero_or_infinity:
                 least, most = self._extremes(lower, upper)
+                least, most = (1.0 - self.allowance) * least, (1.0 + self.allowance) * most
                 smallest, largest = np.fmax(smallest, least), np.fmin(largest, most)
                 radius = np.fmin(radius, size + largest)
             return Enclosure(centre, slope, radius, slope_radius, smallest, largest)
@@ -199,11 +239,28 @@ class InverseResponse:
         """
         half = 0.5 * (upper - lower)
         with np.errstate(all="ignore"):
-            centre, log_slope = self._value_and_log_slope(0.5 * (lower + upper))
+            rotating = 1j * self._omega(0.5 * (lower + upper))
+            distances = rotating - self.roots[:, None]
+            rate = (self.exponents @ (rotating / distances)).imag
             bend = self._bend(lower, upper)
-            rate = log_slope.imag
-        spread = half * (np.abs(rate) + 0.5 * half * bend)
-        return Turning(centre, np.where(np.isnan(spread), np.inf, spread), np.abs(rate) > half * bend)
+            direction = self._direction(distances)
+            spread = half * (np.abs(rate) + 0.5 * half * bend) + self.allowance
+            one_way = np.abs(rate) > half * bend + self.allowance * self._steepness
+        return Turning(direction, np.where(np.isnan(spread), np.inf, spread), one_way)
+
+    def direction(self, x: Reals) -> Complexes:
+        """Evaluate 1/G over its modulus at x of shape (n,); it neither overflows nor vanishes far away."""
+        with np.errstate(all="ignore"):
+            return self._direction(1j * self._omega(x) - self.roots[:, None])
+
+    def log_size(self, x: Reals) -> Reals:
+        """Evaluate ln |1/G| at x of shape (n,)."""
+        with np.errstate(divide="ignore"):
+            distances = np.log(np.abs(1j * self._omega(x) - self.roots[:, None]))
+        return np.asarray(math.log(abs(self.gain)) + self.exponents @ distances)
+
+    def _direction(self, distances: Complexes) -> Complexes:
+        return self.gain / abs(self.gain) * self._quotient(distances / np.abs(distances))
 
     def breaks(self, x_lower: float, x_upper: float) -> Reals:
         """Return limits, rising, of intervals that cover a range of x; short beside lightly damped roots."""
@@ -264,3 +321,19 @@ class InverseResponse:
         sizes, heights, squared_distances = self._root_columns
         worst = np.minimum(np.maximum(sizes, self._omega(x_lower)), self._omega(x_upper))
         return np.asarray((sizes * worst / ((worst - heights) ** 2 + squared_distances)).sum(axis=0))
+
+
+def _power_over(base: float, exponent: int, divisor: float) -> float:
+    """Return base**exponent / divisor, also where the power alone is too large for a double."""
+    mantissa, octaves = math.frexp(base)
+    below, less = math.frexp(divisor)
+    try:
+        value = math.ldexp(mantissa**exponent / below, octaves * exponent - less)
+    except OverflowError:
+        value = math.inf
+    if not sys.float_info.min <= abs(value) < math.inf:
+        raise UnsupportedSystemError(
+            "the gain of the system among its poles and zeros is beyond the numbers of a computer, about "
+            "1e-308 to 1e308: give it in other units"
+        )
+    return value

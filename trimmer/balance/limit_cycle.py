@@ -118,13 +118,16 @@ class Certificate(Shown):
         smallest_gain: Limit cycles with |N| below this were not looked for, and are not excluded either. 0 if
             none can exist; more where N vanishes at the edge of a dead band while |G| is not bounded, as with
             a pole of G on the imaginary axis about whose neighbourhood nothing is proven.
-        winding_number: Turns of 1 + N G along the border of what was searched, an independent check: it must
-            be the sum of the indices. None if it cannot be determined.
+        winding_number: Turns of 1 + N G along the border of all amplitudes and ``winding_omegas``, an
+            independent check: it must be the sum of the indices. None if it cannot be determined.
         index_sum: Sum of the indices of the limit cycles that were found.
         zero_on_axis: Whether G has a zero on the imaginary axis in the range. Then 1/G is infinite there, and
             the winding number cannot be determined.
-        unproven: What is not proven because the element has no bounds, in sentences without a full stop; none
-            if it has them.
+        unproven: What is not proven because the element has no bounds, or because what the system was given
+            by does not tell its poles and zeros, in sentences without a full stop.
+        winding_omegas: Angular frequencies between which the winding number counts, rad/s. They follow from
+            the coefficients of G, not from the search, unless the range was given or the coefficients do not
+            tell them. None if it was not asked for, as where the element has no bounds.
     """
 
     method: str
@@ -137,6 +140,7 @@ class Certificate(Shown):
     index_sum: int
     zero_on_axis: bool
     unproven: tuple[str, ...] = ()
+    winding_omegas: tuple[float, float] | None = None
 
     @property
     def checked(self) -> bool:

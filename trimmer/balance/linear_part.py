@@ -79,8 +79,13 @@ def _sum_of(elements: list[Element]) -> Element | None:
     return SumOfElements(tuple(elements)) if len(elements) > 1 else elements[0] if elements else None
 
 
-_ROUNDING = 64 * np.finfo(float).eps
+_EPSILON = float(np.finfo(float).eps)
+
+_ROUNDING = 64 * _EPSILON
 """Relative size below which a computed quantity is taken for a rounded zero."""
+
+_NEAR_AXIS = 1e-6
+"""Real part over modulus up to which a pole may be one on the axis."""
 
 _POLISHING = 3
 """Steps, each of which squares the error of a root."""
@@ -89,7 +94,8 @@ _POLISHING = 3
 def with_feedback(response: InverseResponse, feedback: LinearGain) -> InverseResponse:
     """Return 1/G plus a linear gain, in the unit of 1/G.
 
-    The sum has the zeros of G as its poles; its zeros, the poles of the loop, are those of a polynomial.
+    The sum has the zeros of G as its poles; its zeros, the poles of the loop, are those of a polynomial. One
+    that the imaginary axis holds as well, to rounding, is on it.
 
     Raises:
         UnsupportedSystemError: if the highest powers of s cancel, so that the loop has no bounded response.
@@ -103,28 +109,36 @@ def with_feedback(response: InverseResponse, feedback: LinearGain) -> InverseRes
         raise UnsupportedSystemError(
             "the linear part of the element cancels the highest derivative in the system: change either"
         )
-    rooted = _polished(np.roots(total).astype(complex), total[0], response, feedback)
-    return replace(response, gain=total[0], poles=_cleaned(rooted))
+    is_real = not np.any(total.imag)
+    roots = np.asarray(np.roots(total.real if is_real else total), dtype=complex)
+    rooted = _polished(roots, complex(total[0]), is_real, response, feedback)
+    return replace(response, gain=complex(total[0]), poles=rooted[np.argsort(np.abs(rooted))])
 
 
 def _polished(
-    roots: Complexes, leading: complex, response: InverseResponse, feedback: LinearGain
+    roots: Complexes, leading: complex, is_real: bool, response: InverseResponse, feedback: LinearGain
 ) -> Complexes:
     """Improve roots by Weierstrass's method, with the polynomial in factors, which lose no digits."""
+    above, below, real = roots.imag > 0, roots.imag < 0, roots.imag == 0
     for _ in range(_POLISHING):
         apart = roots[:, None] - roots
         np.fill_diagonal(apart, 1.0)
-        added = feedback.constant + feedback.damping * response.reference * roots
-        value = response.gain * (roots[:, None] - response.poles).prod(axis=1)
-        value = value + added * (roots[:, None] - response.zeros).prod(axis=1)
+        value, _ = _sum_at(roots, response, feedback)
         with np.errstate(all="ignore"):
             step = value / (leading * apart.prod(axis=1))
-        roots = np.where(np.isfinite(step), roots - step, roots)
-    return roots
+        roots = np.asarray(np.where(np.isfinite(step), roots - step, roots), dtype=complex)
+        if is_real:  # then they come in pairs, one beside the other
+            roots[below] = roots[above].conj()
+            roots.imag[real] = 0.0
+    near = np.abs(roots.real) <= _NEAR_AXIS * np.abs(roots)
+    value, size = _sum_at(np.asarray(1j * roots.imag, dtype=complex), response, feedback)
+    on_axis = near & (np.abs(value) <= 4.0 * roots.size * _EPSILON * size)
+    return np.asarray(np.where(on_axis, 1j * roots.imag, roots))
 
 
-def _cleaned(roots: Complexes) -> Complexes:
-    """Put roots in order of magnitude, and on the axis if they are there to rounding."""
-    roots = roots[np.argsort(np.abs(roots))]
-    negligible = _ROUNDING * np.abs(roots).max(initial=0.0)
-    return np.asarray(np.where(np.abs(roots.real) <= negligible, 1j * roots.imag, roots))
+def _sum_at(s: Complexes, response: InverseResponse, feedback: LinearGain) -> tuple[Complexes, Reals]:
+    """Evaluate gain prod(s - pole) + feedback prod(s - zero), and the sum of the moduli of both."""
+    added = feedback.constant + feedback.damping * response.reference * s
+    own = response.gain * (s[:, None] - response.poles).prod(axis=1)
+    other = added * (s[:, None] - response.zeros).prod(axis=1)
+    return np.asarray(own + other), np.asarray(np.abs(own) + np.abs(other))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import control
@@ -10,7 +10,8 @@ import numpy as np
 
 from trimmer.arguments import shown
 from trimmer.balance.element_curve import ElementCurve
-from trimmer.balance.inverse_response import InverseResponse
+from trimmer.balance.factoring_error import factoring_error
+from trimmer.balance.inverse_response import LARGEST_ERROR, InverseResponse
 from trimmer.balance.linear_part import LinearGain, parted, with_feedback
 from trimmer.elements.control_element import adopted, is_element
 from trimmer.elements.element import Element
@@ -34,6 +35,17 @@ class LoopEquation:
     response: InverseResponse
     curve: ElementCurve
     linear: LinearGain = field(default=_NOTHING)
+
+    @property
+    def unproven(self) -> tuple[str, ...]:
+        """What poles and zeros do not tell of the system, in sentences without a full stop."""
+        if self.response.error <= LARGEST_ERROR:
+            return ()
+        return (
+            "what the system was given by does not tell its poles and zeros: with those that were found "
+            f"G(j omega) is uncertain by {min(self.response.error, 1.0):.1g}, relative, so limit cycles may "
+            "be missing from the list; give the system in parts, as a state-space system",
+        )
 
 
 def require_element(element: object) -> Element:
@@ -75,7 +87,9 @@ def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
     if linear == _NOTHING:
         loop = LoopEquation(response, ElementCurve(element))
     else:
-        loop = LoopEquation(with_feedback(response, linear), ElementCurve(rest), linear)
+        closed = with_feedback(response, linear)
+        closed = replace(closed, error=factoring_error(G, linear, closed))
+        loop = LoopEquation(closed, ElementCurve(rest), linear)
     if loop.response.poles.size == 0:
         raise UnsupportedSystemError(
             "the system is a constant gain: nothing sets the frequency of a limit cycle"
@@ -112,4 +126,5 @@ def _inverse_response(given: _System) -> InverseResponse:
     factored = ZeroPoleGain.of(given.system)
     if factored.relative_degree < 0:
         raise UnsupportedSystemError("the system has more zeros than poles: give a proper one")
-    return InverseResponse.of(factored)
+    response = InverseResponse.of(factored)
+    return replace(response, error=factoring_error(given.system, _NOTHING, response))

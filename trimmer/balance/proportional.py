@@ -7,6 +7,7 @@ such places are found by bounds of the phase of f on intervals of the frequency 
 from __future__ import annotations
 
 import math
+import sys
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,6 +34,9 @@ _MOST_INTERVALS = 4096
 
 _HALVINGS = 60
 """How far from the roots of G a bound is looked for, in octaves."""
+
+_ROUNDING = 1e-10
+"""Relative size of a sum over the roots, or angle, rad, of a product, that may be rounding of the roots."""
 
 _METHOD = "exclusion, and test of uniqueness, on intervals of frequency; the amplitude is eliminated"
 
@@ -91,8 +95,9 @@ def _real_and_negative(
     while lower.size:
         examined += lower.size
         turning = response.turning(lower, upper)
-        heading = np.angle(-turning.centre / coefficient)
-        possible = np.abs(heading) <= turning.spread
+        heading = np.angle(-turning.direction / coefficient)
+        # In this form it is true where the direction is no number.
+        possible = ~(np.abs(heading) > turning.spread)
         at_most_one = turning.one_way & (turning.spread < 0.5 * math.pi)
         for left, right in zip(lower[possible & at_most_one], upper[possible & at_most_one], strict=True):
             roots.extend(_crossing(response, coefficient, float(left), float(right)))
@@ -106,8 +111,17 @@ def _real_and_negative(
         middle = 0.5 * (lower + upper)
         lower, upper = np.concatenate([lower, middle]), np.concatenate([middle, upper])
     x = np.array(sorted(roots))
-    u = -(response.value(x) / coefficient).real
-    return SearchResult(u, x, _boxes(response, coefficient, undecided), examined)
+    u = _u(response, coefficient, x)
+    # An amplitude that is no double cannot be told, but is there.
+    told = (u >= sys.float_info.min) & (u < math.inf)
+    undecided.append((x[~told] - _SMALLEST_HALF, x[~told] + _SMALLEST_HALF))
+    return SearchResult(u[told], x[told], _boxes(response, coefficient, undecided), examined)
+
+
+def _u(response: InverseResponse, coefficient: complex, x: Reals) -> Reals:
+    """|1/G| over |c|: u where f is real and negative."""
+    with np.errstate(all="ignore"):
+        return np.abs(response.value(x)) / abs(coefficient)
 
 
 def proportional_range(response: InverseResponse, coefficient: complex) -> tuple[float, float, bool]:
@@ -122,9 +136,10 @@ def proportional_range(response: InverseResponse, coefficient: complex) -> tuple
     """
     away = response.roots != 0
     roots, exponents = response.roots[away], response.exponents[away]
-    static = response.gain * np.prod((-roots) ** exponents)
-    low = _quiet_end(1.0 / roots, exponents, static * 1j**response.order_at_zero / coefficient)
-    high = _quiet_end(roots, exponents, response.gain * 1j**response.relative_degree / coefficient)
+    low_direction, high_direction = _directions(response, coefficient)
+    # (j omega - root) is -root (1 - j omega/root), and j omega (1 + j root/omega).
+    low = _quiet_end(-1.0 / roots, exponents, low_direction, response.is_real)
+    high = _quiet_end(roots, exponents, high_direction, response.is_real)
     sizes = np.abs(roots)
     lowest = low if low is not None else sizes.min(initial=1.0) / FALLBACK_REACH
     highest = 1.0 / high if high is not None else sizes.max(initial=1.0) * FALLBACK_REACH
@@ -132,28 +147,65 @@ def proportional_range(response: InverseResponse, coefficient: complex) -> tuple
     return float(lowest * response.reference), float(highest * response.reference), proven
 
 
-def _quiet_end(scales: Complexes, exponents: Reals, direction: complex) -> float | None:
-    """Largest t found such that direction * prod(1 + z)**exponent, |z| = |scale| t, is not real and negative.
+_QUARTERS = (1.0 + 0.0j, 1.0j, -1.0 + 0.0j, -1.0j)
 
-    The phase of the product is t sum(exponent Re scale), up to a sign, plus at most sum |z|**2 / (2 - 2 |z|).
-    Where the direction itself is not real and negative, it is enough that the product is near 1.
+
+def _directions(response: InverseResponse, coefficient: complex) -> tuple[complex, complex]:
+    """Directions of f for omega to 0 and to infinity.
+
+    Where 1/G is real in s they are powers of j and signs, of which no product is rounded: whether f ends on
+    the negative real axis or a quarter turn off is known, and a direction just beside it is one.
     """
+    towards_c = _unit(complex(coefficient).conjugate())
+    roots, gain = response.roots, complex(response.gain)
+    if response.is_real:
+        static = math.copysign(1.0, gain.real) * (-1.0) ** int(((roots.imag == 0) & (roots.real > 0)).sum())
+        high = complex(math.copysign(1.0, gain.real))
+        low = complex(static)
+    else:
+        away = roots != 0
+        turns = (-roots[away] / np.abs(roots[away])) ** response.exponents[away]
+        high = _unit(gain)
+        low = high * complex(np.prod(turns))
+    return (
+        low * _QUARTERS[response.order_at_zero % 4] * towards_c,
+        high * _QUARTERS[response.relative_degree % 4] * towards_c,
+    )
+
+
+def _unit(number: complex) -> complex:
+    """Return a number over its modulus; a power of j exactly where it is one."""
+    if number.imag == 0:
+        return complex(math.copysign(1.0, number.real))
+    if number.real == 0:
+        return complex(0.0, math.copysign(1.0, number.imag))
+    return number / abs(number)
+
+
+def _quiet_end(scales: Complexes, exponents: Reals, direction: complex, is_real: bool) -> float | None:
+    """Find a t up to which direction * prod(1 + j t scale)**exponent is nowhere real and negative.
+
+    Its phase is off that of the direction by t S, S = sum(exponent Re scale), but for a remainder: less than
+    sum |z|**2 / (2 - 2 |z|), z = t scale, or sum |z|**3 / (3 - 3 |z|**2) where scales come in conjugate
+    pairs, which leave odd powers alone. A direction beside the negative real axis needs a phase that is off
+    by less than the angle between them. One on the axis needs a phase that leaves it, to the side that S
+    says, and that does not get there again after a turn. If S vanishes to rounding, nothing is said.
+    """
+    angle = abs(math.atan2(direction.imag, -direction.real))
+    if angle <= _ROUNDING and not (is_real and angle == 0.0):
+        return None
     sizes = np.abs(scales)
-    heading = direction / abs(direction)
-    trend = abs(float((exponents * scales.real).sum()))
-    away = max(heading.real, 0.0) or abs(heading.imag)
+    rate = abs(float((exponents * scales.real).sum()))
+    rounding = _ROUNDING * float(sizes.sum())
+    if angle == 0.0 and rate <= rounding:
+        return None
     t = 0.5 / sizes.max(initial=1.0)
     for _ in range(_HALVINGS):
         z = sizes * t
-        growth = math.expm1(-np.log1p(-z).sum())
-        if away > 1e-12:
-            quiet = growth < away
-        else:
-            quiet = (
-                trend * t > float((z**2 / (2.0 - 2.0 * z)).sum()) * (1.0 + 1e-12)
-                and trend > 1e-12 * sizes.sum()
-            )
-        if quiet:
+        terms = z**3 / (3.0 - 3.0 * z**2) if is_real else z**2 / (2.0 - 2.0 * z)
+        remainder = float(terms.sum()) * (1.0 + _ROUNDING) + rounding * t
+        farthest = rate * t + remainder
+        if farthest < angle or (angle == 0.0 and remainder < rate * t and farthest < 2.0 * math.pi):
             return float(t)
         t /= 2.0
     return None
@@ -163,7 +215,7 @@ def _crossing(response: InverseResponse, coefficient: complex, lower: float, upp
     """Return the x between two others where f is real and negative, if any; its phase is monotonic."""
 
     def phase(x: float) -> float:
-        return float(np.angle(-response.value(np.array([x])) / coefficient)[0])
+        return float(np.angle(-response.direction(np.array([x])) / coefficient)[0])
 
     if (phase(lower) >= 0) == (phase(upper) >= 0):
         return []
@@ -179,5 +231,5 @@ def _beside_root_on_axis(response: InverseResponse, x: Reals) -> Flags:
 
 def _boxes(response: InverseResponse, coefficient: complex, intervals: list[tuple[Reals, Reals]]) -> Cells:
     lower, upper = (np.concatenate(side) for side in zip(*intervals, strict=True))
-    ends = [np.abs(response.value(x) / coefficient) for x in (lower, upper)]
+    ends = [_u(response, coefficient, x) for x in (lower, upper)]
     return Cells(np.minimum(*ends), np.maximum(*ends), lower, upper)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,9 +17,10 @@ from trimmer.balance.limit_cycle import (
     UndecidedRegion,
     doubts_of_search,
 )
-from trimmer.balance.loop import loop_equation
+from trimmer.balance.loop import inverse_response, loop_equation
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.proportional import solve_proportional
+from trimmer.balance.rational import turning_range
 from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
@@ -27,6 +28,8 @@ from trimmer.errors import FrequencyRangeError, UndecidedWarning
 from trimmer.motion.loops import ClosedLoop
 
 if TYPE_CHECKING:
+    from control.lti import LTI
+
     from trimmer.balance.cells import Cells
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
@@ -56,7 +59,7 @@ def limit_cycles(
     """
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     undecided = undecided_regions(outcome.result.undecided, equation.curve)
-    doubts = [*unproven(equation.curve, outcome), *doubts_of_search(undecided, outcome.smallest_gain)]
+    doubts = [*_unproven(equation, outcome), *doubts_of_search(undecided, outcome.smallest_gain)]
     if omega_range is None and not outcome.outside_excluded:
         doubts.append(f"limit cycles outside {outcome.omegas} rad/s are not excluded; give omega_range")
     for doubt in doubts:
@@ -75,9 +78,10 @@ def harmonic_balance(
     boxes. A box is excluded where bounds of N and 1/G over it prove that there is no solution, or accepted
     where bounds of their slopes prove that there is at most one, which Newton's method then finds
     (``trimmer.balance.search``). So no solution is missed and none is found twice, in exact arithmetic;
-    rounding of the bounds is not accounted for. Where N is proportional to 1/A the amplitude is eliminated
-    first (``trimmer.balance.proportional``). A winding number, computed apart from all this, checks the
-    result (``trimmer.balance.winding_number``).
+    rounding of the bounds is not accounted for, but what rounding of coefficients, poles and zeros changes
+    in G is (``trimmer.balance.factoring_error``). Where N is proportional to 1/A the amplitude is eliminated
+    first (``trimmer.balance.proportional``). A winding number, computed apart from all this and in a range
+    of its own, checks the result (``trimmer.balance.winding_number``).
 
     Without a range all frequencies are covered, up to 55 decades on either side of the roots of G. There are
     four limits to what is proven, and the certificate tells each. First, regions are undecided where the
@@ -87,7 +91,8 @@ def harmonic_balance(
     (``trimmer.balance.vanishing``); where they do not, ``smallest_gain`` is not 0. Third, the winding number
     may differ from the sum of the indices: then the search has failed. Fourth, with N proportional to 1/A,
     limit cycles beyond a million times the outermost roots are not excluded if -1/G and
-    N get parallel there faster than linearly, as without damping; give the range that matters then.
+    N get parallel there faster than linearly, as without damping; give the range that matters then. Where
+    the system does not tell its poles and zeros, as by the coefficients of a high order, that is a doubt.
 
     An element without bounds, as one of python-control's or a user's own, is searched on a grid
     (``trimmer.balance.sampled``), and the certificate says that nothing is proven then.
@@ -113,7 +118,7 @@ def harmonic_balance(
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     element = loop.element if frozen_omega is None else loop.element.at(frozen_omega)
     cycles = limit_cycles_at(equation, outcome.result.u, outcome.result.x)
-    element_has_bounds = equation.curve.element.has_bounds
+    check = _check(loop.system, equation, outcome, omega_range is None)
     certificate = Certificate(
         method=outcome.method,
         omegas=outcome.omegas,
@@ -121,12 +126,51 @@ def harmonic_balance(
         boxes=outcome.result.examined,
         undecided=undecided_regions(outcome.result.undecided, equation.curve),
         smallest_gain=outcome.smallest_gain,
-        winding_number=winding_number(equation, outcome.omegas) if element_has_bounds else None,
+        winding_number=check.turns,
         index_sum=sum(cycle.index for cycle in cycles),
-        zero_on_axis=_has_zero_on_axis(equation.response, outcome.omegas),
-        unproven=unproven(equation.curve, outcome),
+        zero_on_axis=_has_zero_on_axis(equation.response, check.omegas or outcome.omegas),
+        unproven=(*_unproven(equation, outcome), *check.unproven),
+        winding_omegas=check.omegas,
     )
     return HarmonicBalance(cycles, certificate, ClosedLoop(loop.system, element))
+
+
+class _Check(NamedTuple):
+    """The winding number, the range of omega, rad/s, in which it counts, and what that leaves unproven."""
+
+    turns: int | None
+    omegas: tuple[float, float] | None
+    unproven: tuple[str, ...] = ()
+
+
+def _check(system: LTI, equation: LoopEquation, outcome: Searched, is_everywhere: bool) -> _Check:
+    """Count the solutions, in a range that does not come from the search if none was given."""
+    if not equation.curve.element.has_bounds:
+        return _Check(None, None)
+    if not is_everywhere:
+        return _Check(winding_number(equation, outcome.omegas), outcome.omegas)
+    curve = equation.curve
+    if math.isinf(curve.edge(np.zeros(1)).item()):
+        coefficient = complex(curve.value(np.ones(1), np.zeros(1))[0])
+        own = turning_range(system, inverse_response(system), equation.linear, coefficient)
+        if own is not None:
+            return _Check(winding_number(equation, own), own)
+        doubt = (
+            "rounding of the coefficients of G decides whether there are limit cycles beyond "
+            "{:.6g} to {:.6g} rad/s, so some may be missing from the list; give omega_range"
+        ).format(*outcome.omegas)
+        unproven = (doubt,) if outcome.outside_excluded else ()
+        return _Check(winding_number(equation, outcome.omegas), outcome.omegas, unproven)
+    own = turning_range(system, inverse_response(system), equation.linear, None) or outcome.omegas
+    wide = min(own[0], outcome.omegas[0]), max(own[1], outcome.omegas[1])
+    turns = winding_number(equation, wide)
+    if turns is None:
+        return _Check(winding_number(equation, outcome.omegas), outcome.omegas)
+    return _Check(turns, wide)
+
+
+def _unproven(equation: LoopEquation, outcome: Searched) -> tuple[str, ...]:
+    return (*unproven(equation.curve, outcome), *equation.unproven)
 
 
 def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) -> bool:

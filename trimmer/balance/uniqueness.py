@@ -112,7 +112,9 @@ def solve_in(
             left[left] = ~boxes.take(left).hold(u[solved], x[solved]).any(axis=1)
         if not left.any():
             break
-    return u, x, solved
+    gain, _, _ = curve.expansion(u, x)
+    # At the very edge of its domain N is no number.
+    return u, x, solved & np.isfinite(gain)
 
 
 def newton_step(response: Response, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:

@@ -43,6 +43,9 @@ class EmptyInterval:
 _HALVINGS = 60
 """How far towards a pole an interval is looked for, in octaves."""
 
+_ROUNDED_SUM = 1e-10
+"""Relative size of a sum over the roots that may be rounding of these."""
+
 _ROUNDING = 1e-12
 """Angle, rad, below which the limits of the phases of -1/G and N are taken for equal."""
 
@@ -154,9 +157,12 @@ class _Neighbourhood:
         return self.size * distance**self.order * math.exp(-growth)
 
     def _growth(self, distance: float) -> tuple[float, float]:
-        """Bounds of |r|, and of |r| less its part that is linear in the distance, up to a distance."""
+        """Bounds of |r|, and of |r| less its part that is linear in the distance, up to a distance.
+
+        The sum of the linear parts may be rounding where they cancel.
+        """
         reach = np.abs(self.turns) * distance
-        remainder = float((reach**2 / (2.0 - 2.0 * reach)).sum())
+        remainder = float((reach**2 / (2.0 - 2.0 * reach)).sum() + _ROUNDED_SUM * reach.sum())
         return float(reach.sum()) + remainder, remainder
 
     def _is_empty(self, distance: float) -> bool:
@@ -173,9 +179,13 @@ class _Neighbourhood:
         lowest, highest = self.heading + trend - remainder, self.heading + trend + remainder
         if self.heading != 0:
             lowest, highest = min(lowest, self.heading - remainder), max(highest, self.heading + remainder)
-            beyond = steepest < lowest and highest < 2.0 * math.pi - behind
-            return beyond or (steepest - 2.0 * math.pi < lowest and highest < -behind)
-        if highest < -behind or ((self.order >= 2 or steepest == 0) and steepest < lowest):
+        # The phase of -1/G is on one side of that of N, and with many roots does not come round to the other.
+        within_a_turn = lowest > steepest - 2.0 * math.pi
+        behind_it = highest < -behind and within_a_turn
+        before_it = steepest < lowest and highest < 2.0 * math.pi - behind
+        if self.heading != 0:
+            return behind_it or before_it
+        if behind_it or (before_it and (self.order >= 2 or steepest == 0)):
             return True
         if highest == 0 and self.lag == 0 and self.small.gentlest > 0:
             return True
@@ -184,6 +194,7 @@ class _Neighbourhood:
             and self.order <= 2
             and self._is_decided(distance, smallest)
             and highest < self.small.gentlest * math.sqrt(smallest)
+            and within_a_turn
         )
 
     def _least_gain(self, distance: float) -> float:

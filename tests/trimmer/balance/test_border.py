@@ -1,4 +1,4 @@
-"""The border along which the winding number is counted, its pieces, and where it lies for a relay."""
+"""The border along which the winding number is counted, and its pieces."""
 
 from __future__ import annotations
 
@@ -8,21 +8,19 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.trimmer.balance.loops import FRICTION, THIRD_ORDER, s
+from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, THIRD_ORDER
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.loop import LoopEquation, loop_equation
+from trimmer.balance.solve import limit_cycles
 from trimmer.balance.winding_number import (
     _border,
     _is_seen_narrowly,
-    _largest_u,
     _Pieces,
     _turns,
     _u,
-    winding_number,
 )
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.relay import Relay
 
 
 def pieces(*ends: tuple[float, float, float, float]) -> _Pieces:
@@ -67,66 +65,40 @@ def test_pieces_are_joined_taken_and_halved() -> None:
 
 def test_u_is_a_share_of_the_largest_one_just_inside_the_domain() -> None:
     play, v = ElementCurve(FrictionBacklash(3.0)), np.array([0.0, 0.5, 1.0])
-    assert _u(play, v, np.zeros(3), math.inf) == pytest.approx([0.0, 1.0, 2.0], rel=1e-12)
-    assert _u(play, v, np.zeros(3), math.inf)[2] < 2.0
-    assert _u(ElementCurve(Relay(2.0)), v, np.zeros(3), 5.0) == pytest.approx([0.0, 2.5, 5.0])
+    assert _u(play, v, np.zeros(3)) == pytest.approx([0.0, 1.0, 2.0], rel=1e-12)
+    assert _u(play, v, np.zeros(3))[2] < 2.0
     carried = ElementCurve(ViscousBacklash(1.0, 2.0))
     x = np.array([-1.0, 0.0, 1.0])
-    assert _u(carried, v, x, math.inf) == pytest.approx(v * carried.edge(x))
-
-
-def test_beyond_the_largest_u_a_relay_exceeds_the_inverse_response() -> None:
-    # 1/G = s + 7, at most |7 + 3j| up to 3 rad/s; N = 4 level/(pi A) = c u.
-    loop = loop_equation(1 / (s + 7), Relay(2.0))
-    slope = abs(loop.curve.value(np.ones(1), np.zeros(1))[0])
-    border = _border(loop.response, math.log(0.5), math.log(3.0))
-    largest = _largest_u(loop, border)
-    exact = 2.0 * abs(7 + 3j) / slope
-    assert exact <= largest < 1.2 * exact
-    assert _largest_u(loop_equation(1 / (s + 7), FRICTION), border) == math.inf
-
-
-def test_a_relay_has_no_largest_u_where_the_inverse_is_infinite() -> None:
-    loop = loop_equation((s**2 + 4) / (s + 1) ** 3, Relay(1.0))
-    assert _largest_u(loop, _border(loop.response, math.log(1.0), math.log(8.0))) is None
-    # Pieces at the zero itself doubled until memory ran out.
-    assert winding_number(loop, (1.0, 8.0)) is None
-    assert winding_number(loop, (3.0, 8.0)) is not None
+    assert _u(carried, v, x) == pytest.approx(v * carried.edge(x))
 
 
 def test_turns_are_those_of_the_phase_of_the_sum() -> None:
-    # A relay in 1/(s(s+1)(s+2)): once round the solution at √2 rad/s with N = 6.
-    loop = loop_equation(THIRD_ORDER, Relay(1.0))
-    u = 6.0 / abs(loop.curve.value(np.ones(1), np.zeros(1))[0])
-    low, high = math.log(1.2), math.log(1.6)
+    # Once round each of the limit cycles of the thesis's trimmer, of which one obeys Loeb's criterion.
+    loop = loop_equation(THESIS_LOOP, FRICTION)
+    for cycle in limit_cycles(THESIS_LOOP, FRICTION):
+        share = 0.5 * GAP / cycle.amplitude
+        low, high = (math.log(cycle.omega * side) for side in (0.99, 1.01))
 
-    def turns(v_from: float, v_to: float, backwards: bool = False) -> int | None:
-        corners = [(v_to, low), (v_from, low), (v_from, high), (v_to, high), (v_to, low)]
-        steps = 64
-        path = np.concatenate([np.linspace(*ends, steps, endpoint=False) for ends in pairwise(corners)])
-        closed = np.vstack([path, corners[:1]])
-        given = _Pieces(closed[:-1, 0], closed[1:, 0], closed[:-1, 1], closed[1:, 1])
-        if backwards:
-            given = _Pieces(given.v_end[::-1], given.v_start[::-1], given.x_end[::-1], given.x_start[::-1])
-        return _turns(loop, given, 2.0 * u)
+        def turns(v_from: float, v_to: float, backwards: bool = False, low=low, high=high) -> int | None:
+            corners = [(v_to, low), (v_from, low), (v_from, high), (v_to, high), (v_to, low)]
+            path = np.concatenate([np.linspace(*ends, 64, endpoint=False) for ends in pairwise(corners)])
+            closed = np.vstack([path, corners[:1]])
+            given = _Pieces(closed[:-1, 0], closed[1:, 0], closed[:-1, 1], closed[1:, 1])
+            if backwards:
+                given = _Pieces(
+                    given.v_end[::-1], given.v_start[::-1], given.x_end[::-1], given.x_start[::-1]
+                )
+            return _turns(loop, given)
 
-    assert turns(0.3, 0.8) == 1
-    assert turns(0.3, 0.8, backwards=True) == -1
-    assert turns(0.6, 0.8) == 0
+        around = (0.9 * share, min(1.1 * share, 0.5 + 0.5 * share))
+        assert turns(*around) == cycle.index
+        assert turns(*around, backwards=True) == -cycle.index
+        assert turns(0.2 * share, 0.3 * share) == 0
 
 
 def test_a_piece_is_seen_narrowly_if_the_disk_is_small_beside_its_distance() -> None:
     loop = LoopEquation(loop_equation(THIRD_ORDER, FRICTION).response, ElementCurve(FRICTION))
     short = pieces((0.5, 0.501, 1.0, 1.0), (0.501, 0.5, 1.0, 1.0), (0.5, 0.5, 1.001, 1.0))
-    assert _is_seen_narrowly(loop, short, math.inf).tolist() == [True, True, True]
+    assert _is_seen_narrowly(loop, short).tolist() == [True, True, True]
     long = pieces((0.1, 0.9, -2.0, -2.0), (0.9, 0.1, -2.0, -2.0), (0.5, 0.5, 1.0, -2.0))
-    assert _is_seen_narrowly(loop, long, math.inf).tolist() == [False, False, False]
-
-
-def test_ninety_degrees_are_the_limit() -> None:
-    loop = loop_equation(1 / s, Relay(1.0))
-    slope = abs(loop.curve.value(np.ones(1), np.zeros(1))[0])
-    for radius, seen in ((0.70, True), (0.714, False)):
-        # N from 0 to 2 r lies in a disk of the radius r about r, and |r + j omega| = 1: sin 45° = 0.707.
-        x = 0.5 * math.log(1.0 - radius**2)
-        assert _is_seen_narrowly(loop, pieces((0.0, 1.0, x, x)), 2.0 * radius / slope).tolist() == [seen]
+    assert _is_seen_narrowly(loop, long).tolist() == [False, False, False]

@@ -55,7 +55,7 @@ def test_the_phase_of_one_pole_turns_by_no_more_than_its_bound(omega: float, wor
     turning = response(1 / (s + 7)).turning(*around(omega, 0.2))
     rate = omega * 7.0 / (omega**2 + 49.0)  # of the phase, atan(omega/7)
     bend = worst * 7.0 / (worst**2 + 49.0)
-    assert turning.centre == pytest.approx([7 + 1j * omega])
+    assert turning.direction == pytest.approx([(7 + 1j * omega) / abs(7 + 1j * omega)])
     assert turning.spread == pytest.approx([0.2 * (rate + 0.5 * 0.2 * bend)])
     assert turning.one_way.tolist() == [rate > 0.2 * bend]
 

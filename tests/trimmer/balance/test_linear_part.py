@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trimmer.balance.inverse_response import InverseResponse
-from trimmer.balance.linear_part import LinearGain, _cleaned, parted, with_feedback
+from trimmer.balance.linear_part import LinearGain, parted, with_feedback
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.element import Element
 from trimmer.elements.relay import Relay
@@ -111,10 +111,17 @@ def test_a_highest_derivative_that_is_more_than_rounding_is_kept() -> None:
     assert (found.gain, found.poles.tolist()) == (2.0**-53, [-1000.0 * 2.0**40])
 
 
-def test_roots_are_put_in_order_of_magnitude_and_on_the_axis_where_only_rounding_keeps_them_off() -> None:
-    found = _cleaned(np.array([-1e3, 1e-12 + 2j, 1.0, -2.0 - 2j, 1e-9 + 3j]))
-    assert found.tolist() == [1.0, 2j, -2.0 - 2j, 1e-9 + 3j, -1e3]
-    assert _cleaned(np.array([1e-15 + 1e-3j])).tolist() == [1e-15 + 1e-3j]
+def test_poles_are_on_the_axis_only_where_rounding_alone_keeps_them_off() -> None:
+    # s (s + 1)(s + 2) + 6 = (s + 3)(s² + 2).
+    found = with_feedback(response(1.0, [0.0, -1.0, -2.0], []), LinearGain(6.0))
+    assert found.poles.real.tolist()[:2] == [0.0, 0.0]
+    assert found.poles == pytest.approx([1j * 2**0.5, -1j * 2**0.5, -3.0]) or found.poles == pytest.approx(
+        [-1j * 2**0.5, 1j * 2**0.5, -3.0]
+    )
+    assert found.is_real
+    # s (s + 1e9) + 1: the slow one is no rounding of the fast one.
+    slow, fast = with_feedback(response(1.0, [0.0, -1e9], []), LinearGain(1.0)).poles
+    assert (slow, fast) == (pytest.approx(-1e-9, rel=1e-12), pytest.approx(-1e9, rel=1e-12))
 
 
 AMPLITUDES = np.array([1.2, 3.0, 40.0])

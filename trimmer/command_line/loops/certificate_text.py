@@ -36,8 +36,10 @@ def certificate_as_json(certificate: Certificate) -> dict[str, object]:
         "undecided": [_region(region) for region in certificate.undecided],
         "smallest_gain": certificate.smallest_gain,
         "winding_number": certificate.winding_number,
+        "winding_omegas": certificate.winding_omegas,
         "index_sum": certificate.index_sum,
         "zero_on_axis": certificate.zero_on_axis,
+        "doubts": certificate.doubts,
     }
 
 

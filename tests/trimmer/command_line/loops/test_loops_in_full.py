@@ -28,13 +28,17 @@ CERTIFICATE = Made(
     undecided=[Made(omegas=(1.0, np.inf), amplitudes=(3.0, 4.0))],
     smallest_gain=0.25,
     winding_number=2,
+    winding_omegas=(5.0, 2e3),
     index_sum=3,
     zero_on_axis=False,
+    doubts=("one",),
     other_doubts=(),
 )
 CERTIFIED = {
     **{name: each for name, each in vars(CERTIFICATE).items() if name not in ("undecided", "other_doubts")},
     "omegas": [10.0, 1e3],
+    "winding_omegas": [5.0, 2e3],
+    "doubts": ["one"],
     "undecided": [{"amplitudes": [3.0, 4.0], "omegas": [1.0, None]}],
 }
 CYCLE = {
