@@ -75,7 +75,7 @@ def _between(arc: Arc, near: Place, far: Place, splits: int) -> list[Bifurcation
         if (test(near) > 0.0) != (test(far) > 0.0):
             place = arc.root(test, near, far)
             jumps = abs(test(place)) > JUMPING * max(abs(test(near)), abs(test(far)))
-            found += _corner(arc, kind, place) if jumps else _located(arc, kind, place)
+            found += _corner(kind, place) if jumps else _located(arc, kind, place)
     if splits > 0 and not _explained(found, near, far):
         middle = arc.smooth(0.5 * (arc.distance(near) + arc.distance(far)), near, far)
         return bifurcations(arc, (near, middle, far), splits - 1)
@@ -136,20 +136,18 @@ def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
             return []
     mirrored = arc.problem.map.mirrored and kind is SpecialKind.PERIOD_DOUBLING
     named = SpecialKind.SYMMETRY_BREAKING if mirrored else kind
-    value, state = arc.problem.value(place.position), arc.problem.state(place.position)
     switches = kind in (SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING)
-    return [Bifurcation(SpecialPoint(named, value, state), place, switches)]
+    return [Bifurcation(SpecialPoint(named, place.value, place.strobed), place, switches)]
 
 
-def _corner(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
+def _corner(kind: SpecialKind, place: Place) -> list[Bifurcation]:
     """Return the fold where a test function jumps past zero, none for another kind.
 
     The slope of the map jumps where events change their order, and multipliers with it: no bifurcation.
     """
     if kind is not SpecialKind.FOLD:
         return []
-    value, state = arc.problem.value(place.position), arc.problem.state(place.position)
-    point = SpecialPoint(kind, value, state, note="a corner where events change their order")
+    point = SpecialPoint(kind, place.value, place.strobed, note="a corner where events change their order")
     return [Bifurcation(point, place, False)]
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from trimmer.branches.arc import Arc
 from trimmer.branches.narrowing import narrowed
 from trimmer.branches.orbit import Place
@@ -60,13 +58,13 @@ def borders(arc: Arc, near: Place, far: Place) -> list[Border] | None:
     return found
 
 
-def special_points(arc: Arc, border: Border) -> list[SpecialPoint]:
+def special_points(border: Border) -> list[SpecialPoint]:
     """Return what a border is: a grazing, an onset of stick, or several of these at once."""
     changed, found = border.changes, []
     for kind in (SpecialKind.GRAZING, SpecialKind.STICK):
         of_kind = {key: change for key, change in changed.items() if _kind(key[1]) is kind}
         if of_kind:
-            found.append(_special_point(arc, border, kind, of_kind))
+            found.append(_special_point(border, kind, of_kind))
     return found
 
 
@@ -74,17 +72,21 @@ def _kind(phase: Phase) -> SpecialKind:
     return SpecialKind.STICK if phase is Phase.STICK else SpecialKind.GRAZING
 
 
-def _special_point(
-    arc: Arc, border: Border, kind: SpecialKind, changes: dict[tuple[str, Phase], int]
-) -> SpecialPoint:
-    position = border.before.position
+def _special_point(border: Border, kind: SpecialKind, changes: dict[tuple[str, Phase], int]) -> SpecialPoint:
     parts = tuple(sorted({part for part, _ in changes}))
     notes = [
-        f"{part}: {phase.value}, {change:+d}"
+        f"{part}: {phase.value}, {change:+d}{_pause(border, part, phase, change)}"
         for (part, phase), change in sorted(changes.items(), key=lambda item: (item[0][0], item[0][1].name))
     ]
     outside = [int((abs(place.multipliers) > 1.0).sum()) for place in (border.before, border.after)]
     if outside[0] != outside[1]:
         notes.append(f"multipliers outside the unit circle jump from {outside[0]} to {outside[1]}")
-    value, state = arc.problem.value(position), arc.problem.state(position)
-    return SpecialPoint(kind, value, np.array(state), parts, "; ".join(notes))
+    return SpecialPoint(kind, border.before.value, border.before.strobed, parts, "; ".join(notes))
+
+
+def _pause(border: Border, part: str, phase: Phase, change: int) -> str:
+    """Return what is to be said where a pause in a phase is born or dies, and not a phase by itself."""
+    passage = (border.after if change > 0 else border.before).passage
+    if not passage.opens(part, phase):
+        return ""
+    return ", where it slips for a moment" if phase is Phase.STICK else ", where it lifts off for a moment"

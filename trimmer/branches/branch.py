@@ -48,9 +48,8 @@ class BranchPoint:
 
     Attributes:
         value: Value of the number that is varied.
-        state: State at the beginning of the period, shape (n,).
+        state: State at the start of a drive period, shape (n,).
         multipliers: Floquet multipliers of the whole period by falling modulus, shape (n,).
-        tangent: Direction of the branch in state and value, shape (n + 1,); in the units of the file.
         signature: The phases that begin during a passage.
         events: Events during a period, a number.
     """
@@ -58,7 +57,6 @@ class BranchPoint:
     value: float
     state: Reals
     multipliers: Complexes
-    tangent: Reals
     signature: Signature
     events: int
 

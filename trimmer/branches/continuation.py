@@ -92,12 +92,16 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
     guess = problem.place(problem.position(begin, state))
     if guess is None:
         return None
-    map, state = map.restarted(begin, state)
-    problem = Problem(map, interval.span, scales(guess, None))
     across = np.append(np.zeros(len(state)), 1.0)
-    position = problem.position(begin, state)
-    place = problem.correct(position, across, position[-1])
-    if place is None:
+    restart = guess.passage.restart(across)
+    begins = [(map, state)] if restart is None else [(restart.map, restart.state), (map, state)]
+    for map, state in begins:
+        problem = Problem(map, interval.span, scales(guess, None))
+        position = problem.position(begin, state)
+        place = problem.correct(position, across, position[-1])
+        if place is not None:
+            break
+    else:
         return None
     problem = Problem(map, interval.span, scales(place, None))
     place = problem.adopted(place)
@@ -190,12 +194,10 @@ def _branch_point(front: Front) -> BranchPoint:
     multipliers, events = place.multipliers, place.passage.events
     if problem.map.mirrored:
         multipliers, events = multipliers**2, 2 * events
-    tangent = front.tangent * np.append(problem.sizes, problem.span)
     return BranchPoint(
-        value=problem.value(place.position),
-        state=problem.state(place.position),
+        value=place.value,
+        state=place.strobed,
         multipliers=_by_modulus(multipliers),
-        tangent=tangent,
         signature=dict(place.signature),
         events=events,
     )

@@ -64,8 +64,7 @@ def _step(front: Front, place: Place, reference: Reals) -> Step | None:
     tangent = place.tangent(reference)
     if tangent is None:
         return None
-    arc = Arc(front.problem, front.place.position, tangent)
-    special = special_points(arc, Border(front.place, place))
+    special = special_points(Border(front.place, place))
     if special and tangent[-1] * front.tangent[-1] < 0.0:
         special.append(fold_at(special))
     return Step(front.moved(place, tangent), tuple(special), (), angle(front.tangent, tangent))

@@ -56,8 +56,7 @@ def joint(front: Front, far: Place) -> Bifurcation | None:
         if single.mirrored
         else "the branch joins the one with half the period"
     )
-    value, state = problem.value(found.position), problem.state(found.position)
-    return Bifurcation(SpecialPoint(kind, value, state, note=note), found, True)
+    return Bifurcation(SpecialPoint(kind, found.value, found.strobed, note=note), found, True)
 
 
 def _middle(front: Front, far: Place) -> Reals:

@@ -40,6 +40,16 @@ class Place:
     position: Reals
     passage: Passage
 
+    @property
+    def value(self) -> float:
+        """Value of the number, in its unit."""
+        return self.problem.value(self.position)
+
+    @property
+    def strobed(self) -> Reals:
+        """State at the start of a drive period, shape (n,), in its units."""
+        return self.passage.strobed(self.problem.state(self.position))
+
     @cached_property
     def miss(self) -> Reals:
         """End minus state, shape (n,)."""

@@ -27,7 +27,8 @@ class SpecialPoint(Shown):
     Attributes:
         kind: What happens there.
         value: Value of the number that is varied.
-        state: State at the beginning of the period, shape (n,).
+        state: State at the start of a drive period, shape (n,); without a drive any on the motion, and the
+            period last.
         parts: Names of the parts whose phases change there, in the order of their names.
         note: What else is to be said, empty if nothing.
     """

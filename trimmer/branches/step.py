@@ -253,7 +253,7 @@ def _between(front: Front, arc: Arc, piece: tuple[Place, Place], border: tuple[b
 
 def at_border(arc: Arc, border: Border) -> list[SpecialPoint]:
     """Return what a border is, and the fold if the branch turns around there."""
-    points = special_points(arc, border)
+    points = special_points(border)
     tangents = [place.tangent(arc.direction) for place in (border.before, border.after)]
     if tangents[0] is None or tangents[1] is None or tangents[0][-1] * tangents[1][-1] >= 0.0:
         return points

@@ -120,22 +120,20 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
 
 def _restarted(front: Front) -> Front:
     """Return the front with an orbit that begins where the map says it should, as far as it is found."""
-    problem = front.problem
-    value, state = problem.value(front.place.position), problem.state(front.place.position)
-    map, other = problem.map.restarted(value, state)
-    if map is problem.map:
+    scale = np.append(front.problem.sizes, front.problem.span)
+    restart = front.place.passage.restart(front.tangent * scale)
+    if restart is None:
         return front
-    problem = replace(problem, map=map)
-    place = problem.place(problem.position(value, other))
+    problem = replace(front.problem, map=restart.map)
+    place = problem.place(problem.position(front.place.value, restart.state))
     if place is None:
         return front
     tangent = np.asarray(np.linalg.svd(place.slope)[2][-1])
     place = problem.correct(place.position, tangent, float(tangent @ place.position))
-    # Neither period nor value depend on where an orbit begins.
     ahead = None if place is None else place.tangent(tangent)
     if place is None or ahead is None:
         return front
-    return begun(problem, place, ahead * np.sign(ahead[-2:] @ front.tangent[-2:]))
+    return begun(problem, place, ahead * np.sign(ahead @ (restart.tangent / scale)))
 
 
 def longest_step(
@@ -155,8 +153,8 @@ def _closed(first: Front, before: Front, after: Front) -> bool:
     """Say whether the branch passes its first orbit between two fronts, in its first direction."""
     if first.place.signature not in (before.place.signature, after.place.signature):
         return False
-    value, state = first.problem.value(first.place.position), first.problem.state(first.place.position)
-    phases = before.problem.map.phases(value, state)
+    value = first.place.value
+    phases = before.problem.map.phases(value, first.place.strobed)
     return any(_passed(before.problem.position(value, each), before, after) for each in phases)
 
 

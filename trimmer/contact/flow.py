@@ -94,6 +94,12 @@ class Course:
         return self.tangents(np.eye(self.modes.layout.state_count))
 
     @property
+    def times(self) -> Reals:
+        """Times, s, at which its mode changes, in their order."""
+        times: Reals = self.log.start[(self.log.kind != NOTHING) | (self.log.function >= 0)]
+        return times
+
+    @property
     def events(self) -> list[tuple[float, int, int]]:
         """Time, s, part and kind of each event that counts."""
         rows = np.flatnonzero(self.log.kind != NOTHING)

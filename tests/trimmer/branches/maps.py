@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.branches.period_maps.doubled_map import DoubledMap
 from trimmer.branches.period_maps.period_map import Phase
+from trimmer.branches.period_maps.strobe import Restart
 from trimmer.errors import UnsupportedMotionError
 
 
@@ -32,8 +33,17 @@ class Given:
     def shortest(self, part: str, phase: Phase) -> float:
         return math.inf
 
+    def opens(self, part: str, phase: Phase) -> bool:
+        return False
+
     def rate(self) -> np.ndarray:
         return self.by_value
+
+    def strobed(self, state: np.ndarray) -> np.ndarray:
+        return state
+
+    def restart(self, tangent: np.ndarray) -> Restart | None:
+        return None
 
 
 class Single:
@@ -44,9 +54,6 @@ class Single:
 
     def doubled(self) -> DoubledMap:
         return DoubledMap(self)
-
-    def restarted(self, value: float, state: np.ndarray) -> tuple[Single, np.ndarray]:
-        return self, state
 
     def phases(self, value: float, state: np.ndarray) -> list[np.ndarray]:
         return [state]

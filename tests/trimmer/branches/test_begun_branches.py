@@ -141,7 +141,7 @@ def test_periods_and_places_are_checked() -> None:
 
 def test_branches_of_a_mechanism_have_the_map_of_their_whole_period() -> None:
     base = MechanismMap(between_stops(0.2), "frequency", 0.3, mirrored=True)
-    point = BranchPoint(0.2, np.zeros(2), np.zeros(2, complex), np.zeros(3), {}, 0)
+    point = BranchPoint(0.2, np.zeros(2), np.zeros(2, complex), {}, 0)
     parted = SpecialPoint(SpecialKind.PERIOD_DOUBLING, 0.1, np.zeros(2))
     inner = Branch((), (), BranchEnd.TORN, "inner", parted=parted, doublings=2)
     branch = Branch((point,), (parted,), BranchEnd.CLOSED, "outer", (inner,))
@@ -160,7 +160,7 @@ def test_an_orbit_without_a_drive_has_its_own_period() -> None:
     from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 
     multipliers = np.array([-0.5, 0.25, 0.0], dtype=complex)
-    point = BranchPoint(0.2, np.array([0.7, 0.2, PERIOD]), multipliers, np.zeros(4), {}, 12)
+    point = BranchPoint(0.2, np.array([0.7, 0.2, PERIOD]), multipliers, {}, 12)
     orbit = FollowedOrbit(point, SelfExcitedMap(belt(), SPEED, 0.2, 2))
     assert orbit.period == pytest.approx(2.0 * PERIOD, rel=1e-14)
     assert (orbit.events_per_period, orbit.periods) == (12.0, 2)

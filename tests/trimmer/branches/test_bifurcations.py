@@ -127,7 +127,7 @@ def test_a_function_jumps_where_it_is_not_zero_relative_to_the_larger_end(
     monkeypatch.setattr(module, "_located", lambda *given: [SimpleNamespace(place="root", of=given)])
     (each,) = module._between(arc, (near,), (far,), 0)  # type: ignore[arg-type]
     assert each.place == ("jump" if jumps else "root")
-    assert each.of == (arc, kind, (value,))  # type: ignore[attr-defined]
+    assert each.of[-2:] == (kind, (value,))  # type: ignore[attr-defined]
     assert asked == [((near,), (far,))]
 
 
@@ -164,7 +164,7 @@ def test_what_nothing_explains_is_halved_so_many_times(monkeypatch: pytest.Monke
 
 def fake(tangent_value: float) -> Place:
     return SimpleNamespace(  # type: ignore[return-value]
-        position=np.array([0.2, 3.0]), tangent=lambda _: np.array([0.6, tangent_value])
+        value=21.0, strobed=np.array([0.4]), tangent=lambda _: np.array([0.6, tangent_value])
     )
 
 
@@ -178,14 +178,14 @@ ARC = Arc(PROBLEM, np.zeros(2), np.array([0.0, 1.0]))  # type: ignore[arg-type]
 
 def test_a_corner_is_a_fold_alone() -> None:
     place = fake(0.8)
-    (corner,) = _corner(ARC, SpecialKind.FOLD, place)
+    (corner,) = _corner(SpecialKind.FOLD, place)
     assert corner.point.kind is SpecialKind.FOLD
     assert (corner.point.value, corner.point.state.tolist()) == (21.0, [0.4])
     assert corner.point.note.startswith("a corner")
     assert not corner.switches
     assert corner.place is place
     for kind in (SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING, SpecialKind.TORUS):
-        assert _corner(ARC, kind, place) == []
+        assert _corner(kind, place) == []
 
 
 @pytest.mark.parametrize(

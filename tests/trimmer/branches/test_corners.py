@@ -129,8 +129,8 @@ def test_a_corner_is_a_fold_if_the_value_turns_around(
     point = SpecialPoint(SpecialKind.STICK, 2.0, np.zeros(2))
     asked = []
 
-    def points(arc: Arc, border: Border) -> list[SpecialPoint]:
-        asked.append((arc.problem, arc.origin, arc.direction, border.before, border.after))
+    def points(border: Border) -> list[SpecialPoint]:
+        asked.append((border.before, border.after))
         return [point]
 
     monkeypatch.setattr(corner, "special_points", points)
@@ -138,12 +138,12 @@ def test_a_corner_is_a_fold_if_the_value_turns_around(
     front = SimpleNamespace(problem="orbits", place=moved, tangent=before, moved=lambda *given: given)
     made = _step(front, place, before)  # type: ignore[arg-type]
     assert made is not None
-    assert asked == [("orbits", "here", after, moved, place)]
+    assert asked == [(moved, place)]
     assert [each.kind for each in made.special] == [SpecialKind.STICK, SpecialKind.FOLD][: 1 + folds]
     assert made.front == (place, after)  # type: ignore[comparison-overlap]
     assert made.bend == pytest.approx(math.acos(old * new), rel=1e-12)
     assert _step(front, place, after) is None  # type: ignore[arg-type]
-    monkeypatch.setattr(corner, "special_points", lambda arc, border: [])
+    monkeypatch.setattr(corner, "special_points", lambda border: [])
     nothing = _step(front, place, before)  # type: ignore[arg-type]
     assert nothing is not None
     assert nothing.special == ()

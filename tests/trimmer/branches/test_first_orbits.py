@@ -87,11 +87,10 @@ def test_the_first_front_is_exact_and_leads_towards_the_other_end() -> None:
     assert _first_front(Ring(), np.array([0.5]), 2.0, Interval(2.0, 3.0)) is None
 
 
-def test_a_branch_of_points_has_tangents_in_the_units_of_the_file() -> None:
+def test_a_branch_has_the_fixed_points_of_its_map() -> None:
     branch = continuation(Logistic(), np.array([0.6]), 2.5, 2.9, ALONE)
     for point in branch.points[:: len(branch.points) // 3]:
-        assert point.tangent[0] / point.tangent[1] == pytest.approx(1.0 / point.value**2, rel=1e-9)
-        assert point.tangent[1] > 0.0
+        assert point.state[0] == pytest.approx(1.0 - 1.0 / point.value, rel=1e-11)
         assert (point.events, point.signature) == (0, {})
     assert branch.message == f"{BranchEnd.LEFT_AT_STOP.value}, at 2.9"
     assert (branch.doublings, branch.parted) == (0, None)

@@ -28,7 +28,7 @@ ALONE = FollowSettings(switches=0, quiet=True)
 
 
 def of_value(value: float, state: float) -> BranchPoint:
-    return BranchPoint(value, np.array([state]), np.array([0.5 + 0j]), np.zeros(2), {}, 0)
+    return BranchPoint(value, np.array([state]), np.array([0.5 + 0j]), {}, 0)
 
 
 @pytest.mark.parametrize(
@@ -283,7 +283,7 @@ def test_which_ends_are_successes_and_which_orbits_are_stable() -> None:
     assert (torn.branches, torn.parted, torn.doublings) == ((), None, 0)
     assert not Branch((), (), BranchEnd.NO_START, "").success
     for multipliers, stable in (([0.9, -0.5], True), ([0.9, -1.0], False), ([0.3, 1.0 - 1e-10], False)):
-        point = BranchPoint(0.0, np.zeros(1), np.array(multipliers, dtype=complex), np.zeros(2), {}, 0)
+        point = BranchPoint(0.0, np.zeros(1), np.array(multipliers, dtype=complex), {}, 0)
         assert point.stable is stable
 
 

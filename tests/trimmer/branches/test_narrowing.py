@@ -178,7 +178,9 @@ def crossed(
     places = [
         SimpleNamespace(
             signature=frozenset(counts.items()),
-            position=np.array([0.25, 3.0 + number]),
+            value=21.0,
+            strobed=np.array([0.5]),
+            passage=SimpleNamespace(opens=lambda part, phase: part == "blade"),
             multipliers=np.array([-1.0, 0.5j, *outside[: 2 * number]]),
         )
         for number, counts in enumerate((before, after))
@@ -187,24 +189,21 @@ def crossed(
 
 
 def test_a_border_tells_its_parts_and_changes_in_the_order_of_their_names() -> None:
-    arc = SimpleNamespace(
-        problem=SimpleNamespace(value=lambda at: 7.0 * at[-1], state=lambda at: 2.0 * at[:-1])
-    )
     wall, comb = ("wall", Phase.LOWER), ("comb", Phase.UPPER)
     other, stick = ("comb", Phase.LOWER), ("blade", Phase.STICK)
     border = crossed({wall: 2, comb: 1, stick: 1}, {comb: 3, other: 1, wall: 1, stick: 1}, 1.5, 2.5)
     assert border.changes == {wall: -1, comb: 2, other: 1}
     assert not border.is_single
-    (point,) = special_points(arc, border)  # type: ignore[arg-type]
+    (point,) = special_points(border)  # type: ignore[arg-type]
     assert (point.kind, point.parts) == (SpecialKind.GRAZING, ("comb", "wall"))
     assert (point.value, point.state.tolist()) == (21.0, [0.5])
     notes = ["comb: contact on the lower side, +1", "comb: contact on the upper side, +2"]
     notes += ["wall: contact on the lower side, -1", "multipliers outside the unit circle jump from 0 to 2"]
     assert point.note == "; ".join(notes)
-    both = special_points(arc, crossed({wall: 1}, {stick: 2}))  # type: ignore[arg-type]
+    both = special_points(crossed({wall: 1}, {stick: 2}))  # type: ignore[arg-type]
     assert [(each.kind, each.parts, each.note) for each in both] == [
         (SpecialKind.GRAZING, ("wall",), "wall: contact on the lower side, -1"),
-        (SpecialKind.STICK, ("blade",), "blade: stick, +2"),
+        (SpecialKind.STICK, ("blade",), "blade: stick, +2, where it slips for a moment"),
     ]
     assert crossed({wall: 1}, {wall: 2}).is_single
     assert crossed({wall: 2}, {wall: 1}).is_single

@@ -20,7 +20,6 @@ from trimmer.contact.advance import Instant
 from trimmer.contact.flow import ExactFlow
 from trimmer.contact.statuses import (
     BACKWARD,
-    CONTACT_MADE,
     FORWARD,
     FREE,
     MINUS,
@@ -28,7 +27,6 @@ from trimmer.contact.statuses import (
     RELEASED_MINUS,
     RELEASED_PLUS,
     STICK,
-    STICK_BEGUN,
 )
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.parts import Friction
@@ -115,19 +113,8 @@ def test_phases_of_contact_are_counted_and_timed() -> None:
     assert linear.signature == {}
 
 
-@pytest.mark.parametrize(("side", "phase"), [("plus", Phase.UPPER), ("minus", Phase.LOWER)])
-def test_a_contact_is_told_from_one_on_the_other_side(side: str, phase: Phase) -> None:
-    log = SimpleNamespace(kind=np.array([CONTACT_MADE, STICK_BEGUN]), mode=np.array([4, 4]))
-    status = {"plus": PLUS, "minus": MINUS}[side]
-    flow = SimpleNamespace(modes={4: SimpleNamespace(statuses=(0, status))})
-    for mirrored, contact in ((False, phase), (True, Phase.EITHER)):
-        map = SimpleNamespace(mirrored=mirrored)
-        passage = mechanism_map.MechanismPassage(map, 1.0, flow, None, SimpleNamespace(log=log))
-        assert [passage._phase(row, 1) for row in (0, 1)] == [contact, Phase.STICK]
-
-
 def test_a_passage_begins_with_the_statuses_of_its_end_where_it_ends_with_them_again() -> None:
-    flow = SimpleNamespace(at=lambda state: SimpleNamespace(statuses=(0,)), reduced=lambda state: state)
+    flow = SimpleNamespace(at=lambda state, phase: SimpleNamespace(statuses=(0,)), reduced=lambda state: state)
     followed = mechanism_map.MechanismMap.followed
     for statuses, repeated, expected in (
         ((0,), "again", "course"),
@@ -144,6 +131,7 @@ def test_a_passage_begins_with_the_statuses_of_its_end_where_it_ends_with_them_a
 
         map = SimpleNamespace(
             course=course,
+            _phase=lambda flow: 0.0,
             returned=lambda flow, end, statuses=statuses: SimpleNamespace(statuses=statuses),
             _repeated=lambda *given, repeated=repeated: (
                 repeated and ("begin", SimpleNamespace(name=repeated))
@@ -164,31 +152,6 @@ def test_the_end_of_a_mirrored_passage_begins_the_next_with_sides_exchanged() ->
     assert found.state.tolist() == [-1.0, 2.0]
     assert (found.periods, found.phase) == (7, 0.25)
     assert found.statuses == (MINUS, PLUS, RELEASED_MINUS, RELEASED_PLUS, FREE, BACKWARD, FORWARD, STICK)
-
-
-def test_phases_that_begin_are_counted_by_part() -> None:
-    made, begun = CONTACT_MADE, STICK_BEGUN
-    log = SimpleNamespace(
-        kind=np.array([made, begun, made, made, made]),
-        part=np.array([1, 2, 1, 0, 1]),
-        mode=np.array([4, 4, 5, 4, 4]),
-    )
-    modes = {
-        4: SimpleNamespace(statuses=(PLUS, PLUS, STICK)),
-        5: SimpleNamespace(statuses=(PLUS, MINUS, STICK)),
-    }
-
-    class Modes(dict[int, SimpleNamespace]):
-        layout = SimpleNamespace(contacts=("wall", "play"), frictions=("blade",))
-
-    map, flow = SimpleNamespace(mirrored=False), SimpleNamespace(modes=Modes(modes))
-    passage = mechanism_map.MechanismPassage(map, 1.0, flow, None, SimpleNamespace(log=log))  # type: ignore[arg-type]
-    assert passage.signature == {
-        ("play", Phase.UPPER): 2,
-        ("play", Phase.LOWER): 1,
-        ("wall", Phase.UPPER): 1,
-        ("blade", Phase.STICK): 1,
-    }
 
 
 def test_the_flows_of_the_last_values_are_kept() -> None:

@@ -141,26 +141,28 @@ def test_an_orbit_is_made_to_begin_amid_its_longest_segment() -> None:
     after = 0.1
     displacement = 0.5 + 0.5 * math.cos(after) + 0.2 * math.sin(after)
     slipping = np.array([displacement, 0.2 * math.cos(after) - 0.5 * math.sin(after), PERIOD])
-    other, state = map.restarted(0.2, slipping)
+    restart = map.passage(0.2, slipping).restart(np.zeros(4))
+    assert restart is not None
+    other, state = restart.map, restart.state
+    assert isinstance(other, SelfExcitedMap)
     assert other.section is not None
     assert state == pytest.approx([0.5, 0.2, PERIOD], abs=1e-9)
     assert other.section.point == pytest.approx([0.5, 0.2], abs=1e-9)
-    same, again = other.restarted(0.2, state)
-    assert same is other
-    assert again is state
+    assert other.passage(0.2, state).restart(np.zeros(4)) is None
     # It passes the plane upwards once in a period, at that state.
     (phase,) = other.phases(0.2, slipping)
     assert phase == pytest.approx([0.5, 0.2, PERIOD], abs=1e-8)
     assert map.phases(0.2, slipping)[0] is slipping
     doubled = map.doubled()
     assert isinstance(doubled, SelfExcitedMap)
-    whole, _ = doubled.restarted(0.2, slipping)
-    assert isinstance(whole.single, SelfExcitedMap)
-    assert whole.single.section is whole.section
+    whole = doubled.passage(0.2, slipping).restart(np.zeros(4))
+    assert whole is not None
+    assert whole.map.single.section is whole.map.section  # type: ignore[union-attr, attr-defined]
     # A plane along the motion is turned.
     section = replace(other.section, normal=other.section.normal[::-1] * [0.0, 1.0] + [0.0, 1.0])
-    turned, _ = replace(map, section=section).restarted(0.2, state)
-    assert turned.section is not section
+    turned = replace(map, section=section).passage(0.2, state).restart(np.zeros(4))
+    assert turned is not None
+    assert turned.map.section is not section  # type: ignore[attr-defined]
 
 
 def starting(duration: float, *starts: float) -> float:

@@ -178,7 +178,9 @@ def bordering(determinants: tuple[float, float], lengths: tuple[float, float], s
     def place(number: int) -> SimpleNamespace:
         length = lengths[number]
         return SimpleNamespace(
-            position=np.array([2.0, 3.0]),
+            value=15.0,
+            strobed=np.zeros(1),
+            passage=SimpleNamespace(opens=lambda part, phase: False),
             multipliers=np.array([0.5, 1.5 * number]),
             signature=frozenset(counts.items()) if number else frozenset(),
             tangent=lambda _: None if math.isnan(length) else np.array([0.6, length]),

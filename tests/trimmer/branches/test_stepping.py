@@ -15,6 +15,7 @@ from trimmer.branches import stepping
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.corner import is_torn
 from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.step import Front, begun
 from trimmer.branches.stepping import (
@@ -274,14 +275,20 @@ class Restarting(Logistic):
     def passage(self, value: float, state: np.ndarray) -> Given:
         x = 1.0 - state if self.mirrored_states else state
         found = super().passage(value, x)
-        if not self.mirrored_states:
-            return found
-        return replace(found, end=1.0 - found.end, by_value=-found.by_value)
-
-    def restarted(self, value: float, state: np.ndarray) -> tuple[Restarting, np.ndarray]:
         if self.mirrored_states:
-            return self, state
-        return Restarting(mirrored_states=True), np.array([np.nan]) if self.lost else 1.0 - state + 1e-9
+            return replace(found, end=1.0 - found.end, by_value=-found.by_value)
+        begin = np.array([np.nan]) if self.lost else 1.0 - state + 1e-9
+        return Moved(**vars(found), begin=begin)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Moved(Given):
+    """A passage that had better begin elsewhere."""
+
+    begin: np.ndarray
+
+    def restart(self, tangent: np.ndarray) -> Restart:
+        return Restart(Restarting(mirrored_states=True), self.begin, tangent * [-1.0, 1.0])
 
 
 def test_a_front_without_a_tangent_stays_where_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:

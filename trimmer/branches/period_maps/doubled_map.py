@@ -62,9 +62,21 @@ class DoubledPassage:
         """Return how long the shortest phase of a kind lasts, s."""
         return min(self.first.shortest(part, phase), self.second.shortest(part, phase))
 
+    def opens(self, part: str, phase: Phase) -> bool:
+        """Say whether the shortest of them is a pause."""
+        shorter = min(self.first, self.second, key=lambda each: each.shortest(part, phase))
+        return shorter.opens(part, phase)
+
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,)."""
         return self.second.jacobian @ self.first.rate() + self.second.rate()
+
+    def strobed(self, state: Reals) -> Reals:
+        """Return the state at the start of a drive period: that from which it was followed, shape (n,)."""
+        return state
+
+    def restart(self, tangent: Reals) -> None:
+        """Return nothing: it goes on from where it begins."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,10 +112,6 @@ class DoubledMap:
         """
         first = self.single.passage(value, state)
         return DoubledPassage(first, self.single.passage(value, first.end))
-
-    def restarted(self, value: float, state: Reals) -> tuple[DoubledMap, Reals]:
-        """Return the map and the state to go on with from an orbit: both as they are."""
-        return self, state
 
     def phases(self, value: float, state: Reals) -> list[Reals]:
         """Return the states of an orbit at which a passage may begin: the one that is known."""

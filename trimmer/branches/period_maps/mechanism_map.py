@@ -8,8 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Integers, Reals
 from trimmer.branches.period_maps.period_map import Phase, Signature
+from trimmer.branches.period_maps.strobe import Restart, amid_longest, is_amid
 from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.contact.advance import Ending, Instant
 from trimmer.contact.flow import Course, ExactFlow
@@ -17,20 +18,20 @@ from trimmer.contact.frame import frame_of
 from trimmer.contact.machine import machine_of
 from trimmer.contact.statuses import (
     BACKWARD,
-    CONTACT_MADE,
     FORWARD,
     MINUS,
     PLUS,
     RELEASED_MINUS,
     RELEASED_PLUS,
     STICK,
-    STICK_BEGUN,
 )
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 
 DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
+STRETCHED = 1e-2
+"""Least scale of the stretch of a relaxing spring, relative to the largest displacement."""
 MOST_STEPS = 200_000
 """Steps of a passage, after which it counts as one that cannot be followed."""
 STATUSES = {
@@ -55,6 +56,8 @@ class MechanismMap:
         periods: Drive periods after which the motion repeats; odd, if mirrored.
         mirrored: Whether half a period is followed and the end taken with changed signs.
         single: The map of which this is two passages; None if it was not doubled.
+        share: Time after the start of a drive period at which a passage begins, in drive periods; None where
+            it begins with a drive period because nothing else was chosen yet.
     """
 
     mechanism: Mechanism
@@ -63,6 +66,7 @@ class MechanismMap:
     periods: int = 1
     mirrored: bool = False
     single: MechanismMap | None = None
+    share: float | None = None
 
     @property
     def doublings(self) -> int:
@@ -73,6 +77,16 @@ class MechanismMap:
         """Return the map of two passages; that of a mirrored map is a whole period without mirror."""
         periods = self.periods if self.mirrored else 2 * self.periods
         return replace(self, periods=periods, mirrored=False, single=self)
+
+    @property
+    def length(self) -> float:
+        """Length of a passage in drive periods."""
+        return 0.5 * self.periods if self.mirrored else float(self.periods)
+
+    def begun_at(self, share: float) -> MechanismMap:
+        """Return the map of passages that begin a share of a drive period after its start."""
+        single = None if self.single is None else self.single.begun_at(share)
+        return replace(self, share=share, single=single)
 
     @cached_property
     def size(self) -> int:
@@ -117,7 +131,7 @@ class MechanismMap:
         """
         # Where in a direction along which no force changes an orbit lies does not matter: leaders are at 0.
         state = flow.reduced(state)
-        begin = flow.at(state)
+        begin = flow.at(state, self._phase(flow))
         course = self.course(flow, begin, duration)
         final = self.returned(flow, course.end)
         if final.statuses == begin.statuses:
@@ -128,20 +142,23 @@ class MechanismMap:
         self, flow: ExactFlow, state: Reals, final: Instant, duration: float
     ) -> tuple[Instant, Course] | None:
         """Return the motion that begins with the statuses of an end, if it ends with them again."""
-        begin = flow.at(state, like=final)
+        begin = flow.at(state, self._phase(flow), like=final)
         try:
             course = self.course(flow, begin, duration)
         except UnsupportedMotionError:
             return None
         return (begin, course) if self.returned(flow, course.end).statuses == final.statuses else None
 
-    def restarted(self, value: float, state: Reals) -> tuple[MechanismMap, Reals]:
-        """Return the map and the state to go on with from an orbit: the drive says where it begins."""
-        return self, state
+    def _phase(self, flow: ExactFlow) -> float:
+        """Return the time after the start of a drive period at which a passage begins, s."""
+        return (self.share or 0.0) % 1.0 * flow.period
 
     def phases(self, value: float, state: Reals) -> list[Reals]:
-        """Return the states of an orbit at which a passage may begin: the one that is known."""
-        return [state]
+        """Return the states at which a passage begins, of the orbit with a state at the start of a period."""
+        if not self.share:
+            return [state]
+        flow = self.flow(value)
+        return [flow.timed(flow.at(state), self.share * flow.period, MOST_STEPS).end.state]
 
     def neighbour(self, value: float) -> tuple[float, Mechanism]:
         """Return a value a little off, and the mechanism with that value.
@@ -177,12 +194,16 @@ class MechanismMap:
         """Return an end as the beginning of the next passage."""
         if not self.mirrored:
             return end
-        contacts = len(flow.modes.machine.stiffness)
-        statuses = tuple(
-            (MIRRORED_CONTACT if part < contacts else MIRRORED_FRICTION).get(status, status)
-            for part, status in enumerate(end.statuses)
-        )
+        statuses = mirrored(end.statuses, len(flow.modes.machine.stiffness))
         return replace(end, state=-end.state, statuses=statuses)
+
+
+def mirrored(statuses: tuple[int, ...], contacts: int) -> tuple[int, ...]:
+    """Return the statuses of the mirror image of a motion, those of so many contacts first."""
+    return tuple(
+        (MIRRORED_CONTACT if part < contacts else MIRRORED_FRICTION).get(status, status)
+        for part, status in enumerate(statuses)
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,52 +246,108 @@ class MechanismPassage:
 
     @cached_property
     def sizes(self) -> Reals:
-        """Largest magnitude of each entry at events and at equal times, shape (n,)."""
+        """Largest magnitude of each entry at events and at equal times, shape (n,).
+
+        A stretch is a difference of displacements, and known no better than their rounding: its own is at
+        least a share of theirs.
+        """
         times = np.linspace(0.0, self.course.duration, 64)
         states = np.vstack([self.course.states(times), self.course.log.state])
-        return np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
+        sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
+        bodies = len(self.flow.modes.layout.bodies)
+        stretches = sizes[2 * bodies :]
+        np.maximum(stretches, STRETCHED * sizes[:bodies].max(), out=stretches)
+        return sizes
+
+    @cached_property
+    def _segments(self) -> tuple[Reals, Integers]:
+        """Times at which segments begin that last, s, and the statuses in each and in the one before it.
+
+        Of the segments at one instant, the last one is that which goes on. Before the first one comes the
+        last, since orbits close, as its mirror image in a mirrored map.
+        """
+        log, duration = self.course.log, self.course.duration
+        goes_on = np.append(np.diff(log.start) > 0.0, log.start[-1] < duration)
+        statuses = self.course.modes.tables.statuses[log.mode[goes_on]]
+        before = np.roll(statuses, 1, axis=0)
+        if self.map.mirrored:
+            before[0] = mirrored(tuple(before[0].tolist()), len(self.flow.modes.layout.contacts))
+        return log.start[goes_on], np.array([before, statuses])
 
     @cached_property
     def signature(self) -> Signature:
-        """The phases that begin in it."""
-        layout, log = self.flow.modes.layout, self.course.log
-        names = (*layout.contacts, *layout.frictions)
-        begun: Counter[tuple[str, Phase]] = Counter()
-        for row in np.flatnonzero((log.kind == CONTACT_MADE) | (log.kind == STICK_BEGUN)).tolist():
-            part = int(log.part[row])
-            begun[names[part], self._phase(row, part)] += 1
-        return begun
-
-    def _phase(self, row: int, part: int) -> Phase:
-        """Return what begins with a row of the log.
+        """The phases that begin in it.
 
         What leaves half a period at its end comes in at its beginning on the other side, so that of a
         mirrored motion the sides are not told apart.
         """
-        log = self.course.log
-        if log.kind[row] == STICK_BEGUN:
-            return Phase.STICK
+        layout, (_, (before, after)) = self.flow.modes.layout, self._segments
+        sides = {PLUS: Phase.UPPER, MINUS: Phase.LOWER}
         if self.map.mirrored:
-            return Phase.EITHER
-        status = self.flow.modes[int(log.mode[row])].statuses[part]
-        return Phase.UPPER if status == PLUS else Phase.LOWER
+            sides = dict.fromkeys(sides, Phase.EITHER)
+        begun: Counter[tuple[str, Phase]] = Counter()
+        for number, name in enumerate((*layout.contacts, *layout.frictions)):
+            phases = sides if number < len(layout.contacts) else {STICK: Phase.STICK}
+            for status, phase in phases.items():
+                count = int(((after[:, number] == status) & (before[:, number] != status)).sum())
+                if count:
+                    begun[name, phase] += count
+        return begun
 
     def shortest(self, part: str, phase: Phase) -> float:
-        """Return how long the shortest phase of a kind lasts, or pauses, s.
+        """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if there is none."""
+        return min(each.min(initial=np.inf) for each in self._lengths(part, phase))
 
-        Only what begins and ends within the passage counts, and what lasts longer than rounding can tell.
-        """
-        layout, log = self.flow.modes.layout, self.course.log
+    def opens(self, part: str, phase: Phase) -> bool:
+        """Say whether the shortest of them is a pause, in which a contact opens or what sticks slips."""
+        lasting, pausing = self._lengths(part, phase)
+        return bool(pausing.min(initial=np.inf) < lasting.min(initial=np.inf))
+
+    def _lengths(self, part: str, phase: Phase) -> tuple[Reals, Reals]:
+        """Return how long the phases of a kind last, s, and how long the pauses between them."""
+        layout, (starts, (before, after)) = self.flow.modes.layout, self._segments
         number = (*layout.contacts, *layout.frictions).index(part)
-        statuses = self.course.modes.tables.statuses[log.mode, number]
-        inside = np.isin(statuses, STATUSES[phase]).astype(np.int64)
-        lengths = np.diff(log.start[np.flatnonzero(np.diff(inside)) + 1])
-        return float(lengths[lengths > 0.0].min(initial=np.inf))
+        inside, was = (np.isin(each[:, number], STATUSES[phase]) for each in (after, before))
+        changes = inside != was
+        if not changes.any():
+            return np.empty(0), np.empty(0)
+        times, begins = starts[changes], inside[changes]
+        lengths = np.diff(times, append=times[0] + self.course.duration)
+        return lengths[begins], lengths[~begins]
 
     @property
     def events(self) -> int:
         """Number of events."""
         return len(self.course.events)
+
+    def strobed(self, state: Reals) -> Reals:
+        """Return the state at the start of a drive period, (n,), from that at which the passage begins."""
+        if not self.map.share:
+            return state
+        (strobed,) = self.course.states(np.array([(self.map.length - self.map.share) * self.flow.period]))
+        return np.asarray(self.sign * strobed[: len(state)])
+
+    def restart(self, tangent: Reals) -> Restart | None:
+        """Return the orbit as one that begins amid a long segment; None if it does, or if nothing happens.
+
+        Args:
+            tangent: Direction of the branch, shape (n + 1,), in the units of the state and the value.
+        """
+        period, root = self.flow.period, self.map
+        while root.single is not None:
+            root = root.single
+        times = np.unique(self.course.times % (root.length * period))
+        if not len(times) or (self.map.share is not None and is_amid(times, root.length * period)):
+            return None
+        begun = self.map.share or 0.0
+        share = (begun + amid_longest(times, root.length * period) / period) % root.length
+        ahead = share - begun if share >= begun else share - begun + self.map.length
+        course = self.flow.timed(self.begin, ahead * period, MOST_STEPS)
+        sign = 1.0 if share >= begun else self.sign
+        moved = course.tangents(tangent[:-1, None])[:, 0] + tangent[-1] * self.rate_of(course)
+        return Restart(
+            self.map.begun_at(share), sign * course.end.state, np.append(sign * moved, tangent[-1])
+        )
 
     @cached_property
     def middle(self) -> Reals | None:
@@ -283,22 +360,27 @@ class MechanismPassage:
 
     @cached_property
     def _rate(self) -> Reals:
+        return self.sign * self.rate_of(self.course)
+
+    def rate_of(self, course: Course) -> Reals:
+        """Return the derivative of the end of the motion, or of a first part of it, by the number, (n,).
+
+        Raises:
+            UnsupportedMotionError: if the neighbouring motion cannot be followed.
+        """
         neighbour = self.map.neighbour(self.value)
         step = neighbour[0] - self.value
         machine, layout = machine_of(neighbour[1], frame_of(neighbour[1]))
         own = self.flow.modes.layout
         alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
+        scale = layout.period / own.period if own.period else 1.0
         if not alike or (layout.frame.leaders != own.frame.leaders).any():
-            return self._difference(neighbour[1], step)
-        longer = self.course.duration * (layout.period / own.period - 1.0) / step if own.period else 0.0
-        return self.sign * ValueChange(self.course, machine, step, longer).rate()
-
-    def _difference(self, mechanism: Mechanism, step: float) -> Reals:
-        """Return the derivative by a difference, where a part appears or vanishes with the number."""
-        flow = ExactFlow.returning(mechanism)
-        duration = 0.0 if flow.period else self.course.duration
-        end = self.map.course(flow, flow.at(self.begin.state), duration).end
-        return np.asarray(self.sign * (end.state - self.course.end.state) / step)
+            # A part appears or vanishes with the number.
+            flow = ExactFlow.returning(neighbour[1])
+            begin = flow.at(self.begin.state, self.begin.phase * scale)
+            end = self.map.course(flow, begin, course.duration * scale).end
+            return np.asarray((end.state - course.end.state) / step)
+        return ValueChange(course, machine, step, course.duration * (scale - 1.0) / step).rate()
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,).

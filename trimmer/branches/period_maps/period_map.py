@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Protocol
 
 from trimmer.arrays import Reals
+from trimmer.branches.period_maps.strobe import Restart
 from trimmer.choices import Choice
 
 
@@ -61,8 +62,24 @@ class Passage(Protocol):
         """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if it is not known."""
         ...
 
+    def opens(self, part: str, phase: Phase) -> bool:
+        """Say whether the shortest of them is a pause, in which a contact opens or what sticks slips."""
+        ...
+
     def rate(self) -> Reals:
         """Return the derivative of ``end`` by the number that is varied, shape (n,)."""
+        ...
+
+    def strobed(self, state: Reals) -> Reals:
+        """Return the state at the start of a drive period, (n,), from that at which the passage begins."""
+        ...
+
+    def restart(self, tangent: Reals) -> Restart | None:
+        """Return the orbit as one that had better be followed, from another instant; None as it is.
+
+        Args:
+            tangent: Direction of the branch, shape (n + 1,), in the units of the state and the value.
+        """
         ...
 
 
@@ -101,18 +118,11 @@ class PeriodMap(Protocol):
         """
         ...
 
-    def restarted(self, value: float, state: Reals) -> tuple[PeriodMap, Reals]:
-        """Return the map, and a state of the same orbit, with which to go on from an orbit.
-
-        Both stay as they are, unless the orbit must begin elsewhere.
-        """
-        ...
-
     def phases(self, value: float, state: Reals) -> list[Reals]:
         """Return the states of an orbit at which a passage of this map may begin.
 
         Args:
             value: Value of the number that is varied.
-            state: Any state of the orbit, shape (n,).
+            state: State at the start of a drive period, shape (n,); any of an orbit without a drive.
         """
         ...

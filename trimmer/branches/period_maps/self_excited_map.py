@@ -15,6 +15,7 @@ import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.period_maps.strobe import Restart, amid_longest, is_amid
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import UnsupportedMotionError
 
@@ -22,10 +23,6 @@ LONGEST = 4.0
 """Factor by which the period may differ from that of the plane; beyond it the motion is lost."""
 ACROSS = 0.7
 """Least cosine of the angle between the motion and the normal of the plane, else it is turned."""
-LEAST_SHARE = 0.3
-"""Length of the segment in which orbits begin, as a share of the longest, below which they begin there."""
-LEAST_MARGIN = 0.15
-"""Share of a segment from its ends within which no orbit begins."""
 SAMPLES = 256
 """Instants of a motion between which it is to pass the plane at most once."""
 
@@ -73,7 +70,7 @@ class SelfExcitedMap(MechanismMap):
 
     Attributes:
         periods: Returns after which the motion repeats; more than one where it was doubled.
-        section: Where orbits begin; it is there from the first ``restarted`` on.
+        section: Where orbits begin; it is there from the first ``restart`` on.
     """
 
     section: Section | None = None
@@ -83,10 +80,11 @@ class SelfExcitedMap(MechanismMap):
         """Number of states, the period among them."""
         return ExactFlow.returning(self.mechanism).size + 1
 
-    def _at(self, section: Section) -> SelfExcitedMap:
+    def begun_on(self, section: Section) -> SelfExcitedMap:
+        """Return the map of orbits that begin on a plane."""
         single = self.single
         if isinstance(single, SelfExcitedMap):
-            single = single._at(section)
+            single = single.begun_on(section)
         return replace(self, section=section, single=single)
 
     def passage(self, value: float, state: Reals) -> SelfExcitedPassage:
@@ -102,15 +100,6 @@ class SelfExcitedMap(MechanismMap):
             raise UnsupportedMotionError(f"a period of {period:.6g} s is too far from {usual:.6g} s")
         begin, course = self.followed(flow, state[:-1], self.periods * period)
         return SelfExcitedPassage(self, value, flow, begin, course, state)
-
-    def restarted(self, value: float, state: Reals) -> tuple[SelfExcitedMap, Reals]:
-        """Return the map and the state to go on with from an orbit: it begins amid a long segment."""
-        passage = self.passage(value, state)
-        time = passage.better_start
-        if time == 0.0 and self.section is not None and passage.slant >= ACROSS:
-            return self, state
-        section = section_at(passage.course, time, self.periods)
-        return self._at(section), np.append(section.point, state[-1])
 
     def phases(self, value: float, state: Reals) -> list[Reals]:
         """Return the states at which an orbit passes the plane in its direction."""
@@ -204,6 +193,21 @@ class SelfExcitedPassage(MechanismPassage):
         """
         return np.append(super().rate(), 0.0)
 
+    def strobed(self, state: Reals) -> Reals:
+        """Return a state of the orbit and its period, (n + 1,): without a drive any is as good."""
+        return state
+
+    def restart(self, tangent: Reals) -> Restart | None:
+        """Return the orbit as one that begins amid a long segment, on a plane across the motion."""
+        time, map = self.better_start, self.map
+        assert isinstance(map, SelfExcitedMap)
+        if time == 0.0 and map.section is not None and self.slant >= ACROSS:
+            return None
+        section = section_at(self.course, time, map.periods)
+        # Neither period nor value depend on where an orbit begins.
+        ahead = np.append(np.zeros(len(section.point)), tangent[-2:])
+        return Restart(map.begun_on(section), np.append(section.point, self.start[-1]), ahead)
+
     @property
     def halvings(self) -> int:
         """How often the events of each part halve into two like sequences, as after period doublings."""
@@ -222,19 +226,8 @@ class SelfExcitedPassage(MechanismPassage):
     @property
     def better_start(self) -> float:
         """Time, s, at which the orbit had better begin: 0 if it does amid a segment that is long enough."""
-        starts = np.unique(self.course.log.start)[1:]
-        if not len(starts):
-            return 0.0
-        lengths, duration = np.diff(starts), self.course.duration
-        own = duration - starts[-1] + starts[0]
-        longest = float(lengths.max(initial=0.0))
-        share = float(duration - starts[-1]) / own
-        if own > LEAST_SHARE * longest and LEAST_MARGIN < share < 1.0 - LEAST_MARGIN:
-            return 0.0
-        if own >= longest:
-            return float((starts[-1] + 0.5 * own) % duration)
-        first = int(np.argmax(lengths))
-        return float(starts[first] + 0.5 * lengths[first])
+        starts, duration = np.unique(self.course.log.start)[1:], self.course.duration
+        return amid_longest(starts, duration) if len(starts) and not is_amid(starts, duration) else 0.0
 
 
 def _halvings(kinds: list[int]) -> int:
