@@ -24,6 +24,7 @@ from trimmer.response.forced_orbit import mechanism_orbit, require_repeating
 from trimmer.response.orbit import NEUTRAL, MechanismOrbit
 from trimmer.response.self_excited import self_excited_orbit
 from trimmer.response.settling import orbit_from_rest
+from trimmer.response.starts import instant_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -95,7 +96,7 @@ def follow(
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
         map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
-        first = real_array("state", state)
+        first = instant_of(ExactFlow.returning(at_start), state).state
     map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:

@@ -13,7 +13,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.balanced import BalancedOrbit, balanced_beside
 from trimmer.branches.branch import BranchEnd, BranchPoint
 from trimmer.branches.outputs import OutputMeasure, output_measures
-from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError

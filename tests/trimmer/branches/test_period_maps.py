@@ -114,7 +114,9 @@ def test_phases_of_contact_are_counted_and_timed() -> None:
 
 
 def test_a_passage_begins_with_the_statuses_of_its_end_where_it_ends_with_them_again() -> None:
-    flow = SimpleNamespace(at=lambda state, phase: SimpleNamespace(statuses=(0,)), reduced=lambda state: state)
+    flow = SimpleNamespace(
+        at=lambda state, phase: SimpleNamespace(statuses=(0,)), reduced=lambda state: state
+    )
     followed = mechanism_map.MechanismMap.followed
     for statuses, repeated, expected in (
         ((0,), "again", "course"),

@@ -8,10 +8,18 @@ import numpy as np
 import pytest
 
 from tests.trimmer.branches.bouncing_ball import ball, damping, fold, resting, thrown
-from trimmer import FollowSettings, SpecialKind, follow
+from trimmer import (
+    FollowSettings,
+    LocusRanges,
+    LocusSettings,
+    MechanismError,
+    SpecialKind,
+    follow,
+    follow_special,
+)
 from trimmer.mechanism.parts import ContactLaw
 
-QUIET = FollowSettings(quiet=True)
+QUIET, LOCUS = FollowSettings(quiet=True), LocusSettings(quiet=True)
 
 
 @pytest.mark.parametrize("stiffness", [1e6, 1e8])
@@ -60,3 +68,39 @@ def test_a_ball_at_rest_on_the_table_lifts_off(law: ContactLaw, phase: float) ->
     assert first.value == pytest.approx(wanted, abs=1e-9)
     assert found.points[0].events_per_period == 0
     assert found.points[-1].events_per_period > 0
+
+
+@pytest.mark.parametrize("law", ContactLaw)
+def test_a_phase_over_a_whole_turn_changes_nothing(law: ContactLaw) -> None:
+    """All that happens in a period comes to t = 0 in turn."""
+    machine = ball(1e6, 0.5, law=law)
+    begin = thrown(0.5) + [0.0] * (law is ContactLaw.RELAXING)
+    found = follow(machine, "pins.table.phase", 0.5, 0.5 + 2.0 * math.pi, state=begin, settings=QUIET)
+    assert (found.success, found.special) == (True, ())
+    multipliers = np.array([point.multipliers for point in found.points])
+    assert np.allclose(multipliers, multipliers[0], atol=1e-7)
+    assert {point.events_per_period for point in found.points} == {found.points[0].events_per_period}
+    assert np.allclose(found.points[-1].state, found.points[0].state, atol=1e-7)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("phase", [0.0, 3.0])
+def test_a_locus_over_the_phase_is_straight(phase: float) -> None:
+    machine = ball(1e6, phase)
+    branch = follow(machine, "pins.table.amplitude", 0.6, 0.4, state=thrown(phase), settings=QUIET)
+    ranges = LocusRanges((0.3, 0.6), (phase - 0.1, phase + 2.0 * math.pi))
+    locus = follow_special(
+        branch, branch.special[0], "pins.table.phase", ranges.second[1], ranges=ranges, settings=LOCUS
+    )
+    assert locus.success
+    assert locus.second[-1] == pytest.approx(ranges.second[1], rel=1e-12)
+    assert locus.first == pytest.approx(np.full(len(locus.first), fold(1e6)), rel=1e-9)
+    assert np.ptp(locus.first) < 1e-11
+    assert locus.residual.max() < 1e-11
+    assert locus.distance.max() < 1e-6
+
+
+def test_a_start_of_another_shape_is_refused() -> None:
+    machine = ball(1e6, 0.0, law=ContactLaw.RELAXING)
+    with pytest.raises(MechanismError, match="the mechanism has 3 states: ball, ball' and contact"):
+        follow(machine, "pins.table.amplitude", 0.6, 0.3, state=thrown(0.0), settings=QUIET)

@@ -101,7 +101,7 @@ def _locus(search: Search, track: Track, reason: LocusEnd) -> Locus:
         places=(search.maps[0].place, search.maps[1].place),
         periods=search.maps[0].periods,
         values=values,
-        states=np.array([point.state for point in track.points]),
+        states=np.array([point.strobed for point in track.points]),
         residual=np.array([np.nan if place is None else place.error for place in places]),
         distance=np.array([_distance(search, place) for place in places]),
         reason=reason,
@@ -111,8 +111,14 @@ def _locus(search: Search, track: Track, reason: LocusEnd) -> Locus:
 
 
 def _place(search: Search, numbers: Reals, point: Point) -> Place | None:
+    """Return the orbit of a point, from where nothing happens; None if it cannot be followed."""
     problem = Problem(search.map_at(1, float(numbers[1])), 1.0, point.sizes)
-    return problem.place(problem.position(float(numbers[0]), point.state))
+    place = problem.place(problem.position(float(numbers[0]), point.strobed))
+    restart = None if place is None else place.passage.restart(np.zeros(len(point.strobed) + 1))
+    if restart is None:
+        return place
+    problem = replace(problem, map=restart.map)
+    return problem.place(problem.position(float(numbers[0]), restart.state))
 
 
 def _distance(search: Search, place: Place | None) -> float:

@@ -126,9 +126,8 @@ def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> 
     smallest = SMALLEST if sought.parts else SHORT * reach
     front, smooth = begun(problem, place, tangent), not sought.parts
     for point in _special_points(front, centre.position, reach, (smallest, smooth)):
-        near = (
-            np.linalg.norm(problem.position(point.value, point.state) - centre.position) <= FARTHEST * reach
-        )
+        (begin,) = problem.map.phases(point.value, point.state)
+        near = np.linalg.norm(problem.position(point.value, begin) - centre.position) <= FARTHEST * reach
         if near and sought.fits(point):
             return Relocated(point, tuple(others), problem)
         others += [point] if near else []

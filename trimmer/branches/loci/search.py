@@ -13,14 +13,25 @@ from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import MechanismError
 
+PREDICTING = 3
+"""Points from which the next one is predicted."""
+
 
 @dataclass(frozen=True, eq=False)
 class Point:
-    """A point of a locus: values as shares of the ranges, (2,), state, (n,), and the state's scale, (n,)."""
+    """A point of a locus.
+
+    Attributes:
+        values: As shares of the ranges, (2,).
+        state: State where the orbits begin at present, (n,).
+        sizes: Its scale, (n,).
+        strobed: State at the start of a drive period, (n,).
+    """
 
     values: Reals
     state: Reals
     sizes: Reals
+    strobed: Reals
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,9 +52,15 @@ class Search:
         """Where they begin, (2,)."""
         return np.array([lowest for lowest, _ in self.ranges.both])
 
-    def map_at(self, held: int, value: float) -> MechanismMap:
-        """Return the map over the number that is not held, with a value of the one that is."""
-        map = self.maps[1 - held]
+    def map_at(self, held: int, value: float, share: float | None = None) -> MechanismMap:
+        """Return the map over the number that is not held, with a value of the one that is.
+
+        Args:
+            held: Which one that is.
+            value: Its value.
+            share: Where orbits begin, in drive periods after the start of one.
+        """
+        map = self.maps[1 - held] if share is None else self.maps[1 - held].begun_at(share)
         return replace(map, mechanism=map.mechanism.with_value(self.maps[held].place, value))
 
     def inside(self, values: Reals) -> bool:
@@ -53,17 +70,34 @@ class Search:
 
 @dataclass
 class Track:
-    """The points so far, and what else was found where the last one was looked for."""
+    """The points so far, what else was found where the last one was looked for, and where orbits begin."""
 
     points: list[Point]
     others: list[SpecialPoint] = field(default_factory=list)
+    share: float | None = None
 
 
 def first_point(search: Search, values: Reals, state: Reals) -> Point:
     """Return the point to begin with, from values of both numbers and a state."""
     passage = search.map_at(1, float(values[1])).passage(float(values[0]), state)
     sizes = np.where(passage.sizes > 0.0, passage.sizes, 1.0)
-    return Point((values - search.lowest) / search.spans, state, sizes)
+    return Point((values - search.lowest) / search.spans, state, sizes, state)
+
+
+def restart(search: Search, track: Track) -> None:
+    """Let orbits begin elsewhere, where an event comes near to the instant at which they do."""
+    last = track.points[-1]
+    first, second = search.lowest + last.values * search.spans
+    passage = search.map_at(1, float(second), track.share).passage(float(first), last.state)
+    other = passage.restart(np.zeros(len(last.state) + 1))
+    if other is None or not isinstance(other.map, MechanismMap):
+        return
+    track.share = other.map.share
+    for number in range(max(0, len(track.points) - PREDICTING), len(track.points)):
+        point = track.points[number]
+        first, second = search.lowest + point.values * search.spans
+        map = search.map_at(1, float(second), track.share)
+        track.points[number] = replace(point, state=map.phases(float(first), point.strobed)[0])
 
 
 def found_again(
@@ -73,7 +107,7 @@ def found_again(
     numbers = search.lowest + values * search.spans
     free = 1 - held
     try:
-        map = search.map_at(held, float(numbers[held]))
+        map = search.map_at(held, float(numbers[held]), track.share)
     except MechanismError:
         return None
     found = relocated(map, float(search.spans[free]), search.sought, float(numbers[free]), state, reach)
@@ -84,7 +118,8 @@ def found_again(
         return None
     located = values.copy()
     located[free] = (found.point.value - search.lowest[free]) / search.spans[free]
-    return Point(located, found.point.state, found.problem.sizes)
+    (begin,) = map.phases(found.point.value, found.point.state)
+    return Point(located, begin, found.problem.sizes, found.point.state)
 
 
 def apart(point: Point, values: Reals, state: Reals) -> float:

@@ -7,13 +7,14 @@ the point is found again on a short piece of branch over the other; so a locus m
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import LocusEnd, LocusSettings
-from trimmer.branches.loci.search import Point, Search, Track, apart, found_again
+from trimmer.branches.loci.search import PREDICTING, Point, Search, Track, apart, found_again, restart
 from trimmer.progress import progress_bar
 
 FIRST_STEP = 2e-3
@@ -41,6 +42,7 @@ def followed(search: Search, track: Track, sign: float, settings: LocusSettings)
     length = min(FIRST_STEP, settings.largest_step)
     bar = progress_bar(description=search.sought.kind.word, quiet=settings.quiet, unit=" points")
     with bar:
+        restart(search, track)
         while len(track.points) < settings.most_points:
             made = _step(search, track, sign, length)
             if made is None:
@@ -50,6 +52,7 @@ def followed(search: Search, track: Track, sign: float, settings: LocusSettings)
                 continue
             point, error = made
             track.points.append(point)
+            restart(search, track)
             bar.update()
             if not search.inside(point.values) or _at_border(point):
                 return LocusEnd.LEFT
@@ -107,7 +110,7 @@ def _second_point(search: Search, track: Track, sign: float, length: float) -> t
 
 def _predicted(points: Sequence[Point], length: float) -> tuple[Reals, Reals]:
     """Return values, (2,), and state, (n,), farther on by a length, on the curve through the last points."""
-    last = points[-3:]
+    last = points[-PREDICTING:]
     rows = [np.append(point.values, point.state) for point in last]
     chords = [apart(left, right.values, right.state) for left, right in pairwise(last)]
     at = np.cumsum([0.0, *chords])
@@ -134,8 +137,9 @@ def _closed(points: Sequence[Point]) -> bool:
     share = float(chord @ (first.values - before.values)) / float(chord @ chord)
     if not 0.0 < share <= 1.0:
         return False
-    state = before.state + share * (last.state - before.state)
-    return apart(first, before.values + share * chord, state) <= SAME + 0.1 * float(np.linalg.norm(chord))
+    state = before.strobed + share * (last.strobed - before.strobed)
+    begin = replace(first, state=first.strobed)
+    return apart(begin, before.values + share * chord, state) <= SAME + 0.1 * float(np.linalg.norm(chord))
 
 
 def _obstacle(track: Track) -> LocusEnd:

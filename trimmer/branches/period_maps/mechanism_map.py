@@ -2,47 +2,20 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-import numpy as np
-
-from trimmer.arrays import Integers, Reals
-from trimmer.branches.period_maps.period_map import Phase, Signature
-from trimmer.branches.period_maps.strobe import Restart, amid_longest, is_amid
-from trimmer.branches.period_maps.value_rate import ValueChange
+from trimmer.arrays import Reals
+from trimmer.branches.period_maps.mechanism_passage import MechanismPassage, mirrored
 from trimmer.contact.advance import Ending, Instant
 from trimmer.contact.flow import Course, ExactFlow
-from trimmer.contact.frame import frame_of
-from trimmer.contact.machine import machine_of
-from trimmer.contact.statuses import (
-    BACKWARD,
-    FORWARD,
-    MINUS,
-    PLUS,
-    RELEASED_MINUS,
-    RELEASED_PLUS,
-    STICK,
-)
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 
 DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
-STRETCHED = 1e-2
-"""Least scale of the stretch of a relaxing spring, relative to the largest displacement."""
 MOST_STEPS = 200_000
 """Steps of a passage, after which it counts as one that cannot be followed."""
-STATUSES = {
-    Phase.UPPER: (PLUS,),
-    Phase.LOWER: (MINUS,),
-    Phase.EITHER: (PLUS, MINUS),
-    Phase.STICK: (STICK,),
-}
-"""Statuses of a part in each phase."""
-MIRRORED_CONTACT = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
-MIRRORED_FRICTION = {FORWARD: BACKWARD, BACKWARD: FORWARD}
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,196 +169,3 @@ class MechanismMap:
             return end
         statuses = mirrored(end.statuses, len(flow.modes.machine.stiffness))
         return replace(end, state=-end.state, statuses=statuses)
-
-
-def mirrored(statuses: tuple[int, ...], contacts: int) -> tuple[int, ...]:
-    """Return the statuses of the mirror image of a motion, those of so many contacts first."""
-    return tuple(
-        (MIRRORED_CONTACT if part < contacts else MIRRORED_FRICTION).get(status, status)
-        for part, status in enumerate(statuses)
-    )
-
-
-@dataclass(frozen=True, eq=False)
-class MechanismPassage:
-    """The motion of a mechanism from a state over its periods.
-
-    Attributes:
-        map: The map.
-        value: Value of the number that is varied.
-        flow: The motion of the mechanism.
-        begin: The instant at which it begins.
-        course: The motion.
-    """
-
-    map: MechanismMap
-    value: float
-    flow: ExactFlow
-    begin: Instant
-    course: Course
-
-    @property
-    def sign(self) -> float:
-        """Return what the end is multiplied by."""
-        return -1.0 if self.map.mirrored else 1.0
-
-    @property
-    def end(self) -> Reals:
-        """State at the end, shape (n,)."""
-        return self.sign * self.course.end.state
-
-    @cached_property
-    def jacobian(self) -> Reals:
-        """Derivative of the end by the state, n x n."""
-        return self.sign * self.course.monodromy
-
-    @property
-    def monodromy(self) -> Reals:
-        """The matrix whose eigenvalues are the multipliers, n x n."""
-        return self.jacobian
-
-    @cached_property
-    def sizes(self) -> Reals:
-        """Largest magnitude of each entry at events and at equal times, shape (n,).
-
-        A stretch is a difference of displacements, and known no better than their rounding: its own is at
-        least a share of theirs.
-        """
-        times = np.linspace(0.0, self.course.duration, 64)
-        states = np.vstack([self.course.states(times), self.course.log.state])
-        sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
-        bodies = len(self.flow.modes.layout.bodies)
-        stretches = sizes[2 * bodies :]
-        np.maximum(stretches, STRETCHED * sizes[:bodies].max(), out=stretches)
-        return sizes
-
-    @cached_property
-    def _segments(self) -> tuple[Reals, Integers]:
-        """Times at which segments begin that last, s, and the statuses in each and in the one before it.
-
-        Of the segments at one instant, the last one is that which goes on. Before the first one comes the
-        last, since orbits close, as its mirror image in a mirrored map.
-        """
-        log, duration = self.course.log, self.course.duration
-        goes_on = np.append(np.diff(log.start) > 0.0, log.start[-1] < duration)
-        statuses = self.course.modes.tables.statuses[log.mode[goes_on]]
-        before = np.roll(statuses, 1, axis=0)
-        if self.map.mirrored:
-            before[0] = mirrored(tuple(before[0].tolist()), len(self.flow.modes.layout.contacts))
-        return log.start[goes_on], np.array([before, statuses])
-
-    @cached_property
-    def signature(self) -> Signature:
-        """The phases that begin in it.
-
-        What leaves half a period at its end comes in at its beginning on the other side, so that of a
-        mirrored motion the sides are not told apart.
-        """
-        layout, (_, (before, after)) = self.flow.modes.layout, self._segments
-        sides = {PLUS: Phase.UPPER, MINUS: Phase.LOWER}
-        if self.map.mirrored:
-            sides = dict.fromkeys(sides, Phase.EITHER)
-        begun: Counter[tuple[str, Phase]] = Counter()
-        for number, name in enumerate((*layout.contacts, *layout.frictions)):
-            phases = sides if number < len(layout.contacts) else {STICK: Phase.STICK}
-            for status, phase in phases.items():
-                count = int(((after[:, number] == status) & (before[:, number] != status)).sum())
-                if count:
-                    begun[name, phase] += count
-        return begun
-
-    def shortest(self, part: str, phase: Phase) -> float:
-        """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if there is none."""
-        return min(each.min(initial=np.inf) for each in self._lengths(part, phase))
-
-    def opens(self, part: str, phase: Phase) -> bool:
-        """Say whether the shortest of them is a pause, in which a contact opens or what sticks slips."""
-        lasting, pausing = self._lengths(part, phase)
-        return bool(pausing.min(initial=np.inf) < lasting.min(initial=np.inf))
-
-    def _lengths(self, part: str, phase: Phase) -> tuple[Reals, Reals]:
-        """Return how long the phases of a kind last, s, and how long the pauses between them."""
-        layout, (starts, (before, after)) = self.flow.modes.layout, self._segments
-        number = (*layout.contacts, *layout.frictions).index(part)
-        inside, was = (np.isin(each[:, number], STATUSES[phase]) for each in (after, before))
-        changes = inside != was
-        if not changes.any():
-            return np.empty(0), np.empty(0)
-        times, begins = starts[changes], inside[changes]
-        lengths = np.diff(times, append=times[0] + self.course.duration)
-        return lengths[begins], lengths[~begins]
-
-    @property
-    def events(self) -> int:
-        """Number of events."""
-        return len(self.course.events)
-
-    def strobed(self, state: Reals) -> Reals:
-        """Return the state at the start of a drive period, (n,), from that at which the passage begins."""
-        if not self.map.share:
-            return state
-        (strobed,) = self.course.states(np.array([(self.map.length - self.map.share) * self.flow.period]))
-        return np.asarray(self.sign * strobed[: len(state)])
-
-    def restart(self, tangent: Reals) -> Restart | None:
-        """Return the orbit as one that begins amid a long segment; None if it does, or if nothing happens.
-
-        Args:
-            tangent: Direction of the branch, shape (n + 1,), in the units of the state and the value.
-        """
-        period, root = self.flow.period, self.map
-        while root.single is not None:
-            root = root.single
-        times = np.unique(self.course.times % (root.length * period))
-        if not len(times) or (self.map.share is not None and is_amid(times, root.length * period)):
-            return None
-        begun = self.map.share or 0.0
-        share = (begun + amid_longest(times, root.length * period) / period) % root.length
-        ahead = share - begun if share >= begun else share - begun + self.map.length
-        course = self.flow.timed(self.begin, ahead * period, MOST_STEPS)
-        sign = 1.0 if share >= begun else self.sign
-        moved = course.tangents(tangent[:-1, None])[:, 0] + tangent[-1] * self.rate_of(course)
-        return Restart(
-            self.map.begun_at(share), sign * course.end.state, np.append(sign * moved, tangent[-1])
-        )
-
-    @cached_property
-    def middle(self) -> Reals | None:
-        """End of the first half, if the map was doubled, shape (n,); None otherwise."""
-        if self.map.single is None:
-            return None
-        (state,) = self.course.states(np.array([0.5 * self.course.duration]))
-        sign = -1.0 if self.map.single.mirrored else 1.0
-        return np.asarray(sign * state[: self.flow.size])
-
-    @cached_property
-    def _rate(self) -> Reals:
-        return self.sign * self.rate_of(self.course)
-
-    def rate_of(self, course: Course) -> Reals:
-        """Return the derivative of the end of the motion, or of a first part of it, by the number, (n,).
-
-        Raises:
-            UnsupportedMotionError: if the neighbouring motion cannot be followed.
-        """
-        neighbour = self.map.neighbour(self.value)
-        step = neighbour[0] - self.value
-        machine, layout = machine_of(neighbour[1], frame_of(neighbour[1]))
-        own = self.flow.modes.layout
-        alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
-        scale = layout.period / own.period if own.period else 1.0
-        if not alike or (layout.frame.leaders != own.frame.leaders).any():
-            # A part appears or vanishes with the number.
-            flow = ExactFlow.returning(neighbour[1])
-            begin = flow.at(self.begin.state, self.begin.phase * scale)
-            end = self.map.course(flow, begin, course.duration * scale).end
-            return np.asarray((end.state - course.end.state) / step)
-        return ValueChange(course, machine, step, course.duration * (scale - 1.0) / step).rate()
-
-    def rate(self) -> Reals:
-        """Return the derivative of the end by the number that is varied, shape (n,).
-
-        Raises:
-            UnsupportedMotionError: if the neighbouring motion cannot be followed.
-        """
-        return self._rate

@@ -14,7 +14,8 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_maps.mechanism_map import MechanismMap, MechanismPassage
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.branches.period_maps.strobe import Restart, amid_longest, is_amid
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import UnsupportedMotionError

@@ -90,7 +90,7 @@ def test_a_locus_is_made_of_its_points(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(results, "_place", place)
     points = [
-        Point(np.array(values), np.array(values) + 1.0, np.ones(2))
+        Point(np.array(values), np.array(values), np.ones(2), np.array(values) + 1.0)
         for values in ((0, 1), (0.5, 0.25), (1, 0))
     ]
     found = results._locus(search(), Track(points), LocusEnd.LEFT)
@@ -115,7 +115,7 @@ def test_the_orbit_of_a_point_is_that_of_both_numbers() -> None:
     response = 100.0 / (40.0 - omega**2 + 0.1j * math.sqrt(40.0) * omega)
     state = np.array([response.real, (1j * omega * response).real])
     numbers = np.array([omega / (2.0 * math.pi), 11.0])
-    place = results._place(search(), numbers, Point(np.zeros(2), state, sizes))
+    place = results._place(search(), numbers, Point(np.zeros(2), state, sizes, state))
     assert place is not None
     # Below the gap the motion is linear, and the orbit known.
     assert place.error < 1e-12

@@ -168,8 +168,8 @@ def test_a_value_that_a_number_cannot_have_ends_the_search(monkeypatch: pytest.M
 
     search = Search((None, None), None, LocusRanges((0.0, 1.0), (0.0, 2.0)))  # type: ignore[arg-type]
 
-    def refused(self: Search, held: int, value: float) -> None:
-        assert (held, value) == (1, 1.0)
+    def refused(self: Search, held: int, value: float, share: float | None) -> None:
+        assert (held, value, share) == (1, 1.0, None)
         raise MechanismError("it cannot have that value")
 
     monkeypatch.setattr(Search, "map_at", refused)

@@ -32,7 +32,8 @@ QUIET = LocusSettings(quiet=True)
 
 
 def point(first: float, second: float, *state: float) -> Point:
-    return Point(np.array([first, second]), np.array(state or (0.0, 0.0)), SIZES)
+    begin = np.array(state or (0.0, 0.0))
+    return Point(np.array([first, second]), begin, SIZES, begin)
 
 
 def test_the_distance_of_points_is_in_ranges_and_sizes() -> None:
@@ -161,13 +162,14 @@ class OnCircle:
         found = values.copy()
         found[1 - held] = 0.5 + math.copysign(math.sqrt(aside), values[1 - held] - 0.5)
         away = abs(found - values).max()
-        return Point(found, np.zeros(2), SIZES) if away <= reach else None
+        return Point(found, np.zeros(2), SIZES, np.zeros(2)) if away <= reach else None
 
 
 def went(
     monkeypatch: pytest.MonkeyPatch, circle: OnCircle, start: Sequence[float], sign: float, **settings: float
 ) -> tuple[Track, LocusEnd]:
     monkeypatch.setattr(stepping, "found_again", circle.again)
+    monkeypatch.setattr(stepping, "restart", lambda search, track: None)
     track = Track([point(*start)])
     chosen = LocusSettings(quiet=True, **settings)  # type: ignore[arg-type]
     return track, followed(circle, track, sign, chosen)  # type: ignore[arg-type]
@@ -327,6 +329,7 @@ def test_steps_grow_twofold_where_predictions_are_good_and_are_halved_where_none
         return None if error is None else (point(before[0] + length, before[1]), error)
 
     monkeypatch.setattr(stepping, "_step", step)
+    monkeypatch.setattr(stepping, "restart", lambda search, track: None)
     search = OnCircle(0.3)
     settings = LocusSettings(most_points=6, quiet=True)
     assert followed(search, Track([point(0.3, 0.5)]), 1.0, settings) is LocusEnd.MOST_POINTS  # type: ignore[arg-type]
