@@ -96,7 +96,7 @@ def follow(
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
         map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
-        first = instant_of(ExactFlow.returning(at_start), state).state
+        first = instant_of(ExactFlow.returning(at_start), real_array("state", state)).state
     map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:
