@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, overload
 
 from trimmer.arguments import whole_number
@@ -78,8 +79,15 @@ def mechanism_orbit(
             raise ValueError(
                 f"periods is {periods}, but the mechanism has no drive whose periods could count"
             )
-        return self_excited_orbit(flow, instant_of(flow, guess))
-    return _driven(flow, periods, guess, settling)
+        return _with_edge(self_excited_orbit(flow, instant_of(flow, guess)))
+    return _with_edge(_driven(flow, periods, guess, settling))
+
+
+def _with_edge(orbit: MechanismOrbit) -> MechanismOrbit:
+    """Return an orbit whose message says what is known where it rests on an edge."""
+    if orbit.edge is None:
+        return orbit
+    return replace(orbit, message=f"{orbit.message}; {orbit.edge.told}")
 
 
 def _driven(flow: ExactFlow, periods: int, guess: Start, settling: int | None) -> MechanismOrbit:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.edge import Edge
     from trimmer.response.measures import Measures
 
 SAME = 1e-8
@@ -154,6 +155,18 @@ class MechanismOrbit(Tabular):
             if size < 0.1:
                 break
         return largest
+
+    @cached_property
+    def edge(self) -> Edge | None:
+        """What is known of the other side, where it rests on an edge; None where it does not."""
+        from trimmer.response.edge import edge_of
+
+        return edge_of(self.flow, self.course, self.sizes) if self.success else None
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether its multipliers hold for disturbances to one side only, as where a contact just touches."""
+        return self.edge is not None
 
     @cached_property
     def strobed(self) -> Reals:

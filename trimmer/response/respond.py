@@ -108,6 +108,9 @@ class _Search:
             waited = self.flow.period * found.drive_periods
         else:
             found, waited = self._by_itself(instant)
+        if found.orbit is not None and found.orbit.edge is not None:
+            edge = found.orbit.edge.told
+            found = replace(found, message=f"{found.message} {edge[0].upper()}{edge[1:]}.")
         if found.rest is None:
             return found
         return replace(found, rest=self._in_place(found.rest, instant, waited))

@@ -37,6 +37,8 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "drive_periods": motion.drive_periods,
         "events_per_period": motion.events_per_period,
         "multipliers": [[each.real, each.imag] for each in multipliers],
+        "one_sided": motion.orbit is not None and motion.orbit.one_sided,
+        "other_multipliers": _other_multipliers(motion),
         "rest": None if motion.rest is None else rest_json(motion.rest),
         "outputs": {name: _output(motion, name) for name in motion.peak_to_peak},
         "bodies": {name: _body(each) for name, each in motion.rms_acceleration.items()},
@@ -49,6 +51,13 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "spectrum": _spectrum(motion),
         "message": motion.message,
     }
+
+
+def _other_multipliers(motion: SettledMotion) -> list[list[float]] | None:
+    edge = None if motion.orbit is None else motion.orbit.edge
+    if edge is None or edge.other_multipliers is None:
+        return None
+    return [[each.real, each.imag] for each in edge.other_multipliers.tolist()]
 
 
 def rest_json(rest: Rest) -> dict[str, Any]:

@@ -98,10 +98,13 @@ def test_what_does_not_return_is_given_back_and_what_cannot_be_followed_is_not(
 
 
 def test_mechanisms_and_loops_are_handed_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "_driven", lambda flow, *given: (flow.mechanism, *given))
-    assert module.mechanism_orbit(DRIVEN) == (DRIVEN, 1, None, None)
-    assert forced_orbit(DRIVEN) == (DRIVEN, 1, None, None)
-    assert forced_orbit(DRIVEN, 0, periods=3, guess="guess") == (DRIVEN, 3, "guess", 0)
+    def handed_on(flow: object, *given: object) -> SimpleNamespace:
+        return SimpleNamespace(edge=None, given=(flow.mechanism, *given))
+
+    monkeypatch.setattr(module, "_driven", handed_on)
+    assert module.mechanism_orbit(DRIVEN).given == (DRIVEN, 1, None, None)
+    assert forced_orbit(DRIVEN).given == (DRIVEN, 1, None, None)
+    assert forced_orbit(DRIVEN, 0, periods=3, guess="guess").given == (DRIVEN, 3, "guess", 0)
     with pytest.raises(ValueError, match="settling"):
         forced_orbit(DRIVEN, -1)
     with pytest.raises(ValueError, match="periods"):
@@ -112,9 +115,10 @@ def test_mechanisms_and_loops_are_handed_on(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_without_a_drive_the_period_is_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        "trimmer.response.self_excited.self_excited_orbit", lambda flow, instant: (flow, instant)
+        "trimmer.response.self_excited.self_excited_orbit",
+        lambda flow, instant: SimpleNamespace(edge=None, given=(flow, instant)),
     )
-    flow, instant = forced_orbit(FREE, guess={"one": (2.0, 3.0)})
+    flow, instant = forced_orbit(FREE, guess={"one": (2.0, 3.0)}).given
     assert flow.mechanism is FREE
     np.testing.assert_array_equal(instant.state, [2.0, 3.0])
 

@@ -28,7 +28,7 @@ def periodic(name: str = "orbit") -> SettledMotion:
     orbit = SimpleNamespace(
         name=name, multipliers=np.array([0.5 + 0.25j, -0.125]), periods=2, period_count=2, period=0.75,
         residual=1e-12, events_per_period=3.5, measures=measures, course=None, flow=None,
-        nontrivial_multipliers=np.array([0.5 + 0.25j, -0.125]),
+        nontrivial_multipliers=np.array([0.5 + 0.25j, -0.125]), edge=None, one_sided=False,
     )  # fmt: skip
     return SettledMotion(MotionKind.PERIODIC, orbit, None, 70, True, 3, 0.75, False, "Told.")
 

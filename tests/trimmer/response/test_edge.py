@@ -1,0 +1,113 @@
+"""Orbits that rest on an edge: their multipliers are those of one side, and this is said."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from tests.trimmer.response.mechanisms import twin
+from trimmer import Mechanism, forced_orbit, respond
+from trimmer.command_line.main import main
+
+TOUCHING = """
+frequency = {frequency}
+[bodies]
+block = {{ mass = 1.0 }}
+[links]
+spring = {{ between = ["ground", "block"], stiffness = 100.0, damping = {damping} }}
+[stops]
+wall = {{ between = ["ground", "block"], stiffness = 1000.0, damping = 1.0, gap = {gap} }}
+"""
+FREE, HELD = (100.0, 0.5), (1100.0, 1.5)
+"""Stiffness, N/m, and damping, N s/m, on both sides of the place where the wall begins."""
+
+
+def touching(frequency: float = 40.0, gap: float = 0.0, damping: float = 0.5) -> Mechanism:
+    text = TOUCHING.format(frequency=frequency, gap=gap, damping=damping)
+    return Mechanism.from_toml_text(text)
+
+
+def flow(side: tuple[float, float], duration: float) -> np.ndarray:
+    """The closed form of the linear motion on a side."""
+    return expm(duration * np.array([[0.0, 1.0], [-side[0], -side[1]]]))
+
+
+def moving(multipliers: np.ndarray) -> np.ndarray:
+    return np.sort_complex(multipliers[abs(multipliers) > 1e-6])
+
+
+def test_a_block_that_just_touches_has_the_multipliers_of_either_side() -> None:
+    orbit = forced_orbit(touching())
+    sides = [np.sort_complex(np.linalg.eigvals(flow(side, 1 / 40))) for side in (HELD, FREE)]
+    assert orbit.one_sided
+    assert orbit.edge.other_multipliers is not None
+    found = [moving(orbit.multipliers), moving(orbit.edge.other_multipliers)]
+    assert (
+        min(max(abs(found[0] - sides[a]).max(), abs(found[1] - sides[1 - a]).max()) for a in (0, 1)) < 1e-5
+    )  # differences over 1e-9 of what is known to 1e-16
+    assert "rests on an edge" in orbit.message
+
+
+def test_the_return_differs_by_finite_differences_to_either_side() -> None:
+    """Followed by ``simulate`` itself, which knows of no multipliers."""
+    from trimmer import simulate
+
+    mechanism, small = touching(), 1e-8
+    ends = {
+        side: simulate(mechanism, 1 / 40, state={"block": (side * small, 0.0)}).states([1 / 40])[:2, 0]
+        / small
+        for side in (1, -1)
+    }
+    assert ends[1] == pytest.approx(flow(HELD, 1 / 40)[:, 0], rel=1e-6)
+    assert -ends[-1] == pytest.approx(flow(FREE, 1 / 40)[:, 0], rel=1e-6)
+    assert abs(ends[1] + ends[-1]).max() > 0.1  # so there is no derivative
+
+
+def test_where_a_disturbance_changes_sides_within_the_period_no_multipliers_are_claimed() -> None:
+    orbit = forced_orbit(touching(frequency=1.0))
+    assert orbit.one_sided
+    assert orbit.edge.other_multipliers is None
+    assert "are not known" in orbit.message
+
+
+@pytest.mark.parametrize("gap", [1e-5, -1e-5])
+def test_beside_the_edge_there_is_none(gap: float) -> None:
+    assert not forced_orbit(touching(gap=gap)).one_sided
+    assert "edge" not in forced_orbit(touching(gap=gap)).message
+
+
+def test_an_ordinary_orbit_with_impacts_and_friction_has_both_sides_alike() -> None:
+    assert not forced_orbit(twin(1.0)).one_sided
+    assert not respond(twin(1.0)).motion.orbit.one_sided
+
+
+SHAKEN = """
+[bodies.other]
+mass = 1.0
+[links.other]
+between = ["ground", "other"]
+stiffness = 5000.0
+damping = 20.0
+[forces]
+push = { on = "other", amplitude = 3.0 }
+"""
+
+
+def test_it_is_said_in_words_and_in_the_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One block is shaken, and another rests where it just touches its wall."""
+    file = tmp_path / "touching.toml"
+    file.write_text(TOUCHING.format(frequency=40.0, gap=0.0, damping=20.0) + SHAKEN)
+    assert main(["respond", str(file), "--json"]) == 0
+    content = json.loads(capsys.readouterr().out)
+    assert content["kind"] == "periodic"
+    assert content["one_sided"] is True
+    assert "rests on an edge" in content["message"]
+    both = [complex(*each) for key in ("multipliers", "other_multipliers") for each in content[key]]
+    # Which side is the own one depends on where the motion came from.
+    orbit = forced_orbit(Mechanism.from_toml(file))
+    known = np.concatenate([orbit.multipliers, orbit.edge.other_multipliers])
+    assert np.sort_complex(np.round(both, 5)) == pytest.approx(np.sort_complex(np.round(known, 5)), abs=1e-4)

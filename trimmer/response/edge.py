@@ -1,0 +1,119 @@
+"""Orbits that rest on an edge: the return of what is near them is linear to each side, but not the same.
+
+So it is where a contact just touches at rest, where a force in stick stays at its limit, or where a sliding
+velocity touches zero: a disturbance to one side meets an event that one to the other does not. The derivative
+of the return (``trimmer.contact.variation``), and its eigenvalues, the multipliers, then belong to one side.
+Whether what jumps between sides dies out, they do not say: two sides that are stable by themselves may be
+unstable together (di Bernardo, Budd, Champneys and Kowalczyk, Piecewise-smooth Dynamical Systems, 2008).
+
+The motion itself is asked: it is followed from a little to each side.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.advance import Ending
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.flow import Course, ExactFlow
+
+DISTANCES = (1e-7, 1e-9)
+"""How far from an orbit neighbours begin, as shares of the sizes; what differs at both is no curvature."""
+DIFFERENT = 1e-3
+"""Difference of the growth of distances to either side, relative to it, that no rounding makes."""
+SEED = 5
+"""Of the direction in which a neighbour is tried first."""
+
+
+@dataclass(frozen=True, eq=False)
+class Edge:
+    """What is known of the other side of an orbit that rests on an edge.
+
+    Attributes:
+        other_multipliers: Multipliers of the side that ``MechanismOrbit.multipliers`` are not of, largest
+            modulus first, (n,); None where these are of neither side.
+    """
+
+    other_multipliers: Complexes | None
+
+    @property
+    def told(self) -> str:
+        """What is known, in words."""
+        begun = "it rests on an edge, so that these multipliers hold for small disturbances to one side only"
+        if self.other_multipliers is None:
+            return f"{begun}, and those of other sides are not known"
+        largest = float(abs(self.other_multipliers).max())
+        word = "less" if largest < 1 else "more"
+        stable = "" if largest < 1 else ": it is not stable there"
+        return (
+            f"{begun}; to the other side the largest is {largest:.6g}, {word} than 1{stable}. "
+            "What becomes of a disturbance that goes from side to side is not known"
+        )
+
+
+def edge_of(flow: ExactFlow, course: Course, sizes: Reals) -> Edge | None:
+    """Return what is known of the other side of an orbit; None if it rests on no edge.
+
+    Args:
+        flow: The motion of the mechanism.
+        course: The orbit.
+        sizes: Scale of each state, (n,).
+    """
+    beside = _Beside(flow, course, sizes)
+    direction = np.random.default_rng(SEED).uniform(0.5, 1.0, len(sizes))
+    tried = [beside.grown(direction, distance) for distance in DISTANCES]
+    if not all(_differ(*each) for each in tried):
+        return None
+    every = [beside.grown(each, DISTANCES[-1]) for each in np.eye(len(sizes))]
+    if any(one is None or other is None for one, other in every):
+        return Edge(None)
+    forward, backward = (np.array(columns).T for columns in zip(*every, strict=True))
+    own: Reals = course.monodromy * sizes / sizes[:, None]
+    scale = DIFFERENT * max(float(abs(own).max()), 1.0)
+    ahead, behind = (abs(each - own).max(axis=0) < scale for each in (forward, backward))
+    if not (ahead | behind).all():
+        return Edge(None)
+    other = np.linalg.eigvals(np.where(ahead, backward, forward)).astype(complex)
+    return Edge(other[np.argsort(-abs(other), kind="stable")])
+
+
+def _differ(one: Reals | None, other: Reals | None) -> bool:
+    """Return whether distances to either side grow to different ones; what cannot be followed does not."""
+    if one is None or other is None:
+        return False
+    return bool(abs(one - other).max() > DIFFERENT * max(float(abs(one).max()), float(abs(other).max()), 1.0))
+
+
+@dataclass(frozen=True, eq=False)
+class _Beside:
+    flow: ExactFlow
+    course: Course
+    sizes: Reals
+
+    def grown(self, direction: Reals, distance: float) -> tuple[Reals | None, Reals | None]:
+        """Return what becomes of a distance to one side and to the other, over it, as shares of the sizes."""
+        ahead = self._end(distance * direction)
+        behind = self._end(-distance * direction)
+        before = self._end(np.zeros(len(self.sizes)))
+        if ahead is None or behind is None or before is None:
+            return None, None
+        return (ahead - before) / distance, (before - behind) / distance
+
+    def _end(self, step: Reals) -> Reals | None:
+        """Return where a motion ends that begins beside the orbit, as shares of the sizes."""
+        begin = self.course.begin
+        start = self.flow.at(begin.state + step * self.sizes, begin.phase, like=begin)
+        nothing = np.zeros_like(start.known_zeros)
+        start = replace(start, known_zeros=nothing if step.any() else start.known_zeros)
+        flow = self.flow
+        periods = round(self.course.duration / flow.period) if flow.period else 0
+        course = flow.course(start, periods) if periods else flow.timed(start, self.course.duration)
+        if course.ending is not Ending.REACHED_END:
+            return None
+        end: Reals = course.end.state / self.sizes
+        return end
