@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.ties import levels
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Places, Reals
@@ -121,7 +122,7 @@ def limit_cycles_at(loop: LoopEquation, u: Reals, x: Reals) -> tuple[LimitCycle,
     """Return the limit cycles of solutions (u, x), shapes (n,), in order of frequency, then of amplitude."""
     if u.size == 0:
         return ()
-    order = np.lexsort((-u, x))
+    order = np.lexsort((-u, levels(np.exp(x))))
     u, x = u[order], x[order]
     inverse, slope = loop.response.value_and_slope(x)
     gain, by_u, gain_by_x = loop.curve.expansion(u, x)

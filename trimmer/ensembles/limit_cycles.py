@@ -32,6 +32,7 @@ from trimmer.parameters import (
 )
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, arrays
+from trimmer.ties import levels
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -221,7 +222,7 @@ def _in_rows(found: list[_Columns], again: Flags, undecided: Flags) -> SampledLi
     amplitude = np.concatenate([each.amplitude for each in found])
     omega = np.concatenate([each.omega for each in found])
     stable = np.concatenate([each.stable for each in found])
-    order = np.lexsort((amplitude, omega, rows))
+    order = np.lexsort((amplitude, levels(omega), rows))
     rows, amplitude, omega, stable = rows[order], amplitude[order], omega[order], stable[order]
     count = np.bincount(rows, minlength=len(again))
     place = np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count)

@@ -5,6 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from trimmer.ties import levels
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -59,4 +63,5 @@ def by_families(
     left_out = {id(orbit) for met in members.values() if len(met) > 1 for orbit in met}
     kept = [orbit for orbit in orbits if id(orbit) not in left_out]
     kept += [family.member for family in families]
-    return tuple(sorted(kept, key=lambda orbit: -orbit.amplitude)), families
+    falling = np.argsort(levels([-orbit.amplitude for orbit in kept]), kind="stable")
+    return tuple(kept[place] for place in falling.tolist()), families

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, s, simulate_play
-from trimmer import InertiaBacklash, LimitCycle, PeriodicOrbit, Relay, periodic_orbits
+from trimmer import InertiaBacklash, LimitCycle, PeriodicOrbit, Relay, StaticElement, periodic_orbits
 from trimmer.balance.solve import limit_cycles
 from trimmer.balance.stability import sine_of_crossing
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -34,6 +34,17 @@ def test_servo_with_backlash_has_an_outer_stable_limit_cycle() -> None:
     # Of two intersections with the outside of the locus beyond the larger amplitude, that one is stable.
     small, large = sorted(limit_cycles(10 / (s * (s + 1)), FrictionBacklash(1.0)), key=lambda c: c.amplitude)
     assert (small.stable, large.stable) == (False, True)
+
+
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_at_one_frequency_the_smaller_limit_cycle_comes_first_in_any_unit_of_time() -> None:
+    """Without memory all lie where G is real, at sqrt(2) of the unit; rounding parts their frequencies."""
+    element = StaticElement(lambda x: np.clip(x, -3, 3) - np.clip(x, -1, 1), scale=1.0, kinks=(1.0, 3.0))
+    for unit in np.sqrt([0.01, 1.0, 10.0, 1e4]):
+        found = limit_cycles(20 / ((s / unit) * (s / unit + 1) * (s / unit + 2)), element)
+        assert [each.stable for each in found] == [False, True]
+        assert found[0].amplitude < found[1].amplitude
+        assert [each.omega for each in found] == pytest.approx([unit * np.sqrt(2.0)] * 2, rel=1e-12)
 
 
 def test_sign_of_loebs_criterion_against_the_shift_of_a_pole() -> None:

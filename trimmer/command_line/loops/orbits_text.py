@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.json_values import document, finite, pair
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
+from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
@@ -60,7 +61,7 @@ def _row(orbit: PeriodicOrbit) -> tuple[str, ...]:
     prediction = orbit.prediction
     measured = (
         *(f"{orbit.amplitude:.6g}", f"{orbit.frequency:.6g}", _stable(orbit)),
-        f"{orbit.largest_multiplier:.4g}",
+        or_rounding(orbit.largest_multiplier, ".4g"),
     )
     if prediction is None:
         return (*measured, "none", "", "", "")

@@ -8,6 +8,7 @@ from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
 from trimmer.messages import listed
+from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -70,7 +71,7 @@ def _energy_text(energy: MechanismEnergy) -> list[str]:
     ]
     gained = energy.kinetic[1] + energy.stored[1] - energy.kinetic[0] - energy.stored[0]
     rows = [*works, *losses, ("gained by bodies and springs", gained)]
-    closing = f"It closes to {energy.residual:.1e} of its largest term."
+    closing = f"It closes to {or_rounding(energy.residual, '.1e')} of its largest term."
     if energy.undetermined:
         closing += (
             f" While {listed(energy.undetermined)} stick, the motion gives only the sum of their forces; the "

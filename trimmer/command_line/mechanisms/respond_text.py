@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
 from trimmer.response.response_json import response_json
+from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
     from trimmer.response.estimate import Estimate
@@ -89,8 +90,8 @@ def _advance(motion: SettledMotion) -> dict[str, dict[str, str]]:
 def _facts(motion: SettledMotion) -> Iterator[str]:
     if motion.orbit is not None:
         largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
-        per = "drive period" if motion.orbit.periods else "period"
-        yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {largest:.6g}"
+        per, size = "drive period" if motion.orbit.periods else "period", or_rounding(largest, ".6g")
+        yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {size}"
     elif motion.linear is not None:
         yield "  no events; figures are exact, of all time"
     else:
