@@ -31,6 +31,7 @@ def test_energy_of_a_mechanism_is_told_term_by_term() -> None:
         contacts={"wall": 0.25},
         frictions={"blade": 1.75},
         residual=3e-16,
+        undetermined=(),
     )
     lines = of_mechanism._energy_text(energy)
     rows = dict(row for row in cells(lines[2:-1]) if len(row) == 2)
