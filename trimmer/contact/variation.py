@@ -14,10 +14,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.machine import free_springs
+from trimmer.contact.tabulated_change import AT_REST
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from trimmer.arrays import Reals
+    from trimmer.contact.assembly import EventFunction
     from trimmer.contact.tables import Modes
     from trimmer.contact.work import Log
 
@@ -76,18 +80,56 @@ def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
 
 
 def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> None:
-    """Multiply by the jump at an event, or at several at one instant, of which the first sets the time."""
-    count = len(distances)
-    events = [row for row in range(first, last + 1) if log.function[row] >= 0]
-    before = modes[int(log.mode[first - 1])]
-    if not events:
+    """Multiply by the jumps of what happens at one instant, one after the other."""
+    fired = [int(log.function[row]) for row in range(first, last + 1) if log.function[row] >= 0]
+    if not fired:
         return
-    after = modes[int(log.mode[last])]
-    state = log.state[last]
-    gradient = before.functions[int(log.function[events[0]])].row
-    rates = before.flow @ log.state[first]
-    slope = gradient @ rates
-    if slope:
-        jump = (after.flow @ state - rates)[:count] / slope
-        distances += np.outer(jump, gradient[:count] @ distances)
-    distances[:] = _fitted(modes, int(log.mode[last]), distances)
+    count, state = len(distances), log.state[last]
+    for before, gradient, after in _changes(modes, log, first, last, fired[0]):
+        rates = modes[before].flow @ (log.state[first] if before == log.mode[first - 1] else state)
+        slope = gradient @ rates
+        if slope:
+            jump = (modes[after].flow @ state - rates)[:count] / slope
+            distances += np.outer(jump, gradient[:count] @ distances)
+        distances[:] = _fitted(modes, after, distances)
+
+
+def _changes(modes: Modes, log: Log, first: int, last: int, fired: int) -> Iterator[tuple[int, Reals, int]]:
+    """Yield the changes of mode at one instant: the mode before, what fell to zero, the mode after.
+
+    Where several event functions of the mode before fall to zero together, a neighbouring motion meets them
+    one after the other, and so do the distances. The first one has fired. What else changes at the instant
+    follows from one of them and takes place with the last.
+    """
+    before, after = int(log.mode[first - 1]), int(log.mode[last])
+    falling = _falling(modes, before, fired, log.state[first])
+    statuses = list(modes[before].statuses)
+    for number, function in enumerate(falling, start=1):
+        here = (each for each in modes[before].functions if _is_one(each, function))
+        gradient = next(here, function).row
+        following = after
+        if number < len(falling):
+            statuses[function.owner] = modes[after].statuses[function.owner]
+            following = modes.number(tuple(statuses))
+        yield before, gradient, following
+        before = following
+
+
+def _falling(modes: Modes, before: int, fired: int, state: Reals) -> list[EventFunction]:
+    """Return what falls to zero at an event: what has fired, then one function of each other part."""
+    mode, tables = modes[before], modes.tables
+    falling = [mode.functions[fired]]
+    count = len(mode.functions)
+    values = tables.taylor[before, :count, :, 0] @ state
+    sizes = tables.sizes[before, :count, :2].sum(axis=1) @ abs(state)
+    for number in np.flatnonzero(abs(values) <= AT_REST * sizes):
+        function = mode.functions[number]
+        others = all(function.owner != each.owner for each in falling)
+        if others and function.row @ (mode.flow @ state) < 0:
+            falling.append(function)
+    # What several frictions do jointly is no change of one of them.
+    return falling if min(each.owner for each in falling) >= 0 else falling[:1]
+
+
+def _is_one(function: EventFunction, other: EventFunction) -> bool:
+    return (function.owner, function.action) == (other.owner, other.action)

@@ -1,0 +1,84 @@
+"""Events at one instant: two equal machines side by side have the multipliers of one, each twice."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from trimmer import Mechanism, respond
+from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
+
+Part = Callable[[str], object]
+
+
+def spring(body: str) -> Link:
+    return Link(("ground", body), stiffness=1.0, damping=0.2)
+
+
+def push(body: str) -> Force:
+    return Force(body, amplitude=1.0)
+
+
+def machines(count: int, frequency: float | None, parts: dict[str, Part]) -> Mechanism:
+    """Return equal machines of one body each that share the ground, the belt and the drive."""
+    bodies = [f"body {number}" for number in range(count)]
+    made = {section: {f"of {body}": part(body) for body in bodies} for section, part in parts.items()}
+    pins = {} if frequency else {"belt": Pin("ground", velocity=0.2)}
+    return Mechanism(frequency=frequency, bodies={body: Body(mass=1.0) for body in bodies}, pins=pins, **made)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "parts"),
+    [
+        pytest.param(
+            None,
+            {
+                "links": lambda body: Link(("ground", body), stiffness=1.0),
+                "frictions": lambda body: Friction(("belt", body), force=0.5, static=1.0),
+            },
+            id="blocks on a belt",
+        ),
+        pytest.param(
+            0.1,
+            {
+                "links": spring,
+                "forces": push,
+                "stops": lambda body: Stop(("ground", body), stiffness=20.0, damping=0.5, gap=0.5),
+            },
+            id="oscillators at stops",
+        ),
+        pytest.param(
+            0.1,
+            {
+                "links": spring,
+                "forces": push,
+                "frictions": lambda body: Friction(("ground", body), force=0.4),
+            },
+            id="oscillators with friction",
+        ),
+        pytest.param(
+            0.1,
+            {
+                "links": spring,
+                "forces": push,
+                "plays": lambda body: Play(("ground", body), stiffness=9.0, damping=0.3, gap=0.6),
+                "frictions": lambda body: Friction(("ground", body), force=0.2),
+            },
+            id="oscillators with play and friction",
+        ),
+    ],
+)
+def test_equal_machines_have_the_multipliers_of_one_twice(
+    frequency: float | None, parts: dict[str, Part]
+) -> None:
+    one, two = (respond(machines(count, frequency, parts)).motion.orbit for count in (1, 2))
+    assert one is not None and two is not None
+    expected = np.sort(np.repeat(abs(one.multipliers), 2))
+    # Beside a double multiplier rounding is that of its square root.
+    np.testing.assert_allclose(np.sort(abs(two.multipliers)), expected, rtol=0, atol=1e-7)
+    assert two.period == pytest.approx(one.period, rel=1e-9)
+    assert not two.one_sided
+    # Without a drive either machine may be ahead of the other for ever.
+    assert (two.stable, two.neutral) == ((True, False) if frequency else (False, True))
