@@ -64,6 +64,12 @@ class LinearMotion:
         return np.asarray(self.rates.real == 0)
 
     @property
+    def reach(self) -> Reals:
+        """Bound of the modulus of each state, without what decays, (n,)."""
+        lasting = abs(self.parts[self.lasting]).sum(axis=0)
+        return np.asarray(abs(self.mean) + abs(self.waves).sum(axis=0) + lasting)
+
+    @property
     def sizes(self) -> Reals:
         """Scale of each state, (n,): those of one kind share theirs."""
         terms = abs(self.mean) + abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)

@@ -14,7 +14,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
 from trimmer.response.response import MotionKind, Response, SettledMotion
-from trimmer.response.same import same_motion, same_orbit, twins
+from trimmer.response.same import largest_states, same_motion, same_orbit, twins
 from trimmer.response.self_excited import self_excited
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
@@ -25,7 +25,6 @@ from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
     from trimmer.response.orbit import MechanismOrbit
@@ -86,8 +85,9 @@ def respond(
         return Response(mechanism, (_pulled(starts),), starts, dict(box or {}), seed)
     require_repeating(flow)
     search = _Search(flow, most_periods, [])
-    first = search.motion(instant_of(flow, state))
-    reached = dict(box) if box is not None else _reached(flow, first)
+    begin = instant_of(flow, state)
+    first = search.motion(begin)
+    reached = dict(box) if box is not None else _reached(flow, first, begin)
     found = search.grouped(first, _random(flow, reached, starts - 1, seed))
     shared = tuple(replace(each, share=each.starts / starts) for each in found)
     return Response(mechanism, shared, starts, reached, seed)
@@ -232,14 +232,22 @@ def _twins(motion: SettledMotion, other: SettledMotion) -> bool:
     return motion.orbit is not None and other.orbit is not None and twins(motion.orbit, other.orbit)
 
 
-def _reached(flow: ExactFlow, motion: SettledMotion) -> dict[str, tuple[float, float]]:
-    """Return the largest displacement, m, and velocity, m/s, of each body in a motion."""
+def _reached(flow: ExactFlow, motion: SettledMotion, start: Instant) -> dict[str, tuple[float, float]]:
+    """Return the largest displacement, m, and velocity, m/s, of each body in a motion.
+
+    Of one that comes to rest they are those of its start, or its displacements at rest if these are larger.
+    """
     count = len(flow.modes.layout.bodies)
-    sizes: Reals = np.zeros(2 * count)
+    sizes = abs(start.state)
     if motion.orbit is not None:
-        sizes = motion.orbit.sizes[: 2 * count]
+        # The sizes of an orbit are those at its events, which say little where there are none.
+        sizes = motion.orbit.sizes if motion.orbit.course.events else largest_states(motion.orbit)
+    elif motion.rest is not None:
+        sizes = np.maximum(sizes, abs(motion.rest.instant.state))
+    elif motion.linear is not None:
+        sizes = motion.linear.reach
     elif motion.window is not None:
-        sizes = motion.window.sizes[: 2 * count]
+        sizes = motion.window.sizes
     return {
         name: (float(sizes[place]), float(sizes[count + place]))
         for place, name in enumerate(flow.modes.layout.bodies)

@@ -94,6 +94,12 @@ def same_orbit(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     return any(bool((abs(_curve(other, time, anywhere) - ours) <= allowed).all()) for time in times)
 
 
+def largest_states(orbit: MechanismOrbit) -> Reals:
+    """Return the largest modulus of each state over an orbit, at even times, (n,)."""
+    largest: Reals = abs(_curve(orbit, 0.0, about_its_mean=False)).max(axis=0)
+    return largest
+
+
 def _inaccuracy(orbit: MechanismOrbit) -> float:
     """Return how well the states of an orbit are determined by its return, as a share of their sizes."""
     apart = abs(1 - orbit.nontrivial_multipliers)

@@ -58,11 +58,25 @@ def orbit_of(states: list, periods: int = 1, period: float = 0.5) -> SimpleNames
 
 
 def test_the_box_is_what_the_first_motion_reaches() -> None:
-    assert _reached(FLOW, motion()) == {"one": (0.0, 0.0), "two": (0.0, 0.0)}
-    expected = {"one": (1.0, 3.0), "two": (2.0, 4.0)}
+    damped = Mechanism(
+        {"one": Body(1.0)},
+        frequency=OMEGA / (2 * math.pi),
+        links={"spring": Link(("ground", "one"), 40.0, 2.6)},
+        forces={"push": Force("one", amplitude=100.0)},
+    )
+    amplitude = 100 / abs(40 - OMEGA**2 + 2.6j * OMEGA)
+    expected = (pytest.approx(amplitude, rel=5e-3), pytest.approx(OMEGA * amplitude, rel=5e-3))
+    assert respond(damped).box == {"one": expected}
+    undamped = damped.with_value("links.spring.damping", 0.0)
+    amplitude = 100 / abs(40 - OMEGA**2)
+    free = amplitude * OMEGA / math.sqrt(40)
+    assert respond(undamped).box["one"][0] == pytest.approx(amplitude + free, rel=1e-9)
+    still = damped.with_value("forces.push.amplitude", 0.0)
+    assert respond(still, state={"one": (0.3, -2.0)}).box == {"one": (0.3, 2.0)}
+    assert _reached(FLOW, motion(), FLOW.rest()) == {"one": (0.0, 0.0), "two": (0.0, 0.0)}
     sizes = np.array([1.0, 2.0, 3.0, 4.0, 9.0])
-    assert _reached(FLOW, motion(orbit=SimpleNamespace(sizes=sizes))) == expected
-    assert _reached(FLOW, motion(window=SimpleNamespace(sizes=sizes))) == expected
+    watched = motion(window=SimpleNamespace(sizes=sizes))
+    assert _reached(FLOW, watched, FLOW.rest()) == {"one": (1.0, 3.0), "two": (2.0, 4.0)}
 
 
 def test_random_starts_fill_the_box_and_come_again() -> None:
