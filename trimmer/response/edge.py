@@ -17,9 +17,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.advance import Ending
+from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
 
 DISTANCES = (1e-7, 1e-9)
@@ -64,6 +66,7 @@ def edge_of(flow: ExactFlow, course: Course, sizes: Reals) -> Edge | None:
         course: The orbit.
         sizes: Scale of each state, (n,).
     """
+    course = _from_the_middle(flow, course)
     beside = _Beside(flow, course, sizes)
     direction = np.random.default_rng(SEED).uniform(0.5, 1.0, len(sizes))
     tried = [beside.grown(direction, distance) for distance in DISTANCES]
@@ -76,10 +79,18 @@ def edge_of(flow: ExactFlow, course: Course, sizes: Reals) -> Edge | None:
     own: Reals = course.monodromy * sizes / sizes[:, None]
     scale = DIFFERENT * max(float(abs(own).max()), 1.0)
     ahead, behind = (abs(each - own).max(axis=0) < scale for each in (forward, backward))
-    if not (ahead | behind).all():
+    if not (ahead | behind).all() or not np.isfinite([forward, backward]).all():
         return Edge(None)
     other = np.linalg.eigvals(np.where(ahead, backward, forward)).astype(complex)
     return Edge(other[np.argsort(-abs(other), kind="stable")])
+
+
+def _from_the_middle(flow: ExactFlow, course: Course) -> Course:
+    """Return an orbit from the middle of its longest segment on, far from its ordinary events."""
+    lasts = np.diff(np.append(course.log.start, course.duration))
+    longest = int(np.argmax(lasts))
+    middle = float(course.log.start[longest] + 0.5 * lasts[longest])
+    return flow.timed(flow.timed(course.begin, middle).end, course.duration)
 
 
 def _differ(one: Reals | None, other: Reals | None) -> bool:
@@ -104,15 +115,27 @@ class _Beside:
             return None, None
         return (ahead - before) / distance, (before - behind) / distance
 
+    def _set_free(self, change: Reals) -> Instant:
+        """Return the start of the orbit, with what a change of velocities tears out of stick sliding."""
+        machine, begin = self.flow.modes.machine, self.course.begin
+        rates = machine.friction_rate[:, : len(change)]
+        speeds, contacts = rates @ change, len(machine.stiffness)
+        moves = abs(speeds) > DIFFERENT * (abs(rates) @ abs(change))
+        statuses = list(begin.statuses)
+        for friction in np.flatnonzero(moves).tolist():
+            # One whose kinetic force is less than the static one may leave for good; stick is taken to hold.
+            drops = machine.static[friction] > machine.kinetic[friction]
+            if statuses[contacts + friction] == STICK and not drops:
+                statuses[contacts + friction] = FORWARD if speeds[friction] > 0 else BACKWARD
+        return replace(begin, statuses=tuple(statuses))
+
     def _end(self, step: Reals) -> Reals | None:
         """Return where a motion ends that begins beside the orbit, as shares of the sizes."""
-        begin = self.course.begin
-        start = self.flow.at(begin.state + step * self.sizes, begin.phase, like=begin)
+        begin, flow = self.course.begin, self.flow
+        start = flow.at(begin.state + step * self.sizes, begin.phase, like=self._set_free(step * self.sizes))
         nothing = np.zeros_like(start.known_zeros)
         start = replace(start, known_zeros=nothing if step.any() else start.known_zeros)
-        flow = self.flow
-        periods = round(self.course.duration / flow.period) if flow.period else 0
-        course = flow.course(start, periods) if periods else flow.timed(start, self.course.duration)
+        course = flow.timed(start, self.course.duration)
         if course.ending is not Ending.REACHED_END:
             return None
         end: Reals = course.end.state / self.sizes

@@ -111,3 +111,26 @@ def test_it_is_said_in_words_and_in_the_json(tmp_path: Path, capsys: pytest.Capt
     orbit = forced_orbit(Mechanism.from_toml(file))
     known = np.concatenate([orbit.multipliers, orbit.edge.other_multipliers])
     assert np.sort_complex(np.round(both, 5)) == pytest.approx(np.sort_complex(np.round(known, 5)), abs=1e-4)
+
+
+AT_LIMIT = """
+frequency = 40.0
+[bodies]
+block = { mass = 1.0 }
+[links]
+spring = { between = ["ground", "block"], stiffness = 100.0, damping = 50.0 }
+[frictions]
+rub = { between = ["ground", "block"], force = 1.0 }
+[forces]
+pull = { on = "block", constant = 1.0 }
+beat = { on = "block", amplitude = 0.0 }
+"""
+
+
+def test_a_stick_force_at_its_limit_holds_to_one_side_and_slips_to_the_other() -> None:
+    """To one side a displacement stays; to the other the block slips back, by spring and damper."""
+    orbit = forced_orbit(Mechanism.from_toml_text(AT_LIMIT))
+    slips = np.linalg.eigvals(flow((100.0, 50.0), 1 / 40))
+    assert orbit.one_sided
+    assert abs(orbit.multipliers).max() == pytest.approx(1.0, abs=1e-12)
+    assert np.sort(orbit.edge.other_multipliers.real) == pytest.approx(np.sort(slips), abs=1e-5)
