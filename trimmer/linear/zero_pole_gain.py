@@ -184,22 +184,33 @@ def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexa
 
     The first Markov parameter D, C B, C A B, ... that is not zero is the gain; its place is the relative
     degree r. The zeros are the poles of what can move while the output and its first r - 1 derivatives stay
-    zero (Isidori, Nonlinear Control Systems, section 4.3, for the linear case).
+    zero (Isidori, Nonlinear Control Systems, section 4.3, for the linear case). Each of these takes one
+    state away: the rest is turned so that the output is one state, and that state's rate is the next output.
     """
-    A, scales = _balanced(system.A)
-    row, column = system.C * scales, system.B / scales[:, None]
-    held: list[Reals] = []
-    markov = bound = float(system.D[0, 0])
-    while abs(markov) <= _ROUNDING * bound:
-        if len(held) == system.nstates:
+    A, column, row = _balanced(system)
+    given, held = row, 0
+    markov = bound = direct = float(system.D[0, 0])
+    while abs(markov) <= _ROUNDING * abs(bound):
+        if held == system.nstates:
             raise _zero_system()
-        held.append(row[0] / (np.linalg.norm(row) or 1.0))
-        markov = float((row @ column)[0, 0])
-        bound = float((np.abs(row) @ np.abs(column))[0, 0])
+        held += 1
+        markov, bound = float(row @ column), float(np.abs(row) @ np.abs(column))
         row = row @ A
-    # The rows are independent, as their products with B, A B, ... are triangular.
-    free = np.linalg.svd(np.array(held))[2][len(held) :] if held else np.eye(len(A))
-    return markov, _eigenvalues(free @ (A - column @ row / markov) @ free.T)
+    free, output = A, given
+    for _ in range(held):
+        along, across = _along_and_across(output)
+        output, direct = along @ free @ across, float(along @ column)
+        free, column = across.T @ free @ across, across.T @ column
+    return markov, _eigenvalues(free - column[:, None] * output / direct)
+
+
+def _along_and_across(direction: Reals) -> tuple[Reals, Reals]:
+    """Return the unit vector along a direction or against it, and an orthonormal basis across, as columns."""
+    normal = direction / np.linalg.norm(direction)
+    normal[0] += 1.0 if normal[0] >= 0 else -1.0
+    reflected = np.eye(direction.size)
+    reflected -= normal[:, None] * (normal / abs(normal[0]))
+    return reflected[:, 0], reflected[:, 1:]
 
 
 def _eigenvalues(matrix: Reals) -> Complexes:
@@ -212,12 +223,19 @@ def _eigenvalues(matrix: Reals) -> Complexes:
     return np.asarray(real + 1j * imaginary)
 
 
-def _balanced(matrix: Reals) -> tuple[Reals, Reals]:
-    """Scale the states so that rows and columns are of like size; return the matrix and the scales."""
-    if matrix.size == 0:
-        return matrix, np.empty(0)
-    balanced, _, _, scales, _ = dgebal(matrix, scale=1, permute=0)
-    return balanced, scales
+def _balanced(system: control.StateSpace) -> tuple[Reals, Reals, Reals]:
+    """Scale states, input and output so that A, B and C are of like size; return these three.
+
+    Input and output are scaled against each other by powers of two, which leaves G as it is.
+    """
+    order = system.nstates
+    if order == 0:
+        return system.A, system.B[:, 0], system.C[0]
+    whole = np.empty((order + 1, order + 1))
+    whole[:order, :order], whole[:order, order:] = system.A, system.B
+    whole[order:, :order], whole[order:, order:] = system.C, system.D
+    whole = dgebal(whole, scale=1, permute=0)[0]
+    return whole[:order, :order], whole[:order, order], whole[order, :order]
 
 
 def _require_finite(system: control.lti.LTI) -> None:

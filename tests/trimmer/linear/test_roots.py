@@ -106,6 +106,21 @@ def test_a_state_space_keeps_gain_and_zeros() -> None:
     assert (direct.gain, direct.zeros) == (2.0, (pytest.approx(-2.5),))
 
 
+@pytest.mark.parametrize("fast", [1e-8, 1.0, 1e9])
+def test_a_zero_of_a_chain_has_its_digits_in_any_unit_of_time(fast: float) -> None:
+    """Three sections, of which one has the zero 16 in that unit; five of the output's rates do not see it."""
+    lags = [np.array([1.0, 0.005, 2e-3]), np.array([1.0, 1.25, 0.35]), np.array([1.0, 0.56, -0.115])]
+    tops = [[1.0, -16.0 * fast], [1.0], [1.0]]
+    system = control.ss([], [], [], [[1.0]])
+    for top, lag in zip(tops, lags, strict=True):
+        system = control.ss(control.tf(top, lag * fast ** np.arange(3))) * system
+    found = ZeroPoleGain.of(system)
+    assert found.zeros == (pytest.approx(16.0 * fast, rel=1e-10),)
+    assert found.gain == pytest.approx(1.0)
+    poles = np.sort_complex(fast * np.concatenate([np.roots(lag) for lag in lags]))
+    assert np.sort_complex(np.array(found.poles)) == pytest.approx(poles, rel=1e-9, abs=1e-12 * fast)
+
+
 def test_the_range_of_roots() -> None:
     assert crossings._root_range(TWO_ROOTS, 10.0) == pytest.approx((0.2, 10 * math.sqrt(26)))
     assert crossings._root_range(ZeroPoleGain(1.0, (), (0j,)), 10.0) == (0.1, 10.0)
