@@ -7,6 +7,7 @@ What grows then as it did before, in proportion to its age, is taken to go on so
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,8 @@ import numpy as np
 from trimmer.contact.advance import Ending
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
@@ -42,23 +45,35 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
     block = min(BLOCK, len(states) // 4)
     if not block or len(states) > age + 1:
         return False
-    first, last = _sizes(flow, states[:block]), _sizes(flow, states[-block:])
+    first, last = state_sizes(flow, states[:block]), state_sizes(flow, states[-block:])
     younger = age - len(states) + block
     expected = 1 + SUSPECT * (age / younger - 1)
     course = flow.course(end, 1)
     within = flow.reduced(course.states(np.linspace(0.0, course.duration, BLOCK))[:, : flow.size])
     # Where a motion passes by zero at the start of each period, rounding grows too.
-    growing = (first > 0) & (last >= expected * first) & (last > NEGLIGIBLE * _sizes(flow, within))
+    growing = (first > 0) & (last >= expected * first) & (last > NEGLIGIBLE * state_sizes(flow, within))
     if course.ending is not Ending.REACHED_END or not growing.any():
         return False
     strobe = flow.strobe(end, (OLDER - 1) * age)
     if strobe.ending is not Ending.REACHED_END:
         return strobe.ending is Ending.DIVERGED
-    later = _sizes(flow, flow.reduced(strobe.states[-block:]))
+    later = state_sizes(flow, flow.reduced(strobe.states[-block:]))
     return bool((later[growing] >= PROPORTIONAL * OLDER * last[growing]).any())
 
 
-def _sizes(flow: ExactFlow, states: Reals) -> Reals:
+def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
+    """Say whether a motion without a drive has grown in proportion to its age each time it was looked at.
+
+    Args:
+        reached: Times, s, and sizes then, as of ``state_sizes``.
+    """
+    pairs = list(pairwise(reached))[1:]
+    growing = [sizes >= PROPORTIONAL * (age / younger) * before for (younger, before), (age, sizes) in pairs]
+    moving = reached[0][1] > 0
+    return bool(growing) and bool((np.all(growing, axis=0) & moving).any())
+
+
+def state_sizes(flow: ExactFlow, states: Reals) -> Reals:
     """Return the largest displacement, m, and the largest velocity, m/s, among states, (2,)."""
     count = len(flow.modes.layout.bodies)
     moduli = abs(states).max(axis=0)

@@ -14,6 +14,7 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import NOTHING
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
+from trimmer.response.growth import grew, state_sizes
 from trimmer.response.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.orbit import orbit_of
 from trimmer.response.response import MotionKind
@@ -90,6 +91,7 @@ def self_excited(flow: ExactFlow, instant: Instant) -> SelfExcited:
         OrbitNotFoundError: if it cannot be followed, or grows.
     """
     unit, waited, unstable = time_scale(flow, instant), 0.0, None
+    reached: list[tuple[float, Reals]] = []
     for stretch in STRETCHES:
         at_last = solved(flow, instant)
         if at_last is not None:
@@ -106,6 +108,7 @@ def self_excited(flow: ExactFlow, instant: Instant) -> SelfExcited:
         if course.ending is not Ending.REACHED_END:
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         waited += course.duration
+        reached.append((waited, state_sizes(flow, flow.reduced(course.end.state[None]))))
         if at_rest(course, unit):
             return SelfExcited(waited, rest=_rest(flow, course.end))
         orbits = _recurring(flow, course)
@@ -114,6 +117,10 @@ def self_excited(flow: ExactFlow, instant: Instant) -> SelfExcited:
             return SelfExcited(waited, orbit)
         unstable = orbits[0] if orbits and unstable is None else unstable
         instant = replace(course.end, phase=0.0)
+    if unstable is None and grew(reached):
+        raise DivergingMotionError(
+            f"it diverges: until {waited:.6g} s it grew in proportion to the time, and nothing held it"
+        )
     return SelfExcited(waited, passed=unstable)
 
 
