@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.contact.frame import frame_of
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.contact import Contact
 from trimmer.harmonics.forces import Harmonics
@@ -54,7 +55,7 @@ def harmonic_balance_of(mechanism: Mechanism, guess: Complexes, periods: int = 1
         periods: Drive periods after which the motion repeats.
 
     Raises:
-        UnsupportedMotionError: if the mechanism has no frequency, or a spring leans on a pin that moves on.
+        UnsupportedMotionError: see ``require_balanceable``.
     """
     equations = _Equations(mechanism, guess.shape[1], periods)
     unknowns = _as_real(guess)
@@ -74,6 +75,28 @@ def harmonic_balance_of(mechanism: Mechanism, guess: Complexes, periods: int = 1
         unknowns, residual, slope = unknowns + share * correction, trial, trial_slope
     coefficients = _as_complex(unknowns, guess.shape)
     return Balance(coefficients, periods, _largest(residual) / equations.scale)
+
+
+def require_balanceable(mechanism: Mechanism) -> None:
+    """Check that harmonic balance knows the motions of a mechanism: sums of harmonics of a drive.
+
+    Raises:
+        UnsupportedMotionError: if it has no frequency, a spring leans on a pin that moves on, or nothing
+            holds a body in place.
+    """
+    if mechanism.frequency is None:
+        raise UnsupportedMotionError("harmonic balance needs a frequency at the top of the mechanism")
+    moving = [name for name, pin in mechanism.pins.items() if pin.velocity != 0.0]
+    contacts = (*mechanism.plays.values(), *mechanism.stops.values())
+    for part in (*mechanism.links.values(), *contacts):
+        if part.stiffness > 0.0 and any(name in part.between for name in moving):
+            raise UnsupportedMotionError("a spring leans on a pin that moves on: its force never repeats")
+    free = frame_of(mechanism).leading
+    if len(free):
+        raise UnsupportedMotionError(
+            "harmonic balance needs bodies that springs, plays or stops hold in place, and nothing holds "
+            f"{tuple(mechanism.bodies)[free[0]]}, which may advance in each period"
+        )
 
 
 def _largest(values: Reals) -> float:
@@ -99,12 +122,7 @@ class _Equations:
     periods: int
 
     def __post_init__(self) -> None:
-        if self.mechanism.frequency is None:
-            raise UnsupportedMotionError("harmonic balance needs a frequency at the top of the mechanism")
-        moving = [name for name, pin in self.mechanism.pins.items() if pin.velocity != 0.0]
-        for link in (*self.mechanism.links.values(), *self._contacts):
-            if link.stiffness > 0.0 and any(name in link.between for name in moving):
-                raise UnsupportedMotionError("a spring leans on a pin that moves on: its force never repeats")
+        require_balanceable(self.mechanism)
 
     @property
     def _contacts(self) -> list[Play | Stop]:

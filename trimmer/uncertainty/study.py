@@ -12,6 +12,7 @@ import numpy as np
 
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked, TrialWork, all_measures
+from trimmer.harmonics.balance import require_balanceable
 from trimmer.uncertainty.balance import Balanced, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
 from trimmer.uncertainty.kept import NOWHERE, Keeping
@@ -80,7 +81,12 @@ def study_samples(
         quiet: Show no progress bar.
         indices: Whether Sobol indices are wanted; they choose the samples themselves.
         balanced: How many samples are looked at by harmonic balance too.
+
+    Raises:
+        UnsupportedMotionError: if harmonic balance is wanted and does not know the motions of the mechanism.
     """
+    if balanced:
+        require_balanceable(file.mechanism)
     warm_up(file)
     begin = time.perf_counter()
     if indices:
