@@ -106,13 +106,21 @@ def kind_words(motion: FoundMotion) -> str:
     if motion.kind is MotionKind.PERIODIC:
         if motion.period_count is None or motion.measured_periods == 0:
             return "a motion that repeats"
-        return f"a motion that repeats after {count(motion.period_count, 'drive period')}"
+        return f"a motion that repeats after {count(motion.period_count, 'drive period')}{_advance(motion)}"
     return {
         MotionKind.TORUS: "a motion on a torus, which beats and never quite repeats",
         MotionKind.REST: "rest: nothing moves",
         MotionKind.CHAOTIC: "a chaotic motion",
         MotionKind.DIVERGING: "a motion that grows without bound",
     }.get(motion.kind, "a motion that had not settled when the wait was over")
+
+
+def _advance(motion: FoundMotion) -> str:
+    """Return by how much outputs advance in the period, as Markdown; empty where none does."""
+    if not motion.advances:
+        return ""
+    each = listed([f"{plain(name)} by {plain(shown(by, 'm'))}" for name, by in motion.advances.items()])
+    return f", up to an advance of {each}"
 
 
 def verdict_sentence(design: Design) -> str:

@@ -31,6 +31,8 @@ WINDOW = 96
 """Drive periods over which a motion is measured that does not repeat."""
 SAMPLES = 256
 """Samples per drive period of the acceleration of such a motion."""
+ROUNDING = 1e-9
+"""Share of the largest displacement below which an advance is rounding."""
 SHOWN = 6
 """Of these, how many are kept as signals."""
 
@@ -104,6 +106,13 @@ class FoundMotion:
     def repeats(self) -> bool:
         """Whether it is periodic."""
         return self.kind is MotionKind.PERIODIC
+
+    @property
+    def advances(self) -> Mapping[str, float]:
+        """Shift of each output over the period, m, of those for which it is more than rounding."""
+        largest = max((abs(each.advance) + each.peak_to_peak for each in self.outputs.values()), default=0.0)
+        found = {name: each.advance for name, each in self.outputs.items()}
+        return {name: each for name, each in found.items() if abs(each) > ROUNDING * largest}
 
     @cached_property
     def impact_speed(self) -> float:

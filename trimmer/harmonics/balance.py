@@ -17,7 +17,7 @@ from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import Waveform
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Play, Stop
+from trimmer.mechanism.parts import Link, Play, Stop
 
 MOST_ITERATIONS = 30
 MOST_HALVINGS = 8
@@ -87,8 +87,9 @@ def require_balanceable(mechanism: Mechanism) -> None:
     if mechanism.frequency is None:
         raise UnsupportedMotionError("harmonic balance needs a frequency at the top of the mechanism")
     moving = [name for name, pin in mechanism.pins.items() if pin.velocity != 0.0]
-    contacts = (*mechanism.plays.values(), *mechanism.stops.values())
-    for part in (*mechanism.links.values(), *contacts):
+    parts: list[Link | Play | Stop] = [*mechanism.links.values()]
+    parts += [*mechanism.plays.values(), *mechanism.stops.values()]
+    for part in parts:
         if part.stiffness > 0.0 and any(name in part.between for name in moving):
             raise UnsupportedMotionError("a spring leans on a pin that moves on: its force never repeats")
     free = frame_of(mechanism).leading
