@@ -15,7 +15,7 @@ from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
-from trimmer.response.self_excited import self_excited
+from trimmer.response.self_excited import self_excited, time_scale
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
@@ -38,6 +38,10 @@ MORE = 10
 """By how much longer is waited where all small distances shrink, or that to a stable orbit does."""
 LONG = 100
 """Drive periods of settling beyond which a neighbouring start is tried too."""
+AT_FIRST = 20
+"""Drive periods, or periods of the slowest mode, in which an unknown motion shows how far it goes."""
+INSTANTS = 64
+"""Instants in each of these."""
 NEIGHBOUR = 1e-6
 """Distance of the neighbouring start, as a share of the sizes of the states."""
 
@@ -235,19 +239,20 @@ def _twins(motion: SettledMotion, other: SettledMotion) -> bool:
 def _reached(flow: ExactFlow, motion: SettledMotion, start: Instant) -> dict[str, tuple[float, float]]:
     """Return the largest displacement, m, and velocity, m/s, of each body in a motion.
 
-    Of one that comes to rest they are those of its start, or its displacements at rest if these are larger.
+    Of one that comes to rest, or of which nothing is known, they are those on its way, at first.
     """
     count = len(flow.modes.layout.bodies)
-    sizes = abs(start.state)
     if motion.orbit is not None:
         # The sizes of an orbit are those at its events, which say little where there are none.
         sizes = motion.orbit.sizes if motion.orbit.course.events else largest_states(motion.orbit)
-    elif motion.rest is not None:
-        sizes = np.maximum(sizes, abs(motion.rest.instant.state))
     elif motion.linear is not None:
         sizes = motion.linear.reach
     elif motion.window is not None:
         sizes = motion.window.sizes
+    else:
+        course = flow.timed(start, AT_FIRST * (flow.period or time_scale(flow, start)))
+        times = np.linspace(0.0, course.duration, AT_FIRST * INSTANTS)
+        sizes = abs(course.states(times)[:, : flow.size]).max(axis=0)
     return {
         name: (float(sizes[place]), float(sizes[count + place]))
         for place, name in enumerate(flow.modes.layout.bodies)
