@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+MOST_LINES = 18
+"""Lines of one message below its headline, so that a screen holds it."""
 _SHOWN_LENGTH = 40
 _LEAST_RATIO = 0.7
 """Share of letters in common from which on a word is near: frction is near friction, foo not near follow."""
@@ -69,6 +71,14 @@ def listed(words: Iterable[str], conjunction: str = "and") -> str:
     """Join words as a sentence does: ``a, b and c``."""
     *others, last = words
     return f"{', '.join(others)} {conjunction} {last}" if others else last
+
+
+def in_lines(sentences: Sequence[str]) -> str:
+    """Return sentences as indented lines, the first ones of many and how many more there are."""
+    shown = sentences if len(sentences) <= MOST_LINES else sentences[: MOST_LINES - 1]
+    left = len(sentences) - len(shown)
+    more = (f"... and {left} more: put these right first",) if left else ()
+    return "".join(f"\n  {each}" for each in (*shown, *more))
 
 
 def _letters(word: str) -> str:

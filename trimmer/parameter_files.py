@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from trimmer.messages import near_match, shown_value
+from trimmer.messages import in_lines, near_match, shown_value
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table, reason_against
 from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
@@ -33,8 +33,7 @@ def read_parameters(path: Path) -> TrimmerParameters:
     content = _parsed(path)
     problems = [*_unknown_keys(content), *_missing_keys(content), *_unusable_values(content)]
     if problems:
-        listed = "".join(f"\n  {problem}" for problem in problems)
-        raise ParameterError(f"{path}: {_count(len(problems))} in the parameters:{listed}")
+        raise ParameterError(f"{path}: {_count(len(problems))} in the parameters:{in_lines(problems)}")
     return TrimmerParameters(**{key: value for key, value in content.items() if key != SCATTER})
 
 

@@ -28,6 +28,8 @@ from trimmer.progress import silenced
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
+_SEVERAL = 5
+"""Words without use that are shown."""
 _NUMERIC = ("numpy", "scipy", "control", "numba", "matplotlib")
 _STRANGE = (
     "some numbers on the way became too large, too small or undefined, which may show in the result; use "
@@ -173,7 +175,10 @@ def _parsed(arguments: Sequence[str] | None) -> Namespace:
     parsed, unknown = _parser(installed_commands()).parse_known_args(arguments)
     if unknown:
         have, them = ("has", "it") if len(unknown) == 1 else ("have", "them")
-        parsed.parser.error(f"{listed(map(shown_value, unknown))} {have} no use here; leave {them} out")
+        told = [*map(shown_value, unknown[:_SEVERAL])]
+        if len(unknown) > _SEVERAL:
+            told.append(f"{len(unknown) - _SEVERAL} words more")
+        parsed.parser.error(f"{listed(told)} {have} no use here; leave {them} out")
     return parsed
 
 

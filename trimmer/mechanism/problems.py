@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Any
 
 from trimmer.mechanism.place_text import place_text
-from trimmer.messages import shown_value
+from trimmer.messages import in_lines, shown_value
 
 
 class _Nothing(Enum):
@@ -74,7 +74,7 @@ def in_one(sentences: Sequence[str], name: str) -> str:
     """Return one sentence as it is, and several as a list below a headline."""
     if len(sentences) == 1:
         return f"{name}: {sentences[0]}"
-    return f"{name}: {len(sentences)} problems:" + "".join(f"\n  {sentence}" for sentence in sentences)
+    return f"{name}: {len(sentences)} problems:{in_lines(sentences)}"
 
 
 def _line(place: tuple[str, ...], lines: Mapping[tuple[str, ...], int]) -> int:

@@ -154,3 +154,21 @@ def test_neither_home_nor_a_place_to_write_is_needed(project_folder: Path, words
     )
     assert (done.returncode, done.stderr) == (0, b"")
     assert done.stdout
+
+
+@pytest.mark.parametrize("command", [["linear", "--parameters"], ["respond"], ["sample"], ["design"]])
+def test_thousands_of_problems_fit_on_a_screen(folder: Path, capsys, command: list[str]) -> None:
+    wrong = "".join(f"strange{number} = {number}\n" for number in range(5000))
+    bodies = "" if command[0] == "linear" else "[bodies]\na = { mass = 1 }\n"
+    Path("many.toml").write_text(wrong + bodies, "utf-8")
+    assert main([*command, "many.toml"]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert 10 < len(lines) <= 20
+    assert " 50" in lines[0] and "problems" in lines[0]
+    assert " more: put these right first" in lines[-1]
+
+
+def test_thousands_of_words_without_use_are_counted(capsys) -> None:
+    message = told(capsys, "linear", *("word" for _ in range(5000)))
+    assert "'word' and 4995 words more have no use here" in message
+    assert len(message) < 200
