@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import codecs
+import errno
 import io
 import os
 import sys
@@ -72,9 +73,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         drop(sys.stdout)
         return 0
     except OSError as error:
-        # Errors of reading and writing files come as a TrimmerError, so this one is of printing.
-        name = error.filename or "standard output"
-        tell(f"{name}: {error.strerror}; send the output elsewhere")
+        tell(_told(error))
         drop(sys.stdout)
         return WRONG_USE
     except MemoryError as error:
@@ -83,6 +82,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         tell("interrupted before the result was complete")
         return INTERRUPTED
+
+
+def _told(error: OSError) -> str:
+    """Return what to say of an error of the system.
+
+    Those of reading and writing files come as a TrimmerError. So this one is of printing, unless a library
+    finds no folder to keep its own files in, which it says in its own words.
+    """
+    if error.errno is None:
+        return str(error)
+    if error.errno == errno.ENOENT and error.filename is None:
+        return f"{error.strerror}; set TMPDIR to a folder that can be written to"
+    return f"{error.filename or 'standard output'}: {error.strerror}; send the output elsewhere"
 
 
 @contextmanager

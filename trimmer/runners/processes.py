@@ -9,7 +9,7 @@ import signal
 import threading
 import warnings
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -63,7 +63,7 @@ class ProcessRunner:
         """Yield the results of the cells as they come.
 
         Raises:
-            WorkerError: if a process ended at once.
+            WorkerError: if a process ended at once, or none can be begun.
         """
         remaining = iter(cells)
         first = list(islice(remaining, self.count * self.chunk))
@@ -73,13 +73,16 @@ class ProcessRunner:
         context = _context()
         # A pipe, as the lock of an event would be lost with a process that is ended from outside.
         ended, end = context.Pipe(duplex=False)
-        with _away_from_here():  # its locks begin a process too
+        with _beginning():  # its locks begin a process too
             pool = ProcessPoolExecutor(count, context, _begin, (work, ended))
+
+        def submit(chunk: list[Cell]) -> Future[list[Result]]:
+            with _beginning():
+                return pool.submit(_done, chunk)
+
         whole = False
         try:
-            yield from handed_back(
-                lambda chunk: pool.submit(_done, chunk), chain(first, remaining), self.chunk, lambda: count
-            )
+            yield from handed_back(submit, chain(first, remaining), self.chunk, lambda: count)
             whole = True
         except BrokenProcessPool as error:
             raise WorkerError(
@@ -120,6 +123,19 @@ def _away_from_here() -> Iterator[None]:
     finally:
         if before is None:
             del os.environ[_SAFE]
+
+
+@contextmanager
+def _beginning() -> Iterator[None]:
+    """Tell in a sentence that the system lets no process begin."""
+    try:
+        with _away_from_here():
+            yield
+    except OSError as error:
+        raise WorkerError(
+            f"no other processes can be begun here ({error.strerror or error}): do the work in this one "
+            "(--jobs 1)"
+        ) from error
 
 
 class _Process(SpawnProcess):

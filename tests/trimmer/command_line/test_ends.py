@@ -38,6 +38,12 @@ def test_errors_have_their_codes(monkeypatch, capsys) -> None:
         (TrimmerError("wrong"), 2, "trimmer: wrong"),
         (OSError(28, "No space", "disk"), 2, "trimmer: disk: No space; send"),
         (OSError(28, "No space"), 2, "trimmer: standard output: No space"),
+        (OSError("no folder for pictures"), 2, "trimmer: no folder for pictures\n"),
+        (
+            FileNotFoundError(2, "No usable temporary directory"),
+            2,
+            "trimmer: No usable temporary directory; set",
+        ),
         (MemoryError(), 2, "no more could be had"),
         (MemoryError("1 TB"), 2, "memory for that (1 TB)"),
         (KeyboardInterrupt(), 130, "interrupted"),
@@ -45,7 +51,7 @@ def test_errors_have_their_codes(monkeypatch, capsys) -> None:
     ):
         assert ends(monkeypatch, error) == code
         assert told in capsys.readouterr().err
-    assert dropped == [sys.stdout] * 3
+    assert dropped == [sys.stdout] * 5
 
 
 def test_closed_streams_are_told_or_stood_in_for(monkeypatch, capsys) -> None:

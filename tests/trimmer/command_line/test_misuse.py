@@ -172,3 +172,42 @@ def test_thousands_of_words_without_use_are_counted(capsys) -> None:
     message = told(capsys, "linear", *("word" for _ in range(5000)))
     assert "'word' and 4995 words more have no use here" in message
     assert len(message) < 200
+
+
+SIMULATED = [*DRIVEN, "--duration", "0.05", "--csv", "out.csv"]
+STRANGE = {
+    "TMPDIR": "/dev/null/nowhere",
+    "HOME": "/dev/null/nowhere",
+    "LC_ALL": "C",
+    "PYTHONIOENCODING": "ascii",
+    "PYTHONUTF8": "0",
+    "COLUMNS": "1",
+}
+
+
+@pytest.mark.parametrize("words", [["linear"], ["map", "--help"], SIMULATED], ids=" ".join)
+@pytest.mark.parametrize("out", ["read", "full", "closed"])
+def test_strange_surroundings(tmp_path: Path, words: list[str], out: str) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("needs /dev/full")
+    place = {"read": "out", "full": "/dev/full", "closed": "out"}[out]
+    kept = {name: value for name, value in os.environ.items() if name in ("PATH", "PYTHONPATH")}
+    again = [sys.executable, "-c", CODE, *words]
+    shut = f"import os; os.close(1); os.execv({sys.executable!r}, {again!r})"
+    program = shut if out == "closed" else CODE
+    with (tmp_path / place).open("wb") as stream:
+        done = subprocess.run(
+            [sys.executable, "-c", program, *words],
+            cwd=tmp_path,
+            env={**kept, **STRANGE},
+            stdout=stream,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+    told = done.stderr.decode("ascii").splitlines()
+    if out == "read":
+        assert (done.returncode, told) == (0, [])
+        assert (tmp_path / place).read_bytes().decode("ascii")
+    else:
+        assert done.returncode == 2
+        assert len(told) == 1 and told[0].startswith("trimmer: standard output")

@@ -105,6 +105,15 @@ def test_there_are_no_more_processes_than_chunks_nor_than_the_computer_bears(mad
         processes.ProcessRunner(processes.most_processes() + 1)
 
 
+def test_a_system_that_lets_no_process_begin_is_told(made: Made, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise OSError(30, "Read-only file system")
+
+    monkeypatch.setattr(processes, "ProcessPoolExecutor", fail)
+    with pytest.raises(WorkerError, match=r"no other processes .* \(Read-only file system\): do .*--jobs 1"):
+        list(processes.ProcessRunner(2).results(double, [1]))
+
+
 def test_processes_whose_results_nobody_wants_are_told_to_end(made: Made) -> None:
     results = processes.ProcessRunner(2, 1).results(double, range(100))
     next(results)
