@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from derivations.latex import latex
-from derivations.step import Step
 from derivations.symbols import PARAMETERS
 from report.claim import Statement
-from report.derivation.code_lines import code_lines
+from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
 from report.document.derivation import DerivationStep, ParameterRow, Program
@@ -67,9 +66,9 @@ class Parts:
 
     findings: tuple[Finding, ...]
     figures: tuple[Figure, ...]
-    trimmer_steps: tuple[Step, ...]
-    element_steps: tuple[Step, ...]
-    number_steps: tuple[Step, ...]
+    trimmer_steps: tuple[StepWithLines, ...]
+    element_steps: tuple[StepWithLines, ...]
+    number_steps: tuple[StepWithLines, ...]
     pictures: Mapping[str, Figure]
     explorable: Explorable
     programs: tuple[Program, ...]
@@ -82,15 +81,16 @@ class Parts:
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
     """Return the finished document."""
-    steps = parts.trimmer_steps + parts.element_steps + parts.number_steps
+    every = parts.trimmer_steps + parts.element_steps + parts.number_steps
+    steps = tuple(each.step for each in every)
     step_of = places(parts.findings, steps)
-    told = {step.id: _told(step, step_of, parts) for step in steps}
+    told = {each.step.id: _told(each, step_of, parts) for each in every}
     return Document(
         title=TITLE,
         opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
-        derivation=tuple(told[step.id] for step in parts.trimmer_steps),
+        derivation=tuple(told[each.step.id] for each in parts.trimmer_steps),
         figures=parts.figures,
         nomenclature=nomenclature(steps, parts.findings),
         parameters=tuple(
@@ -100,8 +100,8 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         provenance=provenance(),
         text_copy=read_text_copy(),
         programs=parts.programs,
-        describing_functions=tuple(told[step.id] for step in parts.element_steps),
-        solution=tuple(told[step.id] for step in parts.number_steps),
+        describing_functions=tuple(told[each.step.id] for each in parts.element_steps),
+        solution=tuple(told[each.step.id] for each in parts.number_steps),
         step_of=step_of,
         explorable=parts.explorable,
         spread=read_follows(inventory),
@@ -130,7 +130,8 @@ def _in_thesis_order(
     return tuple(sorted(own, key=lambda finding: finding.section.split(".")))
 
 
-def _told(step: Step, step_of: Mapping[str, str], parts: Parts) -> DerivationStep:
+def _told(of: StepWithLines, step_of: Mapping[str, str], parts: Parts) -> DerivationStep:
+    step = of.step
     judged = {finding.id for finding in parts.findings}
     shown = tuple(claim for claim in shown_in((step,)) if claim in judged)
     others = (claim for claim, place in step_of.items() if place == step.id and claim not in shown)
@@ -141,7 +142,7 @@ def _told(step: Step, step_of: Mapping[str, str], parts: Parts) -> DerivationSte
         equations=tuple(Equation(each.latex, each.thesis, each.words) for each in step.formulas),
         claims=shown,
         others=tuple(others),
-        code=tuple(map(code_lines, step.code)),
+        code=of.lines,
         picture=parts.pictures.get(step.id),
         folded=step.long,
     )

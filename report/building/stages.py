@@ -18,6 +18,7 @@ from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
 from report.claim import Statement
 from report.collect import Records, collect
+from report.derivation.code_lines import with_lines
 from report.derivation.number_steps import number_steps
 from report.derivation.pictures import waveform_pictures
 from report.document.document import Document
@@ -103,19 +104,24 @@ def _tasks(
     of_twin = key(["report.twin.chapter", "report.evidence"])
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
-        Task("element-steps", "prove", key(["derivations.elements.narrative"]), element_narrative),
+        Task(
+            "element-steps",
+            "prove",
+            key(["derivations.elements.narrative"]),
+            partial(with_lines, element_narrative),
+        ),
         Task(
             "trimmer-steps",
             "prove",
             key(["derivations.narrative", "report.evidence"]),
-            partial(narrative, evidence.derivation),
+            partial(with_lines, narrative, evidence.derivation),
         ),
         Task("twin", "observe", of_twin, partial(twin_chapter, evidence, seed_of(of_twin))),
         Task(
             "number-steps",
             "prove",
             key(["report.derivation.number_steps"]),
-            partial(number_steps, evidence),
+            partial(with_lines, number_steps, evidence),
         ),
         Task("explorable", "draw", key(["report.explorable.make"]), partial(explorable, evidence)),
         Task("waveforms", "draw", key(["report.derivation.pictures"]), waveform_pictures),

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import os
-import pickle
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -12,12 +10,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
+from report.cache.data_format import DamagedError, from_bytes, to_bytes
 from trimmer import write_atomically
+from trimmer.command_line.parser import note
 from trimmer.files import FileWriteError
 
 Result = TypeVar("Result")
-UNREADABLE = (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError, ValueError, TypeError)
-"""What reading a file of another version, or half a file, can raise."""
+SUFFIX = ".data"
+SUFFIXES = (SUFFIX, ".pickle")
+"""Ends of kept files; those of earlier versions are never read, and go as the others do."""
 DAY = 86400.0
 """Seconds of a day."""
 
@@ -66,12 +67,20 @@ class StageStore:
             raise FileWriteError(f"{self.folder} cannot be written to; name another folder")
 
     def load(self, stage: str, key: str) -> Any | None:
-        """Return what was kept for a stage under a key, or None if there is nothing or it cannot be read."""
+        """Return what was kept for a stage under a key, or None if there is nothing or it cannot be read.
+
+        A file that is there and was damaged is told of.
+        """
         try:
-            kept, result = pickle.loads(self._file(stage).read_bytes())
-        except UNREADABLE:
+            under, _, content = self._file(stage).read_bytes().partition(b"\n")
+        except OSError:
             return None
-        if kept != key:
+        if under != key.encode():
+            return None
+        try:
+            result = from_bytes(content)
+        except DamagedError:
+            note(f"{self._file(stage)} is damaged; what it held is computed again")
             return None
         with suppress(OSError):  # another run may have put a newer one in its place, or the folder is locked
             os.utime(self._file(stage))
@@ -82,10 +91,9 @@ class StageStore:
 
         Raises:
             FileWriteError: if it cannot be written.
+            TypeError: if a part of it is no data; see ``data_format``.
         """
-        content = io.BytesIO()
-        _Pickler(content, protocol=pickle.HIGHEST_PROTOCOL).dump((key, result))
-        write_atomically(self._file(stage), content.getvalue())
+        write_atomically(self._file(stage), key.encode() + b"\n" + to_bytes(result))
 
     def made(self, stage: str, key: str, make: Callable[[], Result]) -> Result:
         """Return what was kept under the key, or make it and keep it."""
@@ -99,7 +107,8 @@ class StageStore:
     def clear_old(self, bounds: Bounds = BOUNDS) -> None:
         """Delete what was not used for long, and the remains of killed runs; a file that cannot be stays."""
         now = time.time()
-        used = sorted(_last_used(self.folder.glob("*.pickle")), reverse=True)
+        kept = (path for suffix in SUFFIXES for path in self.folder.glob(f"*{suffix}"))
+        used = sorted(_last_used(kept), reverse=True)
         total = 0
         for when, size, path in [*used, *_last_used(self.folder.glob(".*.part"))]:
             age = (now - when) / DAY
@@ -110,7 +119,7 @@ class StageStore:
                     path.unlink()
 
     def _file(self, stage: str) -> Path:
-        return self.folder / f"{stage}.pickle"
+        return self.folder / f"{stage}{SUFFIX}"
 
 
 def _last_used(paths: Iterator[Path]) -> Iterator[tuple[float, int, Path]]:
@@ -119,36 +128,3 @@ def _last_used(paths: Iterator[Path]) -> Iterator[tuple[float, int, Path]]:
         with suppress(OSError):
             status = path.stat()
             yield status.st_mtime, status.st_size, path
-
-
-class _Pickler(pickle.Pickler):
-    """Pickles two things that Python does not keep as they are.
-
-    A state-space model of python-control holds a function that cannot be pickled. A sum or product of SymPy
-    that stands in an order of its own would be put in SymPy's when it is read again.
-    """
-
-    def reducer_override(self, value: Any) -> Any:
-        import control  # Whatever is kept was computed with these two, so they are loaded already.
-        import sympy
-
-        if isinstance(value, sympy.Add | sympy.Mul):
-            return _in_order, (type(value), value.args)
-        if not isinstance(value, control.StateSpace):
-            return NotImplemented
-        matrices = (value.A, value.B, value.C, value.D)
-        labels = (value.name, value.state_labels, value.input_labels, value.output_labels)
-        return _state_space, (*matrices, value.dt, *labels)
-
-
-def _in_order(kind: Any, terms: tuple[Any, ...]) -> Any:
-    """Build a sum or product again, with its terms in the order in which they stood."""
-    return kind(*terms, evaluate=False)
-
-
-def _state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, name: str, *labels: list[str]) -> Any:
-    """Build a state-space model again."""
-    import control
-
-    states, inputs, outputs = labels
-    return control.StateSpace(A, B, C, D, dt, name=name, states=states, inputs=inputs, outputs=outputs)

@@ -3,12 +3,33 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from derivations.step import Step
 from report.cache.source_closure import ROOT
 from report.document.figure import CodeLines
+
+
+@dataclass(frozen=True)
+class StepWithLines:
+    """A step as it is kept: with the lines of its functions in place of the functions.
+
+    Attributes:
+        step: The step, without functions.
+        lines: Those of its functions, in their order.
+    """
+
+    step: Step
+    lines: tuple[CodeLines, ...]
+
+
+def with_lines(derived: Callable[..., Iterable[Step]], *arguments: Any) -> tuple[StepWithLines, ...]:
+    """Return the steps that a function derives, with the lines of their functions."""
+    steps = derived(*arguments)
+    return tuple(StepWithLines(replace(each, code=()), tuple(map(code_lines, each.code))) for each in steps)
 
 
 def code_lines(function: Callable[..., Any]) -> CodeLines:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
-import pickle
 import sys
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import asdict
 from datetime import date
 from pathlib import Path
 from queue import SimpleQueue
@@ -24,7 +24,7 @@ from scripts.mutation.tree import Tree, copied
 
 PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = PROJECT / "build" / "mutation"
-CLAIMS = "claims.pickle"
+CLAIMS = "claims.json"
 MAPPED = "0"
 """Folder of the copy in which tests are recorded; those in which mutants are made have the next numbers."""
 MEASURED = PROJECT / "report" / "data" / "mutation.json"
@@ -131,15 +131,16 @@ def summarise(wanted: argparse.Namespace) -> None:
 
 def _claims(trees: Sequence[Tree]) -> list[Judged]:
     """Return the claims of the unaltered project, judged again if a source or datum has changed."""
-    key = tuple(_digests(trees[0].root))
+    key = list(_digests(trees[0].root))
     path = FOLDER / CLAIMS
     if path.exists():
-        kept, known = pickle.loads(path.read_bytes())
-        if kept == key:
-            return known  # type: ignore[no-any-return]
+        kept = json.loads(path.read_text(encoding="utf-8"))
+        if kept["key"] == key:
+            return [Judged(**{**each, "needs": tuple(each["needs"])}) for each in kept["claims"]]
     started = time.monotonic()
     known = unaltered(trees)
-    path.write_bytes(pickle.dumps((key, known)))
+    content = {"key": key, "claims": [asdict(each) for each in known]}
+    path.write_text(json.dumps(content), encoding="utf-8")
     print(f"claims of the unaltered project judged in {time.monotonic() - started:.0f} s", flush=True)
     return known
 
