@@ -22,7 +22,7 @@ from report.design.words import (
 )
 from report.document.figure import Figure
 from report.document.thesis import Provenance
-from report.rendering.escaping import plain
+from report.rendering.escaping import Markdown, code, markdown
 from trimmer.design.comparison import Comparison
 from trimmer.design.targets import Measure
 
@@ -66,9 +66,9 @@ def spectra_overlaid(comparison: Comparison, names: tuple[str, str]) -> dict[str
             found[f"spectrum-{number}"] = drawn(
                 f"spectrum-{number}",
                 f"Lines of {name}, before and after",
-                f"Lines of {plain(name)}: solid with full marks in {plain(names[0])}, dashed with open "
+                f"Lines of {name}: solid with full marks in {names[0]}, dashed with open "
                 f"marks in "
-                f"{plain(names[1])}.",
+                f"{names[1]}.",
                 f"Upright lines over frequency for {names[0]} and {names[1]}.",
                 partial(line_spectrum, pair),
             )
@@ -80,7 +80,7 @@ def verdict_rows(comparison: Comparison) -> list[list[str]]:
     pair = (comparison.before, comparison.after)
     return [
         ["", "Before", "After"],
-        ["File", *(f"`{each.file.name}`" for each in pair)],
+        ["File", *(code(each.file.name) for each in pair)],
         ["Verdict", *(OUTCOMES[each.verdict.outcome] for each in pair)],
         ["Settles to", *(_kind(each) for each in pair)],
         ["Motions found", *(str(len(each.motions.found)) for each in pair)],
@@ -97,10 +97,10 @@ def change_rows(comparison: Comparison) -> list[list[str]]:
     for each in comparison.changes:
         relative = NEITHER
         if each.before and each.after is not None:
-            relative = plain(_signed(each.after / each.before - 1))
+            relative = _signed(each.after / each.before - 1)
         rows.append(
             [
-                capital(plain(place_words(each.place))),
+                capital(place_words(each.place)),
                 *(_number(v, each.unit) for v in (each.before, each.after)),
                 relative,
             ]
@@ -109,7 +109,7 @@ def change_rows(comparison: Comparison) -> list[list[str]]:
 
 
 def _number(value: float | None, unit: str) -> str:
-    return NEITHER if value is None else plain(shown(value, unit, 6))
+    return NEITHER if value is None else shown(value, unit, 6)
 
 
 def difference_rows(comparison: Comparison) -> list[list[str]]:
@@ -121,7 +121,7 @@ def difference_rows(comparison: Comparison) -> list[list[str]]:
             for value in (each.before, each.after)
         ]
         shows = each.change is not None and each.asked.measure is not Measure.PERIOD
-        change = plain(_signed(each.change or 0.0)) if shows else NEITHER
+        change = _signed(each.change or 0.0) if shows else NEITHER
         rows.append([capital(measure_words(each.asked.measure, each.asked.part)), *cells, change])
     return rows
 
@@ -130,18 +130,20 @@ def _signed(share: float) -> str:
     return "no change" if abs(share) < 5e-7 else f"{'+' if share > 0 else '−'}{percent(abs(share), 3)}"
 
 
-def comparison_sentence(comparison: Comparison, names: tuple[str, str]) -> str:
+def comparison_sentence(comparison: Comparison, names: tuple[str, str]) -> Markdown:
     """Return what the change did to the verdict, in one sentence."""
     pair = (comparison.before, comparison.after)
     if not any(each.file.targets for each in pair):
-        return "**Neither file names targets**, so nothing is judged; the measures stand side by side below."
+        return Markdown(
+            "**Neither file names targets**, so nothing is judged; the measures stand side by side below."
+        )
     counts = [sum(judged.met for judged in each.verdict.judged) for each in pair]
     if set(pair[0].file.targets) != set(pair[1].file.targets):
         word = "The files want different things"
     else:
         word = ("As many targets are met", "Better", "Worse")[int(np.sign(counts[1] - counts[0]))]
-    told = [f"in {plain(name)} {_met(each)}" for name, each in zip(names, pair, strict=True)]
-    return f"**{word}**: {', '.join(told)}."
+    told = [f"in {name} {_met(each)}" for name, each in zip(names, pair, strict=True)]
+    return markdown("**{}**: {}, {}.", word, *told)
 
 
 def _met(design: Design) -> str:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from report.design import comparison, sentences, sentences_around, tables, words
 from report.design.quantities import percent, place_words, shown, written
-from report.rendering.links import check_links
-from report.rendering.markdown import formula, plain_environment
+from report.rendering.environment import MarkdownEnvironment
+from report.rendering.markdown import formula
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -23,11 +23,7 @@ PIECES = (
 
 
 def to_markdown(report: DesignReport) -> dict[str, str]:
-    """Return the report as pandoc Markdown, piece by piece.
-
-    Raises:
-        BrokenLinkError: if two places share an identifier.
-    """
+    """Return the report as pandoc Markdown, piece by piece."""
     mechanism = report.design.file.mechanism
     content: dict[str, Any] = {
         "report": report,
@@ -35,26 +31,18 @@ def to_markdown(report: DesignReport) -> dict[str, str]:
         "contacts": {**mechanism.plays, **mechanism.stops},
     }
     template = environment().get_template
-    pieces = {name: template(f"design/{name}.md.j2").render(content) for name in PIECES}
-    check_links("\n".join(pieces.values()))
-    return pieces
+    return {name: template(f"design/{name}.md.j2").render(content) for name in PIECES}
 
 
 def comparison_to_markdown(report: ComparisonReport) -> dict[str, str]:
-    """Return the report on two designs as pandoc Markdown.
-
-    Raises:
-        BrokenLinkError: if two places share an identifier.
-    """
-    piece = environment().get_template("design/comparison.md.j2").render(report=report)
-    check_links(piece)
-    return {"comparison": piece}
+    """Return the report on two designs as pandoc Markdown."""
+    return {"comparison": environment().get_template("design/comparison.md.j2").render(report=report)}
 
 
 @functools.cache
 def environment() -> Environment:
     """Return the environment of the templates of designs."""
-    made = plain_environment()
+    made = MarkdownEnvironment()
     made.filters.update(
         shown=shown,
         written=written,

@@ -18,7 +18,6 @@ from report.design.figures.motion import motion_over_time
 from report.design.figures.over_range import over_range
 from report.design.quantities import percent, place_words, shown
 from report.design.words import measure_words
-from report.rendering.escaping import plain
 from trimmer.design.linear import driving
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked
@@ -78,7 +77,7 @@ def _motion(design: Design) -> Iterator[Figure]:
     yield drawn(
         "motion",
         "The motion over time",
-        f"The outputs{plain(contacts)}, and when parts touch and stick, over {span}. A positive force "
+        f"The outputs{contacts}, and when parts touch and stick, over {span}. A positive force "
         f"pulls the "
         "two ends together."
         if motion.signals.forces
@@ -98,13 +97,11 @@ def _transfer(design: Design) -> Iterator[Figure]:
     if not moving:
         return
     states = f" with contacts {' and with contacts '.join(moving)}" if len(design.linear) > 1 else ""
-    still = (
-        f" With contacts open {plain(drive)} moves nothing of it." if len(moving) < len(design.linear) else ""
-    )
+    still = f" With contacts open {drive} moves nothing of it." if len(moving) < len(design.linear) else ""
     yield drawn(
         "transfer",
         f"From {drive} to {output}",
-        f"What {plain(output)} does for a small vibration of {plain(drive)}{states}.{still} The dotted "
+        f"What {output} does for a small vibration of {drive}{states}.{still} The dotted "
         f"line is the "
         "frequency of the drive. Dry friction is left out.",
         f"Modulus and phase of a transfer function over frequency{states}; its peaks are at the modes in the "
@@ -125,8 +122,7 @@ def _spectra(design: Design) -> Iterator[Figure]:
             yield drawn(
                 f"spectrum-{number}",
                 f"Lines of {each.output}",
-                f"Amplitudes of the lines of {plain(each.output)}, down to one ten-thousandth of the "
-                f"largest.",
+                f"Amplitudes of the lines of {each.output}, down to one ten-thousandth of the largest.",
                 f"Upright lines over frequency, the highest at "
                 f"{shown(max(each.lines, key=_amplitude).frequency, 'Hz')}.",
                 partial(line_spectrum, [("", each)]),
@@ -152,14 +148,14 @@ def _ranges(design: Design) -> Iterator[Figure]:
     yield drawn(
         "ranges",
         f"Over the {place_words(first.place)}",
-        f"What the mechanism does from its start over the {plain(place_words(first.place))}.{others}{met}",
+        f"What the mechanism does from its start over the {place_words(first.place)}.{others}{met}",
         "Points of some measures over the number that nobody knows.",
         partial(over_range, study, first, named, bounds if design.file.targets else {}, design.file.targets),
     )
 
 
 def _words(asked: Asked) -> str:
-    return measure_words(asked.measure, asked.part).replace("\\", "")
+    return measure_words(asked.measure, asked.part)
 
 
 def _amplitude(line: Line) -> float:
@@ -167,7 +163,7 @@ def _amplitude(line: Line) -> float:
 
 
 def _map(each: DesignMap, number: int) -> Figure:
-    first, second = plain(place_words(each.first.place)), plain(place_words(each.second.place))
+    first, second = place_words(each.first.place), place_words(each.second.place)
     rows, columns = each.result.shape
     kinds = each.result.period_count
     share = percent(float((kinds == 1).mean()))
@@ -178,7 +174,7 @@ def _map(each: DesignMap, number: int) -> Figure:
         f"{rows} cells, "
         f"each one motion, followed for at most {each.result.inputs.settings.most_periods} drive periods. "
         f"The circle is "
-        "the file's own point. Edges are known to a cell's width.",
+        "the file’s own point. Edges are known to a cell’s width.",
         f"A map of areas. In {share} of the cells the motion repeats with the drive.",
         partial(kind_map, each),
     )
@@ -192,11 +188,11 @@ def _branches(design: Design) -> Iterator[Figure]:
 
 
 def _branch(path: NumberPath, number: int, output: str) -> Figure:
-    words = plain(place_words(path.varied.place))
+    words = place_words(path.varied.place)
     return drawn(
         f"branch-{number}",
         f"The motion over the {place_words(path.varied.place)}",
-        f"Peak to peak of {plain(output)} along the branch of exact orbits through the file's own point. "
+        f"Peak to peak of {output} along the branch of exact orbits through the file’s own point. "
         f"Solid: "
         "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part "
         "from it "

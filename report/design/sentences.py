@@ -1,4 +1,4 @@
-"""Sentences of the report that depend on what was found, as Markdown."""
+"""Sentences of the report that depend on what was found: plain text, or Markdown where the type says so."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from report.design.quantities import percent, place_words, shown, written
 from report.design.words import capital, count, kind_words
-from report.rendering.escaping import plain
+from report.rendering.escaping import Markdown, code, markdown
 from trimmer.design.plausible import Oddity
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
@@ -23,16 +23,17 @@ if TYPE_CHECKING:
 
 def places_listed(places: Iterable[str]) -> str:
     """Return places in words, as a list."""
-    return listed([plain(place_words(each)) for each in places])
+    return listed([place_words(each) for each in places])
 
 
-def question_words(question: Question, design: Design) -> str:
+def question_words(question: Question, design: Design) -> Markdown:
     """Ask about a number: where it stands, what it is, and why it is asked about."""
     line = design.file.line(question.place)
-    where = f"line {line}, `{question.place_text}`" if line else f"`{question.place_text}`"
+    place = code(question.place_text)
+    where = markdown("Line {}, {}", line, place) if line else place
     unit = dict(design.file.mechanism.places).get(question.place_text, "")
-    value, beside = (plain(shown(each, unit)) for each in (question.value, question.beside))
-    depth, stroke = (plain(shown(each, "m")) for each in (question.value, question.beside))
+    value, beside = (shown(each, unit) for each in (question.value, question.beside))
+    depth, stroke = (shown(each, "m") for each in (question.value, question.beside))
     why = {
         Oddity.HEAVY_BODY: f"{value} is far from the other bodies; the middle one has {beside}. "
         "Grams for kilograms?",
@@ -48,7 +49,7 @@ def question_words(question: Question, design: Design) -> str:
         "Is the stiffness right?",
         Oddity.FRICTION_HOLDS: f"with {value} this friction never slides. Is it meant to hold?",
     }[question.oddity]
-    return f"{capital(where)}: {why}"
+    return markdown("{}: {}", where, why)
 
 
 def inventory(design: Design) -> str:
@@ -69,7 +70,7 @@ def inventory(design: Design) -> str:
         many for number, _, many in counted if not number and many in ("plays", "stops", "frictions", "pins")
     ]
     drive = (
-        f"It is driven at {plain(shown(mechanism.frequency, 'Hz', 5))}."
+        f"It is driven at {shown(mechanism.frequency, 'Hz', 5)}."
         if mechanism.frequency is not None
         else "It has no drive: it moves by itself, or not at all."
     )
@@ -89,7 +90,7 @@ def settled_sentences(design: Design) -> str:
     if not motion.repeats:
         exponent = motion.lyapunov
         grown = (
-            f" Small distances grow by the factor {plain(written(float(np.exp(exponent.value)), 3))} per "
+            f" Small distances grow by the factor {written(float(np.exp(exponent.value)), 3)} per "
             f"drive period. Chaos over so many periods may still be a transient that ends."
             if exponent is not None and motion.kind is MotionKind.CHAOTIC
             else ""
@@ -101,7 +102,7 @@ def settled_sentences(design: Design) -> str:
             "drive periods, so the last digits depend on which."
         )
     if drive is None:
-        period = plain(shown(motion.period or 0.0, "s", 5))
+        period = shown(motion.period or 0.0, "s", 5)
         return f"From {begun}, the mechanism comes to a motion of its own that repeats after {period}."
     told = (
         f"From {begun}, the mechanism settles within {count(motion.drive_periods, 'drive period')} to "
@@ -130,7 +131,7 @@ def _steadiness(design: Design) -> str:
         return "of which a shift stays as it is: friction or the lack of a spring holds no place"
     if largest < 1e-6:
         return "to which disturbances return within a period"
-    return f"to which a small disturbance returns by the factor {plain(written(largest, 3))} in each period"
+    return f"to which a small disturbance returns by the factor {written(largest, 3)} in each period"
 
 
 def searched_sentences(design: Design) -> str:
@@ -145,7 +146,7 @@ def searched_sentences(design: Design) -> str:
     )
     near = motions.neighbours
     if near is not None:
-        names = listed([plain(place_words(each)) for each in near.places])
+        names = places_listed(near.places)
         end = (
             "until nothing new came" if near.complete else "and the search was ended before nothing new came"
         )
@@ -162,10 +163,10 @@ def searched_sentences(design: Design) -> str:
 
 def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:
     """Say what the table of lines leaves out."""
-    share = plain(percent(spectrum.share, 4))
-    floor = plain(shown(spectrum.floor, "m", 2))
+    share = percent(spectrum.share, 4)
+    floor = shown(spectrum.floor, "m", 2)
     motion = design.motion
-    told = f"These lines hold {share} of the mean square of {plain(spectrum.output)}."
+    told = f"These lines hold {share} of the mean square of {spectrum.output}."
     if motion is not None and not motion.repeats and motion.kind is not MotionKind.REST:
         return told + " The motion does not repeat, so the rest is spread between the lines."
     if spectrum.left_out:
@@ -176,27 +177,25 @@ def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:
     return told + " Harmonics above the twentieth were not computed."
 
 
-def exposure_sentences(design: Design) -> str:
+def exposure_sentences(design: Design) -> Markdown:
     """Say which body is held, and how its vibration was weighted."""
     motion, held = design.motion, design.file.held
     assert motion is not None
     if held is None:
-        told = (
+        told = Markdown(
             'The file does not say which body is held; write `held = "NAME"` at its top, with the name of a '
-            "body. "
-            "Until then each line says what a hand would get that holds this body as it moves now."
+            "body. Until then each line says what a hand would get that holds this body as it moves now."
         )
     else:
-        told = f"The hand holds the {plain(held)}."
+        told = markdown("The hand holds the {}.", held)
     if not motion.repeats:
         samples = f"samples of {motion.measured_periods} drive periods were weighted"
-        return f"{told} The motion does not repeat, so {samples}."
+        return markdown("{} The motion does not repeat, so {}.", told, samples)
     each = next(iter(motion.hand_arm.values()))
     largest = max(each.left_out for each in motion.hand_arm.values())
-    return (
-        f"{told} The weighted values sum {each.lines} lines up to {plain(shown(each.highest, 'Hz'))}; "
-        f"what lies above "
-        f"adds at most {plain(shown(largest, 'm/s²', 2))}."
+    return markdown(
+        "{} The weighted values sum {} lines up to {}; what lies above adds at most {}.",
+        *(told, each.lines, shown(each.highest, "Hz"), shown(largest, "m/s²", 2)),
     )
 
 

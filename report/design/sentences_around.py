@@ -1,4 +1,7 @@
-"""Sentences on what lies around the file's own point: maps, branches, margins, slopes; as Markdown."""
+"""Sentences on what lies around the file's own point: maps, branches, margins, slopes.
+
+They are plain text, or Markdown where the type says so.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from report.design.pictures import important
 from report.design.quantities import percent, place_words, shown, written
 from report.design.sentences import places_listed
 from report.design.words import SPECIAL, capital, count, measure_words
-from report.rendering.escaping import plain
+from report.rendering.escaping import Markdown, markdown
 from trimmer.branches.branch import BranchEnd
 from trimmer.design.targets import Measure
 from trimmer.maps.cells import described
@@ -28,7 +31,7 @@ def map_sentences(drawn: DesignMap) -> str:
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
     own = f"In the cell of the file, or the nearest one, the motion is {_cell_words(drawn)}."
-    starts = "Each cell was followed from the file's start alone, so other motions may exist in it."
+    starts = "Each cell was followed from the file’s start alone, so other motions may exist in it."
     failed = len(result.failures)
     told = f"{own} {starts}"
     return told + (
@@ -73,7 +76,7 @@ def no_branches(design: Design) -> str:
     if motion.neutral:
         return "A shift of the motion stays as it is, so no single orbit goes on when a number changes."
     if design.file.mechanism.frequency is None:
-        return "The mechanism moves by itself; `trimmer follow` traces its motion over any number."
+        return Markdown("The mechanism moves by itself; `trimmer follow` traces its motion over any number.")
     return "The mechanism has no number that branches are followed over."
 
 
@@ -90,8 +93,8 @@ def margin_sentences(design: Design) -> str:
     share, path, side = min(shares, key=lambda each: abs(each[0]))
     way = "a smaller" if share < 0 else "a larger"
     told = (
-        f"The narrowest margin is towards {way} {plain(place_words(path.varied.place))}: after "
-        f"{plain(percent(abs(share)))} {_ended(side)}."
+        f"The narrowest margin is towards {way} {place_words(path.varied.place)}: after "
+        f"{percent(abs(share))} {_ended(side)}."
     )
     return told + " Beyond each value the mechanism takes another motion, which may still meet the targets."
 
@@ -113,19 +116,17 @@ def branch_sentences(path: NumberPath) -> str:
         reach = (
             "stays stable to the end of the range"
             if side.reaches is None
-            else (
-                f"is stable {to} to {plain(shown(side.reaches, path.varied.unit, 4))}, where {_ended(side)}"
-            )
+            else (f"is stable {to} to {shown(side.reaches, path.varied.unit, 4)}, where {_ended(side)}")
         )
         told.append(f"Towards {way} values it {reach}; {len(side.values)} orbits were solved.")
         if not side.reason.is_success:
-            told.append(f"It was not followed to the end: {plain(side.reason.value)}.")
+            told.append(f"It was not followed to the end: {side.reason.value}.")
     if path.varied.bounded:
         told.append("The range ends at the static force, which the kinetic one never exceeds.")
     return " ".join(told)
 
 
-def first_changes(design: Design) -> str:
+def first_changes(design: Design) -> Markdown:
     """Say for each important measure which number to change first, and in which direction."""
     found = design.sensitivities
     assert found is not None
@@ -142,12 +143,14 @@ def first_changes(design: Design) -> str:
         way = "raise" if (size.value > 0) == wanted else "lower"
         effect = "raises" if wanted else "lowers"
         told.append(
-            f"- To {'raise' if wanted else 'lower'} the **{measure_words(asked.measure, asked.part)}**, "
-            f"{way} the "
-            f"{plain(place_words(entry.place))}: one per cent {effect} it by "
-            f"{plain(written(abs(size.value), 2))} %."
+            markdown(
+                "- To {} the **{}**, {} the {}: one per cent {} it by {} %.",
+                "raise" if wanted else "lower",
+                measure_words(asked.measure, asked.part),
+                *(way, place_words(entry.place), effect, written(abs(size.value), 2)),
+            )
         )
-    return "\n".join(told)
+    return Markdown("\n").join(told)
 
 
 def _is_smooth(sensitivity: Sensitivity, asked: Asked) -> bool:

@@ -1,4 +1,4 @@
-"""Rows of the report's tables, as Markdown cells; the first row is the head."""
+"""Rows of the report's tables; the first row is the head. Cells are plain text, or Markdown by their type."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from report.design.words import (
     measure_words,
     without_margin,
 )
-from report.rendering.escaping import inline_mathematics, plain
+from report.rendering.escaping import Markdown, code, inline_mathematics
 from trimmer.design.spectrum import LineKind
 from trimmer.design.targets import Measure
 from trimmer.design.trial import all_measures
@@ -38,7 +38,7 @@ ACTION_VALUE = 2.5
 
 
 def _value(number: float, unit: str = "", digits: int = 3) -> str:
-    return plain(shown(number, unit, digits))
+    return shown(number, unit, digits)
 
 
 def target_rows(design: Design) -> Rows:
@@ -49,8 +49,8 @@ def target_rows(design: Design) -> Rows:
             capital(measure_words(each.target.measure, each.target.part)),
             bound_words(each.target),
             measure_value(each.target.measure, each.value),
-            DASH if without_margin(each.target) else plain(percent(each.margin)),
-            "met" if each.met else "**missed**",
+            DASH if without_margin(each.target) else percent(each.margin),
+            "met" if each.met else Markdown("**missed**"),
         ]
         for each in design.verdict.judged
     ]
@@ -63,10 +63,10 @@ def remedy_rows(design: Design) -> Rows:
     head = ["Number", "Now", "Then", "Change", "Starts that meet them"]
     return [head] + [
         [
-            capital(plain(place_words(each.place))),
+            capital(place_words(each.place)),
             _value(each.before, each.unit),
             _value(each.after, each.unit),
-            plain(f"{'+' if each.after > each.before else '−'}{percent(abs(each.after / each.before - 1))}"),
+            f"{'+' if each.after > each.before else '−'}{percent(abs(each.after / each.before - 1))}",
             f"all {starts}" if each.meeting == starts else f"{each.meeting} of {starts}",
         ]
         for each in remedies
@@ -84,17 +84,16 @@ def number_rows(design: Design) -> Rows:
         value = mechanism.value(place)
         if place in open_ranges:
             found = open_ranges[place]
-            rows.append([f"`{place}`", f"{_value(found.lowest, unit)} to {_value(found.highest, unit)}"])
+            rows.append([code(place), f"{_value(found.lowest, unit)} to {_value(found.highest, unit)}"])
         elif value and not (place.endswith(".order") and value == 1):
-            rows.append([f"`{place}`", _value(value, unit, 6)])
+            rows.append([code(place), _value(value, unit, 6)])
     return rows
 
 
 def symbol_rows(equations: Equations) -> Rows:
     """Return what the letters mean."""
     return [["Symbol", "Meaning", "Value or unit"]] + [
-        [inline_mathematics(each.symbol), plain(each.meaning), plain(each.value)]
-        for each in equations.symbols
+        [inline_mathematics(each.symbol), each.meaning, each.value] for each in equations.symbols
     ]
 
 
@@ -104,19 +103,19 @@ def mode_rows(state: LinearState, design: Design) -> Rows:
     rows = [head]
     for number, mode in enumerate(state.modes, start=1):
         moving = [
-            f"{plain(name)} {plain(written(_signed(size), 2))}"
+            f"{name} {written(_signed(size), 2)}"
             for name, size in zip(state.bodies, mode.shape, strict=True)
             if abs(size) >= 0.05
         ]
         frequency = _value(mode.frequency, "Hz", 4)
         drive = design.file.mechanism.frequency
         if drive:
-            frequency += f" ({plain(written(mode.frequency / drive, 3))} × drive)"
+            frequency += f" ({written(mode.frequency / drive, 3)} × drive)"
         rows.append(
             [
                 str(number),
                 frequency,
-                plain(percent(mode.damping_ratio if mode.damping_ratio > ROUNDING else 0.0, 3)),
+                percent(mode.damping_ratio if mode.damping_ratio > ROUNDING else 0.0, 3),
                 ", ".join(moving),
             ]
         )
@@ -136,14 +135,13 @@ def transfer_rows(design: Design) -> Rows:
         for each in state.transfer:
             if each.at_drive is not None:
                 value = _value(abs(each.at_drive), "m/N" if each.unit == "N" else "", 4)
-                angle = plain(
-                    f"{written(math.degrees(math.atan2(each.at_drive.imag, each.at_drive.real)), 3)}°"
-                )
+                degrees = math.degrees(math.atan2(each.at_drive.imag, each.at_drive.real))
+                angle = f"{written(degrees, 3)}°"
                 rows.setdefault((each.drive, each.output), []).append(f"{value} at {angle}")
     if len(design.linear) == 1:
         head = ["From, to", "Response", "Unit"]
-        return [head] + [[f"{plain(a)}, {plain(b)}", *cells, "m/m or m/N"] for (a, b), cells in rows.items()]
-    return [head] + [[f"{plain(drive)}, {plain(output)}", *cells] for (drive, output), cells in rows.items()]
+        return [head] + [[f"{a}, {b}", *cells, "m/m or m/N"] for (a, b), cells in rows.items()]
+    return [head] + [[f"{drive}, {output}", *cells] for (drive, output), cells in rows.items()]
 
 
 def measure_rows(design: Design) -> Rows:
@@ -153,11 +151,9 @@ def measure_rows(design: Design) -> Rows:
         return [["What", "Peak to peak", "rms"]]
     rows = [["What", "Peak to peak", "rms"]]
     for name, each in motion.outputs.items():
-        rows.append(
-            [f"{plain(name)}, displacement", _value(each.peak_to_peak, "m", 4), _value(each.rms, "m", 4)]
-        )
+        rows.append([f"{name}, displacement", _value(each.peak_to_peak, "m", 4), _value(each.rms, "m", 4)])
     for name, rms in motion.rms_acceleration.items():
-        rows.append([f"{plain(name)}, acceleration", DASH, _value(rms, "m/s²", 4)])
+        rows.append([f"{name}, acceleration", DASH, _value(rms, "m/s²", 4)])
     return rows
 
 
@@ -175,7 +171,7 @@ def motion_rows(design: Design) -> Rows:
                 else motion.contacts[each.part].impact_speed
             )
             cells.append(_value(value, each.measure.value))
-        origin = count(motion.starts, "start") if motion.starts else "a neighbour's motion"
+        origin = count(motion.starts, "start") if motion.starts else "a neighbour’s motion"
         cells.append(f"{origin} of {design.motions.starts}" if motion.starts else origin)
         rows.append(cells + [""] * (4 - len(cells)))
     return rows
@@ -188,11 +184,11 @@ def contact_rows(design: Design) -> Rows:
         for name, each in design.motion.contacts.items():
             rows.append(
                 [
-                    plain(name),
-                    plain(written(each.impacts, 3)),
+                    name,
+                    written(each.impacts, 3),
                     _value(each.impact_speed, "m/s"),
                     _value(each.largest_force, "N"),
-                    plain(percent(each.share)),
+                    percent(each.share),
                 ]
             )
     return rows
@@ -203,9 +199,7 @@ def friction_rows(design: Design) -> Rows:
     rows = [["Friction", "Wear power", "Heat per period", "Time in stick"]]
     if design.motion is not None:
         for name, each in design.motion.frictions.items():
-            rows.append(
-                [plain(name), _value(each.power, "W"), _value(each.work, "J"), plain(percent(each.stick))]
-            )
+            rows.append([name, _value(each.power, "W"), _value(each.work, "J"), percent(each.stick)])
     return rows
 
 
@@ -216,7 +210,7 @@ def line_rows(spectrum: OutputSpectrum) -> Rows:
         [
             _value(line.frequency, "Hz", 4),
             _value(line.amplitude, "m"),
-            plain(percent(line.amplitude / largest)),
+            percent(line.amplitude / largest),
             _explained(line),
         ]
         for line in spectrum.lines
@@ -230,16 +224,15 @@ def _explained(line: Line) -> str:
         LineKind.DRIVE: "the drive",
         LineKind.HARMONIC: f"harmonic {line.numerator} of the drive ({parity})",
         LineKind.FRACTION: f"{ratio} of the drive: the motion repeats after {periods}",
-        LineKind.OWN: f"harmonic {line.numerator} of the motion's own frequency"
+        LineKind.OWN: f"harmonic {line.numerator} of the motion’s own frequency"
         if line.numerator > 1
-        else "the motion's own frequency",
+        else "the motion’s own frequency",
     }[line.kind]
     if line.mode is None or line.contacts is None:
-        return plain(what)
-    return plain(
+        return what
+    return (
         f"{what}; near the mode of {shown(line.mode.frequency, 'Hz', 4)} with contacts "
-        f"{line.contacts.value}, "
-        "which may amplify it"
+        f"{line.contacts.value}, which may amplify it"
     )
 
 
@@ -250,7 +243,7 @@ def margin_rows(design: Design) -> Rows:
         unit = path.varied.unit
         rows.append(
             [
-                capital(plain(place_words(path.varied.place))),
+                capital(place_words(path.varied.place)),
                 _reach(path.down, unit),
                 _value(path.varied.value, unit),
                 _reach(path.up, unit),
@@ -273,7 +266,7 @@ def special_rows(path: NumberPath, design: Design) -> Rows:
     found = [each for side in (path.down, path.up) if side is not None for each in side.first_special]
     rows = [["At", "What happens", capital(measure_words(Measure.STROKE, output))]]
     for each in sorted(found, key=lambda special: special.value):
-        parts = f" ({plain(', '.join(each.parts))})" if each.parts else ""
+        parts = f" ({', '.join(each.parts)})" if each.parts else ""
         rows.append(
             [
                 _value(each.value, path.varied.unit, 5),
@@ -295,10 +288,10 @@ def exposure_rows(design: Design) -> Rows:
             hours = each.hours_to(ACTION_VALUE)
             rows.append(
                 [
-                    plain(name),
+                    name,
                     _value(each.rms, "m/s²"),
                     _value(each.weighted, "m/s²"),
-                    "more than 24" if hours > 24 else plain(f"{written(hours, 2)} h"),
+                    "more than 24" if hours > 24 else f"{written(hours, 2)} h",
                 ]
             )
     return rows
@@ -325,14 +318,14 @@ def narrowing_rows(design: Design) -> Rows:
     rows = [["Measured", "Of two, judged differently", "Spread of the measures left"]]
     if design.ranges is not None:
         for each in design.ranges.narrowings:
-            doubt = plain(percent(each.doubt)) if design.file.targets else DASH
-            rows.append([capital(plain(place_words(each.range.place))), doubt, plain(percent(each.spread))])
+            doubt = percent(each.doubt) if design.file.targets else DASH
+            rows.append([capital(place_words(each.range.place)), doubt, percent(each.spread)])
     return rows
 
 
 def provenance_rows(report: DesignReport) -> Rows:
     """Return what the report was made from."""
     made = report.provenance
-    rows = [["Made from", "Version"], ["trimmer", plain(made.version)], ["commit", plain(made.commit)]]
-    rows.append(["date of the commit", plain(made.date)])
-    return rows + [[plain(name), plain(version)] for name, version in made.libraries]
+    rows = [["Made from", "Version"], ["trimmer", made.version], ["commit", made.commit]]
+    rows.append(["date of the commit", made.date])
+    return rows + [[name, version] for name, version in made.libraries]

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from report.design.quantities import percent, place_words, shown, written
-from report.rendering.escaping import plain
+from report.rendering.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
 from trimmer.design.targets import Measure
 from trimmer.design.verdict import NEAR, Outcome, Sureness
@@ -65,35 +65,35 @@ def number_words(number: int) -> str:
 
 
 def capital(text: str) -> str:
-    """Return text with its first letter in upper case."""
-    return text[:1].upper() + text[1:]
+    """Return text with its first letter in upper case; Markdown stays Markdown."""
+    raised = text[:1].upper() + text[1:]
+    return Markdown(raised) if isinstance(text, Markdown) else raised
 
 
 def measure_words(measure: Measure, part: str) -> str:
-    """Return what a measure is, as Markdown."""
-    name = plain(part)
+    """Return what a measure is, as plain text."""
     return {
-        Measure.STROKE: f"peak to peak of {name}",
-        Measure.RMS_ACCELERATION: f"rms acceleration of {name}",
-        Measure.IMPACT_SPEED: f"impact speed in {name}",
-        Measure.WEAR_POWER: f"wear power in {name}",
+        Measure.STROKE: f"peak to peak of {part}",
+        Measure.RMS_ACCELERATION: f"rms acceleration of {part}",
+        Measure.IMPACT_SPEED: f"impact speed in {part}",
+        Measure.WEAR_POWER: f"wear power in {part}",
         Measure.PERIOD: "period of the motion",
     }[measure]
 
 
 def measure_value(measure: Measure, value: float) -> str:
-    """Return a measure's value as Markdown."""
+    """Return a measure's value as plain text."""
     if measure is Measure.PERIOD and not math.isnan(value):
         return "it does not repeat" if math.isinf(value) else count(int(value), "drive period")
-    return plain(shown(value, measure.value))
+    return shown(value, measure.value)
 
 
 def bound_words(target: Target) -> str:
-    """Return what a target wants, as Markdown."""
+    """Return what a target wants, as plain text."""
     if target.measure is Measure.PERIOD:
         return "that of the drive alone"
     side = "at least" if target.at_least else "at most"
-    return f"{side} {plain(shown(target.bound, target.measure.value))}"
+    return f"{side} {shown(target.bound, target.measure.value)}"
 
 
 def without_margin(target: Target) -> bool:
@@ -116,21 +116,21 @@ def kind_words(motion: FoundMotion) -> str:
 
 
 def _advance(motion: FoundMotion) -> str:
-    """Return by how much outputs advance in the period, as Markdown; empty where none does."""
+    """Return by how much outputs advance in the period; empty where none does."""
     if not motion.advances:
         return ""
-    each = listed([f"{plain(name)} by {plain(shown(by, 'm'))}" for name, by in motion.advances.items()])
+    each = listed([f"{name} by {shown(by, 'm')}" for name, by in motion.advances.items()])
     return f", up to an advance of {each}"
 
 
-def verdict_sentence(design: Design) -> str:
+def verdict_sentence(design: Design) -> Markdown:
     """Return the verdict in one sentence, as Markdown."""
     verdict, motion = design.verdict, design.motion
     match verdict.outcome:
         case Outcome.NO_TARGETS:
             return _without_targets(design)
         case Outcome.OPEN:
-            return f"**Nothing can be said about the targets**: {plain(_lowered(design.motions.message))}"
+            return markdown("**Nothing can be said about the targets**: {}", _lowered(design.motions.message))
         case Outcome.MET:
             return _met(design)
         case Outcome.MISSED:
@@ -139,13 +139,14 @@ def verdict_sentence(design: Design) -> str:
     return _depends(design)
 
 
-def _without_targets(design: Design) -> str:
+def _without_targets(design: Design) -> Markdown:
     if design.motion is None:
-        return f"**There is nothing to judge**: {plain(_lowered(design.motions.message))}"
+        return markdown("**There is nothing to judge**: {}", _lowered(design.motions.message))
     motion = _first(design)
-    return (
-        "**The file names no targets**, so nothing is judged; from its start, the mechanism "
-        f"{'settles' if motion.repeats else 'comes'} to {kind_words(motion)}."
+    return markdown(
+        "**The file names no targets**, so nothing is judged; from its start, the mechanism {} to {}.",
+        "settles" if motion.repeats else "comes",
+        kind_words(motion),
     )
 
 
@@ -159,25 +160,25 @@ def _lowered(text: str) -> str:
     return text[:1].lower() + text[1:]
 
 
-def _met(design: Design) -> str:
+def _met(design: Design) -> Markdown:
     judged = design.verdict.judged
     every = {1: "The target is met", 2: "Both targets are met"}
     all_of = every.get(len(judged), f"All {count(len(judged), 'target')} are met")
     if design.ranges is not None:
         points = f"each of the {len(design.ranges.trials)} points that were tried over what nobody knows"
-        return f"**{all_of}** at {points}."
+        return markdown("**{}** at {}.", all_of, points)
     near = min(
         (each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None
     )
     if near is None:
-        return f"**{all_of}.**"
+        return markdown("**{}.**", all_of)
     which = measure_words(near.target.measure, near.target.part)
     value = measure_value(near.target.measure, near.value)
     measured = not without_margin(near.target) and near.margin <= FAR
     away = f" ({percent(near.margin)} away)" if measured else ""
-    return (
-        f"**{all_of}**; nearest to its bound is the {which} with {value}, where {bound_words(near.target)} "
-        f"is wanted{away}."
+    return markdown(
+        "**{}**; nearest to its bound is the {} with {}, where {} is wanted{}.",
+        *(all_of, which, value, bound_words(near.target), away),
     )
 
 
@@ -185,7 +186,7 @@ def _margin(judged: Judged) -> float:
     return judged.margin
 
 
-def _missed(design: Design) -> str:
+def _missed(design: Design) -> Markdown:
     missed = [each for each in design.verdict.judged if not each.met]
     told = "; ".join(_miss(each) for each in missed)
     many = "A target is missed" if len(missed) == 1 else f"{capital(count(len(missed), 'target'))} are missed"
@@ -202,7 +203,7 @@ def _missed(design: Design) -> str:
     else:
         sure = "" if remedy.meeting == design.remedies.starts else ", though not from every start"
         rest = f"; {remedy_words(remedy)} would meet all targets{sure}"
-    return f"**{many}**: {told}{rest}."
+    return markdown("**{}**: {}{}.", many, told, rest)
 
 
 def _miss(judged: Judged) -> str:
@@ -214,19 +215,21 @@ def _miss(judged: Judged) -> str:
 
 
 def remedy_words(remedy: Remedy) -> str:
-    """Return a change of one number, as Markdown."""
-    before, after = (plain(shown(each, remedy.unit)) for each in (remedy.before, remedy.after))
-    return f"{after} in place of {before} as {plain(place_words(remedy.place))}"
+    """Return a change of one number, as plain text."""
+    before, after = (shown(each, remedy.unit) for each in (remedy.before, remedy.after))
+    return f"{after} in place of {before} as {place_words(remedy.place)}"
 
 
-def _depends(design: Design) -> str:
+def _depends(design: Design) -> Markdown:
     verdict, study = design.verdict, design.ranges
     if study is not None and study.doubt > 0 and study.meeting is not None:
-        names = listed([plain(place_words(each.place)) for each in study.ranges])
-        return (
-            f"**It depends on what nobody knows:** of {len(study.trials)} points over the {names}, "
-            f"{percent(study.meeting)} meet the targets; most would be told by measuring the "
-            f"{plain(place_words(study.narrowings[0].range.place))}."
+        return markdown(
+            "**It depends on what nobody knows:** of {} points over the {}, {} meet the targets; most would "
+            "be told by measuring the {}.",
+            len(study.trials),
+            listed([place_words(each.place) for each in study.ranges]),
+            percent(study.meeting),
+            place_words(study.narrowings[0].range.place),
         )
     met = all(each.met for each in verdict.judged)
     others = round(verdict.otherwise * design.motions.starts)
@@ -236,15 +239,15 @@ def _depends(design: Design) -> str:
         if others
         else "a disturbance may lead"
     )
-    return (
-        f"**It depends on how the motion begins:** from its first start the mechanism "
-        f"{'meets' if met else 'misses'} the targets, but {share} to a motion that "
-        f"{'misses' if met else 'meets'} them."
+    return markdown(
+        "**It depends on how the motion begins:** from its first start the mechanism {} the targets, but {} "
+        "to a motion that {} them.",
+        *("meets" if met else "misses", share, "misses" if met else "meets"),
     )
 
 
 def sureness_sentences(design: Design) -> str:
-    """Return how sure the verdict is, and on what that rests, as Markdown."""
+    """Return how sure the verdict is, and on what that rests, as plain text."""
     motion = design.motion
     if motion is None:
         return ""

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
+from jinja2 import Environment, Template
 
 from report.document.document import Document
 from report.finding import Finding
@@ -20,11 +20,12 @@ from report.rendering import (
     places,
     summary,
 )
+from report.rendering.environment import MarkdownEnvironment
+from report.rendering.escaping import Markdown, markdown
 from report.rendering.formulas.latex import width
 from report.rendering.formulas.line_breaking import fit
 from report.rendering.links import check_claims, check_links
 from report.rendering.pictures import spread_picture, verdict_picture
-from report.rendering.pieces import TEMPLATES
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
 from report.shown import Mathematics, Number, Shown, Words
@@ -85,7 +86,7 @@ def _sections(document: Document, template: Template, content: Mapping[str, Any]
     }
 
 
-def shown(content: Shown, name: str, line: float) -> str:
+def shown(content: Shown, name: str, line: float) -> Markdown:
     """Return one side of a comparison as Markdown.
 
     Args:
@@ -98,7 +99,7 @@ def shown(content: Shown, name: str, line: float) -> str:
     return in_line(content, line)
 
 
-def in_line(content: Shown, line: float) -> str:
+def in_line(content: Shown, line: float) -> Markdown:
     """Return a formula, number or words as Markdown that can stand in a paragraph.
 
     A formula longer than a line is there twice, broken and unbroken: Typst breaks it better by itself.
@@ -108,26 +109,26 @@ def in_line(content: Shown, line: float) -> str:
             unbroken = escaping.checked(latex)
             broken = fit(unbroken, line)
             if broken == unbroken:
-                return f"${unbroken}$"
-            return f"[${broken}$]{{.broken}}[${unbroken}$]{{.unbroken}}"
+                return Markdown(f"${unbroken}$")
+            return Markdown(f"[${broken}$]{{.broken}}[${unbroken}$]{{.unbroken}}")
         case Number(digits, unit):
             shown_digits = escaping.digits(digits)
-            return rf"[{shown_digits}\ {escaping.plain(unit)}]{{.number}}" if unit else shown_digits
+            return markdown(r"[{}\ {}]{{.number}}", shown_digits, unit) if unit else shown_digits
         case Words(text):
             return escaping.prose(text)
 
 
-def formula(latex: str, name: str, line: float) -> str:
+def formula(latex: str, name: str, line: float) -> Markdown:
     """Return a displayed formula, broken to fit the line, in a Div that carries its name."""
     broken = escaping.display_mathematics(fit(escaping.checked(latex), line))
-    return f"::: {{.formula name={escaping.attribute(name)}}}\n{broken}\n:::"
+    return Markdown(f"::: {{.formula name={escaping.attribute(name)}}}\n{broken}\n:::")
 
 
-def code_block(text: str) -> str:
+def code_block(text: str) -> Markdown:
     """Return text as a code block, fenced by more backticks than stand in it."""
     longest = max((len(run) for run in re.findall("`+", text)), default=0)
     fence = "`" * max(3, longest + 1)
-    return f"{fence}\n{text.rstrip()}\n{fence}"
+    return Markdown(f"{fence}\n{text.rstrip()}\n{fence}")
 
 
 def side_by_side(finding: Finding) -> bool:
@@ -148,31 +149,9 @@ def _fits_half_a_line(side: Shown, most_characters: int) -> bool:
             return True
 
 
-def plain_environment() -> Environment:
-    """Return the environment of all templates that give Markdown, with the filters that escape."""
-    environment = Environment(
-        loader=FileSystemLoader(TEMPLATES),
-        undefined=StrictUndefined,
-        autoescape=False,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        comment_start_string="((*",
-        comment_end_string="*))",
-    )
-    environment.filters.update(
-        plain=escaping.plain,
-        plain_with_mathematics=escaping.plain_with_mathematics,
-        prose=escaping.prose,
-        attribute=escaping.attribute,
-        mathematics=escaping.inline_mathematics,
-        digits=escaping.digits,
-    )
-    return environment
-
-
 @functools.cache
 def _environment() -> Environment:
-    environment = plain_environment()
+    environment = MarkdownEnvironment()
     environment.filters.update(
         code_block=code_block,
         code_identifier=identifier,

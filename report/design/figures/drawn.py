@@ -21,7 +21,7 @@ def drawn(
     Args:
         identifier: Name of the picture, unique in the report.
         title: Its title, plain text.
-        caption: What is shown, Markdown.
+        caption: What is shown; plain text, or Markdown by its type.
         alternative_text: What a reader who cannot see it must know, plain text.
         draw: Draws it.
     """

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from report.rendering import escaping
+from report.rendering.environment import MarkdownEnvironment
 from tests.report.rendering.conversion import converted
 from tests.report.rendering.sample_formulas import SPECIAL
 
@@ -68,3 +69,45 @@ def test_an_attribute_keeps_quotes_and_backslashes() -> None:
     value = re.search(r'data-label="([^"]*)"', page)
     assert value is not None
     assert html.unescape(value[1]) == SPECIAL
+
+
+@settings(deadline=None)
+@given(st.text(max_size=20), st.text(max_size=20))
+def test_what_is_added_to_markdown_is_escaped_and_markdown_is_not(text: str, other: str) -> None:
+    bold = escaping.markdown("**{}**", text)
+    assert bold == f"**{escaping.escaped(text)}**"
+    shown = escaping.escaped(other)
+    assert bold + other == f"{bold}{shown}"
+    assert other + bold == f"{shown}{bold}"
+    assert escaping.Markdown("*").join([bold, other]) == f"{bold}*{shown}"
+    assert escaping.markdown("{a} {b:.1f} {}", bold, a=other, b=2.25) == f"{shown} 2\\.2 {bold}"
+    assert escaping.escaped(bold) == escaping.plain(bold) == bold
+    made = (bold + other, other + bold, escaping.markdown("{}", text), shown)
+    assert all(isinstance(each, escaping.Markdown) for each in made)
+
+
+@settings(deadline=None)
+@given(st.text(max_size=20))
+def test_a_template_escapes_all_that_is_not_markdown_by_its_type(text: str) -> None:
+    environment = MarkdownEnvironment()
+
+    def rendered(template: str) -> str:
+        return environment.from_string(template).render(text=text, bold=escaping.markdown("**{}**", text))
+
+    shown = escaping.escaped(text)
+    assert rendered("{{ text }}") == rendered('{{ text ~ "" }}') == shown
+    assert rendered("{{ bold }}") == f"**{shown}**"
+    assert rendered('{{ bold ~ "*" ~ text }}') == rf"**{shown}**\*{shown}"
+    assert rendered('{{ [text, bold] | join("; ") }}') == rf"{shown}\; **{shown}**"
+    assert rendered("{% macro m(x) %}*{{ x }}*{% endmacro %}{{ m(text) }}") == f"*{shown}*"
+    macro = "{% macro m(x) %}*{{ x }}*{% endmacro %}"
+    assert rendered(macro + "{{ m(text) ~ text }}{{ m(m(text)) }}") == f"*{shown}*{shown}**{shown}**"
+    assert rendered("{% set x %}*{{ text }}*{% endset %}{{ x ~ text }}") == f"*{shown}*{shown}"
+    assert rendered("{{ bold | lower }}") == escaping.escaped(f"**{shown}**".lower())
+
+
+def test_no_name_of_a_place_holds_markup() -> None:
+    assert escaping.identifier("eq-2.8") == "eq-2.8"
+    for text in ("", "a b", "a}", "a)", "a#", 'a"', "ä"):
+        with pytest.raises(ValueError, match="names no place"):
+            escaping.identifier(text)

@@ -95,7 +95,7 @@ def test_a_part_of_the_report_has_its_chapter_and_what_rests_on_it(document: Doc
 
 def test_an_erratum_names_its_place_and_both_forms(document: Document) -> None:
     sheet = to_markdown(document)["errata"]
-    assert "[Eq\\. 2\\.9](#eq-2.9), first mass" in sheet
+    assert "[Eq\\. 2\\.9](#eq-2.9)\\, first mass" in sheet
     assert "$-60$\\ dB\\/decade" in sheet
     assert "$-40$\\ dB\\/decade" in sheet
     assert "second mass" not in sheet
