@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import string
 from typing import Any
 
 import sympy
@@ -77,6 +79,29 @@ def latex_number(value: float) -> str:
 def latex_text(words: str) -> str:
     """Return LaTeX of plain words, in which no character has a meaning of its own."""
     return "".join(SPECIAL.get(character, character) for character in words)
+
+
+def escaped(words: str) -> str:
+    """Return plain words for the prose of a step: no character has a meaning of its own."""
+    return re.sub(f"([{re.escape(string.punctuation)}])", r"\\\1", words)
+
+
+def latex_prose(text: str) -> str:
+    """Return LaTeX of the prose of a step."""
+    return _MARKED.sub(_as_latex, text)
+
+
+_MARKED = re.compile(
+    rf"(?P<mathematics>\$(?:\\.|[^$\\])*\$)|\\(?P<character>[{re.escape(string.punctuation)}])|`(?P<code>[^`]*)`"
+)
+
+
+def _as_latex(marked: re.Match[str]) -> str:
+    if marked["mathematics"]:
+        return marked["mathematics"]
+    if marked["character"]:
+        return latex_text(marked["character"])
+    return f"\\texttt{{{marked['code']}}}"
 
 
 def latex_equation(left: sympy.Basic, right: sympy.Basic) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -11,7 +10,7 @@ from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.dimension_checks import require_consistent
 from derivations.elements.quantities import ELEMENT_QUANTITIES
-from derivations.latex import latex, latex_number, latex_text
+from derivations.latex import latex, latex_number, latex_prose, latex_text
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.loop.narrative import loop_narrative
 from derivations.narrative import narrative
@@ -123,8 +122,8 @@ def _table_of_values(quantities: tuple[ValuedQuantity, ...]) -> str:
 
 
 def _section(step: Step, displayed: Callable[[Formula], str] | None = None) -> str:
-    text = re.sub(r"`([^`]*)`", r"\\texttt{\1}", step.text)
-    return "\n".join((f"\\section{{{step.title}}}", text, *map(displayed or _displayed, step.formulas)))
+    head = (f"\\section{{{latex_text(step.title)}}}", latex_prose(step.text))
+    return "\n".join((*head, *map(displayed or _displayed, step.formulas)))
 
 
 def _displayed(formula: Formula) -> str:

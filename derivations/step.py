@@ -1,6 +1,7 @@
 """A step of a derivation: prose, formulas, and the functions that do what it says.
 
-Prose is plain text with TeX mathematics between dollar signs, fit for Markdown and for LaTeX alike.
+Prose is Markdown of the simplest kind: text, TeX mathematics between dollar signs, code between backticks,
+and punctuation behind a backslash, which then means nothing; ``latex_prose`` gives it as LaTeX.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ class Step:
 
     Attributes:
         id: Identifier, unique among all steps.
-        title: Heading.
+        title: Heading, plain text.
         text: Prose, paragraphs separated by an empty line.
         formulas: Displayed equations, shown after the prose.
         code: The functions that do what the step says, in the order of the step.

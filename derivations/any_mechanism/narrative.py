@@ -11,7 +11,7 @@ from derivations.any_mechanism.contact_law import ContactStatement
 from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.friction_law import FrictionStatement
 from derivations.equations_of_motion import MotionMatrices, inputs
-from derivations.latex import latex, latex_equation, latex_text
+from derivations.latex import escaped, latex, latex_equation
 from derivations.linear_motion import LinearMotion
 from derivations.mechanism import elongation, position
 from derivations.narrative import (
@@ -52,7 +52,7 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[Step, ...]:
 
 def _parts(derivation: MechanismDerivation) -> Step:
     mechanism = derivation.mechanism
-    bodies = (f"{latex_text(body.name)} (${latex(body.coordinate)}$)" for body in mechanism.bodies)
+    bodies = (f"{escaped(body.name)} (${latex(body.coordinate)}$)" for body in mechanism.bodies)
     pins = (
         Formula(latex_equation(pin.displacement, pin.law)) for pin in mechanism.pins if pin.law is not None
     )
@@ -219,7 +219,7 @@ def _contact_law(statement: ContactStatement) -> Step:
     formulas.append(Formula(latex_equation(contact.tension, statement.tension)))
     return Step(
         f"contact-{contact.tension.func.__name__}",
-        f"Contact: {latex_text(contact.name)}",
+        f"Contact: {contact.name}",
         f"The {kind} pulls its ends together with $T = {latex(contact.tension)}$. "
         f"{ENDING[contact.law] if contact.damping != 0 else ''}{without}".strip(),
         tuple(formulas),
@@ -240,7 +240,7 @@ def _friction_law(statement: FrictionStatement) -> Step:
     viscous = " Its viscous share is a damper, which the equations of motion hold already."
     return Step(
         f"friction-{friction.force.func.__name__}",
-        f"Friction: {latex_text(friction.name)}",
+        f"Friction: {friction.name}",
         "In sliding the dry force has its kinetic size and opposes the motion. In stick it is what keeps the "
         "velocity at zero, which is the last line, as long as that is not more than the static force. Where "
         "several frictions stick, these lines hold together." + (viscous if friction.viscous != 0 else ""),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from derivations.any_mechanism.derivation import derive_mechanism
@@ -37,7 +36,8 @@ def equations_of(mechanism: Mechanism) -> Equations:
     first = [each for each in steps if each.id in wanted or each.id.startswith(("contact-", "friction-"))]
     rest = [each for each in steps if each not in first]
     symbols = tuple(map(_row, symbolic.quantities))
-    return Equations(tuple(map(_shown, first)), tuple(map(_shown, rest)), symbols)
+    shown = [_shown(step, number) for number, step in enumerate((*first, *rest), start=1)]
+    return Equations(tuple(shown[: len(first)]), tuple(shown[len(first) :]), symbols)
 
 
 def _row(valued: ValuedQuantity) -> SymbolRow:
@@ -46,8 +46,7 @@ def _row(valued: ValuedQuantity) -> SymbolRow:
     return SymbolRow(latex(quantity.symbol), quantity.meaning, value or quantity.unit.text)
 
 
-def _shown(step: Step) -> DerivationStep:
+def _shown(step: Step, number: int) -> DerivationStep:
+    """Return a step for the page, where its place has a number: its own name may hold that of a part."""
     equations = tuple(Equation(each.latex, "", each.words) for each in step.formulas)
-    return DerivationStep(
-        re.sub(r"[^A-Za-z0-9-]+", "-", step.id).strip("-"), step.title, step.text, equations
-    )
+    return DerivationStep(str(number), step.title, step.text, equations)

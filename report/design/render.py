@@ -89,4 +89,6 @@ def _pdf(
     document: Shown, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
 ) -> bytes:
     more = {f"figures/{name}.svg": each.svg.encode() for name, each in figures.items()}
-    return typeset(document.title, document.subtitle, document.provenance.date, body, more, paper, store)
+    return typeset(
+        document.title, document.subtitle, document.provenance.date, body, more, paper, store, strict=False
+    )

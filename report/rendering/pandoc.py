@@ -44,7 +44,8 @@ def write(content: bytes, target: str, arguments: Sequence[str]) -> str:
 def _run(content: bytes, arguments: Sequence[str]) -> bytes:
     import pypandoc  # here, so that importing the package does not look for the binary
 
-    command = [pypandoc.get_pandoc_path(), "--fail-if-warnings", *arguments]
+    # In its sandbox pandoc reads no file that stands in the text.
+    command = [pypandoc.get_pandoc_path(), "--sandbox", "--fail-if-warnings", *arguments]
     finished = subprocess.run(command, input=content, capture_output=True, check=False)
     if finished.returncode:
         raise PandocError(f"pandoc stopped: {finished.stderr.decode().strip()}")

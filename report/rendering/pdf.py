@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 from functools import partial
 from importlib.metadata import version
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from report.cache.stage_store import StageStore
@@ -51,6 +52,8 @@ def typeset(
     more: Mapping[str, bytes],
     paper: Paper = Paper.A4,
     store: StageStore | None = None,
+    *,
+    strict: bool = True,
 ) -> bytes:
     """Return Typst source as PDF, below the head that all reports share.
 
@@ -62,12 +65,13 @@ def typeset(
         more: files that it names.
         paper: size of the pages.
         store: where the PDF is kept, and taken from if nothing has changed.
+        strict: whether a formula that can only be set too small to be read is an error.
 
     Raises:
         TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
         FileWriteError: if the PDF cannot be kept.
     """
-    source = {"main": _source(title, subtitle, body, paper).encode(), **more}
+    source = {"main": _source(title, subtitle, body, paper, strict).encode(), **more}
     timestamp = _timestamp(date)
     make = partial(_set, source, timestamp)
     if store is None:
@@ -76,9 +80,10 @@ def typeset(
     return store.made(f"pdf-{paper.value}", hashlib.sha256(depends.encode()).hexdigest(), make)
 
 
-def _source(title: str, subtitle: str, body: str, paper: Paper) -> str:
+def _source(title: str, subtitle: str, body: str, paper: Paper, strict: bool) -> str:
     settings = {"title": title, "version": subtitle, "paper": _PAPERS[paper]}
     defined = "".join(f"#let {name} = {_string(value)}\n" for name, value in settings.items())
+    defined += f"#let strict = {str(strict).lower()}\n"
     return f"{defined}{(TEMPLATES / 'report.typ').read_text(encoding='utf-8')}\n{body}"
 
 
@@ -93,7 +98,11 @@ def _set(source: dict[str, bytes], timestamp: int) -> bytes:
     # Typst's annotations leave out that its input may be a dictionary of files, with the main one first.
     files_of_source: Any = source
     try:
-        return typst.compile(files_of_source, format="pdf", ignore_system_fonts=True, timestamp=timestamp)
+        # What is not in the dictionary Typst would look for below its root.
+        with TemporaryDirectory() as empty:
+            return typst.compile(
+                files_of_source, format="pdf", root=empty, ignore_system_fonts=True, timestamp=timestamp
+            )
     except typst.TypstError as error:
         raise TypesettingError(f"the PDF could not be set: {error}") from error
 

@@ -37,6 +37,10 @@ GREEK = {
 }  # fmt: skip
 LAST_LATIN_LETTER = "\u017f"
 """LaTeX prints letters up to this one without further packages."""
+PUNCTUATION = " !#%&'()*+,-./:;=?@[]_"
+"""What an index may hold beside letters and digits; all that sets formulas sets this alike."""
+LONGEST_INDEX = 24
+"""A part with a longer name has a number as its index, since a formula has to fit on a page."""
 
 
 @dataclass(frozen=True)
@@ -207,7 +211,9 @@ def _first_free(letters: str, indices: Iterator[str | None], used: set[str]) -> 
 
 
 def _is_printable(index: str) -> bool:
-    return all(character <= LAST_LATIN_LETTER for character in index)
+    return len(index) <= LONGEST_INDEX and all(
+        each in PUNCTUATION or (each.isalnum() and each <= LAST_LATIN_LETTER) for each in index
+    )
 
 
 def _split(symbol: str) -> tuple[str, str | None]:
@@ -236,6 +242,4 @@ def _with_index(letters: str, index: str | None) -> str:
 
 
 def _escaped(words: str) -> str:
-    special = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-    special |= {"<": r"\textless{}", ">": r"\textgreater{}", "`": r"\textasciigrave{}"}
-    return "".join(special.get(each, f"\\{each}" if each in "{}$&#_%" else each) for each in words)
+    return "".join(f"\\{each}" if each in "&#_%" else each for each in words)

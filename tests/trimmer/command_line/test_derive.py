@@ -85,7 +85,7 @@ def test_names_with_characters_of_latex_are_printed_as_they_are(folder):
     Path("belt.toml").write_text(text, encoding="utf-8")
     assert main(["derive", "belt.toml", "--module", "module.py", "--latex", "a.tex"]) == 0
     written = Path("a.tex").read_text(encoding="utf-8")
-    assert r"k_{\text{50 \% \{x\} \_ \textbackslash{}input\{y\}}}" in written
+    assert r"$k_{1}$ & stiffness of 50 \% \{x\} \_ \textbackslash{}input\{y\} &" in written
     assert r"\input" not in written
     assert runpy.run_path("module.py")["mass_matrix"]
 
