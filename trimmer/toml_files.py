@@ -14,7 +14,17 @@ from trimmer.parameters import parameter_table
 
 
 def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
-    """Read the text of a file, or of standard input.
+    """Read the text of a file, or of standard input; see ``read_bytes_of_text``."""
+    return decoded(read_bytes_of_text(path, error, advice))
+
+
+def decoded(content: bytes) -> str:
+    """Return the text of a file; some editors begin one with a byte order mark."""
+    return content.decode("utf-8-sig")
+
+
+def read_bytes_of_text(path: Path, error: type[TrimmerError], advice: str) -> bytes:
+    """Read a file of text, or standard input, as it is.
 
     Args:
         path: The file; ``-`` is standard input.
@@ -25,7 +35,8 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
         TrimmerError: of the type that is given, if the file cannot be read, is empty or is no text.
     """
     try:
-        text = read_content(path).decode("utf-8-sig")  # some editors begin a file with a byte order mark
+        content = read_content(path)
+        text = decoded(content)
     except FileNotFoundError:
         raise error(f"{path}: no such file; {near_file(path) or advice}") from None
     except IsADirectoryError:
@@ -37,7 +48,7 @@ def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
         raise error(f"{path}: cannot be read: {reason.strerror or reason}; {advice}") from reason
     if not text.strip():
         raise error(f"{path}: is empty; {advice}")
-    return text
+    return content
 
 
 def parsed(text: str, name: str, error: type[TrimmerError], advice: str) -> dict[str, Any]:

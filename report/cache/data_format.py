@@ -19,8 +19,6 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-import numpy as np
-
 from report.cache import foreign_data
 from trimmer.mechanism.read_only import ReadOnly
 
@@ -99,7 +97,7 @@ class _Writer:
             return ["complex", value.real, value.imag]
         if kind is Fraction:
             return ["fraction", value.numerator, value.denominator]
-        if isinstance(value, np.ndarray | np.generic):
+        if kind.__module__ == "numpy":
             return self._array(value)
         if isinstance(value, Enum):
             return ["enum", _name_of(kind), value.name]
@@ -115,6 +113,10 @@ class _Writer:
         return [self.reference(each) for each in values]
 
     def _array(self, value: Any) -> list[Any]:
+        import numpy as np  # Text is kept and read without it.
+
+        if not isinstance(value, np.ndarray | np.generic):
+            raise TypeError(f"{type(value)} of NumPy cannot be kept")
         array = np.asarray(value)
         if array.dtype.kind not in NUMERIC:
             raise TypeError(f"an array of {array.dtype} cannot be kept: it holds objects")
@@ -169,6 +171,8 @@ class _Reader:
         return {self.value(key): self.value(each) for key, each in pairs}
 
     def _array(self, kind: str, shape: list[int], begin: int, length: int) -> Any:
+        import numpy as np
+
         dtype = np.dtype(kind)
         if dtype.kind not in NUMERIC:
             raise DamagedError(f"an array of {dtype} holds objects")

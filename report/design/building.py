@@ -97,18 +97,19 @@ def going_on_from(store: StageStore) -> Iterator[None]:
         ) from None
 
 
-def report_on(design: Design, store: StageStore) -> DesignReport:
-    """Return the report on a design, with its equations and pictures."""
+def report_on(design: Design, store: StageStore, date: str) -> DesignReport:
+    """Return the report on a design as made on a day (ISO date), with its equations and pictures."""
     from report.design.equations import equations_of
+    from report.design.origin import origin_of
     from report.design.pictures import pictures
     from report.design.report import DesignReport
-    from report.provenance import provenance
+    from report.rendering.escaping import shown_characters
 
     mechanism = design.file.mechanism
     keeper = keeper_of(design.file, store)
     equations = keeper.made("equations", (), lambda: equations_of(mechanism))
-    title = mechanism.title or design.file.name
-    return DesignReport(title, design, equations, pictures(design), provenance())
+    title = shown_characters(mechanism.title or design.file.name)
+    return DesignReport(title, design, equations, pictures(design), origin_of([design.file], date))
 
 
 def files_of(

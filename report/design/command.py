@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import webbrowser
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
@@ -17,6 +18,7 @@ from trimmer.files import HTML, PDF, STANDARD_INPUT, check_target, write_atomica
 
 if TYPE_CHECKING:
     from report.design.building import Place
+    from report.rendering.escaping import Markdown
     from trimmer.design.design_file import DesignFile
     from trimmer.runners.runner import Runner
 
@@ -101,7 +103,7 @@ def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> No
     Raises:
         FileWriteError: if one is there and of another kind, or cannot be made.
     """
-    for form in formats:
+    for form in (each for each in KINDS if each in formats):
         check_target(place.file(form), KINDS[form], overwrite=overwrite)
 
 
@@ -122,23 +124,33 @@ def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], 
 
 def _run(arguments: Namespace) -> int:
     from report.design.building import Place
+    from report.design.origin import today
     from trimmer.design.design_file import read_design_file
+    from trimmer.mechanism.printed_symbols import printed_symbols
 
     formats = formats_of(arguments)
     if arguments.open and Format.HTML not in formats:
         raise OptionError("--open shows the HTML: add html to --format, or leave one of the two out")
-    runner = runner_of(arguments)
+    runner, date = runner_of(arguments), today()
     file = read_design_file(arguments.file)
+    printed_symbols(
+        file.mechanism
+    )  # two that print the same are told now, not when the equations are derived
     place = Place(arguments.directory, stem_of(arguments.file))
     check_files(place, formats, arguments.overwrite)
-    _make(arguments, file, place, formats, runner)
+    _make(arguments, file, place, formats, runner, date)
     if arguments.open:
         webbrowser.open(place.file(Format.HTML).absolute().as_uri())
     return 0
 
 
 def _make(
-    arguments: Namespace, file: DesignFile, place: Place, formats: frozenset[Format], runner: Runner
+    arguments: Namespace,
+    file: DesignFile,
+    place: Place,
+    formats: frozenset[Format],
+    runner: Runner,
+    date: str,
 ) -> None:
     from report.design.building import files_of, going_on_from, looked_at, report_on
     from report.design.progress import ProgressLines
@@ -150,16 +162,18 @@ def _make(
     design = looked_at(file, settings, runner, place.store, told)
     told.say("equations, pictures and pages ...")
     with going_on_from(place.store):
-        contents = files_of(report_on(design, place.store), formats, Paper(arguments.paper), place.store)
+        contents = files_of(
+            report_on(design, place.store, date), formats, Paper(arguments.paper), place.store
+        )
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()
     print("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
 
 
-def plain_text(markdown: str) -> str:
+def plain_text(markdown: Markdown) -> str:
     """Return a sentence of the report for the terminal: without marks of Markdown."""
-    return markdown.replace("**", "").replace("\\", "")
+    return re.sub(r"\\([!-~])|\*\*", lambda mark: mark[1] or "", markdown)
 
 
 COMMAND = Command(

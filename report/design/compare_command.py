@@ -37,11 +37,13 @@ def _run(arguments: Namespace) -> int:
     formats, runner = formats_of(arguments), runner_of(arguments)
     from report.design.building import Place, looked_at
     from report.design.comparison import comparison_sentence
+    from report.design.origin import today
     from report.design.progress import ProgressLines
     from trimmer.design.comparison import compared
     from trimmer.design.design_file import read_design_file
     from trimmer.design.settings import USUAL
 
+    date = today()
     files = [read_design_file(path) for path in (arguments.before, arguments.after)]
     names = _names(arguments.before, arguments.after)
     place = Place(arguments.directory, "-".join(names))
@@ -49,7 +51,7 @@ def _run(arguments: Namespace) -> int:
     told = ProgressLines()
     before, after = (looked_at(file, USUAL, runner, place.store, told, short=True) for file in files)
     comparison = compared(before, after)
-    for form, content in _contents(comparison, names, formats, Paper(arguments.paper)).items():
+    for form, content in _contents(comparison, names, formats, Paper(arguments.paper), date).items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()
     print(plain_text(comparison_sentence(comparison, names)))
@@ -64,15 +66,18 @@ def _names(before: Path, after: Path) -> tuple[str, str]:
 
 
 def _contents(
-    comparison: Comparison, names: tuple[str, str], formats: frozenset[Format], paper: Paper
+    comparison: Comparison, names: tuple[str, str], formats: frozenset[Format], paper: Paper, date: str
 ) -> dict[Format, str | bytes]:
     from report.design.comparison import ComparisonReport, spectra_overlaid
     from report.design.markdown import comparison_to_markdown
+    from report.design.origin import origin_of
     from report.design.render import rendered
-    from report.provenance import provenance
+    from report.rendering.escaping import shown_characters
 
     figures = spectra_overlaid(comparison, names)
-    document = ComparisonReport(f"{names[0]} and {names[1]}", comparison, names, figures, provenance())
+    origin = origin_of([comparison.before.file, comparison.after.file], date)
+    title = shown_characters(f"{names[0]} and {names[1]}")
+    document = ComparisonReport(title, comparison, names, figures, origin)
     return rendered(document, comparison_to_markdown(document), formats, paper, None)
 
 

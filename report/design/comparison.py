@@ -10,6 +10,7 @@ import numpy as np
 
 from report.design.figures.drawn import drawn
 from report.design.figures.lines import line_spectrum
+from report.design.origin import Origin
 from report.design.quantities import percent, place_words, shown
 from report.design.words import (
     OUTCOMES,
@@ -21,7 +22,6 @@ from report.design.words import (
     number_words,
 )
 from report.document.figure import Figure
-from report.document.thesis import Provenance
 from report.rendering.escaping import Markdown, code, markdown
 from trimmer.design.comparison import Comparison
 from trimmer.design.targets import Measure
@@ -41,19 +41,19 @@ class ComparisonReport:
         comparison: What was computed.
         names: What the two files are called.
         figures: By their identifiers.
-        provenance: What it was made from.
+        origin: What it was made from, and when.
     """
 
     title: str
     comparison: Comparison
     names: tuple[str, str]
     figures: dict[str, Figure]
-    provenance: Provenance
+    origin: Origin
 
     @property
     def subtitle(self) -> str:
         """The line below the title."""
-        return self.provenance.line
+        return self.origin.line
 
 
 def spectra_overlaid(comparison: Comparison, names: tuple[str, str]) -> dict[str, Figure]:

@@ -17,10 +17,11 @@ from report.design.figures.maps import kind_map
 from report.design.figures.motion import motion_over_time
 from report.design.figures.over_range import over_range
 from report.design.quantities import percent, place_words, shown
-from report.design.words import measure_words
+from report.design.words import capital, measure_words
 from trimmer.design.linear import driving
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked
+from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
@@ -71,18 +72,22 @@ def _motion(design: Design) -> Iterator[Figure]:
     motion = design.motion
     if motion is None:
         return
+    signals = motion.signals
     span = "one period" if motion.repeats else "some drive periods of a motion that does not repeat"
     span = "a part of the rest" if motion.kind is MotionKind.REST else span
-    contacts = ", the forces of its contacts" if motion.signals.forces else ""
+    shown = [
+        *(["the outputs"] if signals.outputs else []),
+        *(["the forces of its contacts"] if signals.forces else []),
+        *(["when parts touch and stick"] if signals.touching or signals.sticking else []),
+    ]
+    if not shown:
+        return
+    pulls = " A positive force pulls the two ends together." if signals.forces else ""
     yield drawn(
         "motion",
         "The motion over time",
-        f"The outputs{contacts}, and when parts touch and stick, over {span}. A positive force "
-        f"pulls the "
-        "two ends together."
-        if motion.signals.forces
-        else f"The outputs over {span}.",
-        f"Curves of the outputs over {span}; below, bars show when parts touch or stick.",
+        f"{capital(listed(shown))}, over {span}.{pulls}",
+        f"Curves over {span} of {listed(shown)}.",
         partial(motion_over_time, motion),
     )
 

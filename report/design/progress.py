@@ -22,16 +22,16 @@ KEPT = 0.05
 class ProgressLines:
     """Tells each step on standard error, unless that is silenced."""
 
-    _begun: dict[tuple[Stage, str], float] = field(default_factory=dict)
+    _begun: dict[tuple[Stage, tuple[str, ...]], float] = field(default_factory=dict)
 
-    def __call__(self, stage: Stage, about: str, done: int, count: int) -> None:
+    def __call__(self, stage: Stage, over: tuple[str, ...], done: int, count: int) -> None:
         """Tell how much of a step is done."""
         if is_silenced():
             return
-        begun = self._begun.setdefault((stage, about), time.perf_counter())
+        begun = self._begun.setdefault((stage, over), time.perf_counter())
         if done == count:
-            del self._begun[stage, about]
-        name = f"{stage.value}{f' over the {_words(about)}' if about else ''}"
+            del self._begun[stage, over]
+        name = f"{stage.value}{f' over the {_words(over)}' if over else ''}"
         if sys.stderr.isatty():
             share = f" {done}/{count}" if count > 1 else ""
             print(
@@ -47,5 +47,5 @@ class ProgressLines:
             print(text, file=sys.stderr, flush=True)
 
 
-def _words(about: str) -> str:
-    return " and ".join(place_words(each) for each in about.split(" x "))
+def _words(over: tuple[str, ...]) -> str:
+    return " and ".join(map(place_words, over))

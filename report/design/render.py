@@ -7,15 +7,15 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Protocol
 
 from report.rendering.html import Look, page, with_drawings
-from report.rendering.pdf import typeset
+from report.rendering.pdf import Head, typeset
 from report.rendering.pictures.figure_colours import with_variables
 from report.rendering.pieces import Converter
 from report.rendering.request import Format, Paper
 
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore
+    from report.design.origin import Origin
     from report.document.figure import Figure
-    from report.document.thesis import Provenance
 
 
 class Shown(Protocol):
@@ -32,8 +32,8 @@ class Shown(Protocol):
         ...
 
     @property
-    def provenance(self) -> Provenance:
-        """What it was made from."""
+    def origin(self) -> Origin:
+        """What it was made from, and when."""
         ...
 
     @property
@@ -56,7 +56,7 @@ def rendered(
     """Return the report in the forms that are wanted.
 
     Args:
-        document: The report; it has a title, a subtitle, provenance and figures.
+        document: The report; it has a title, a subtitle, an origin and figures.
         pieces: Its text.
         formats: HTML, PDF or both.
         paper: Size of the pages.
@@ -89,6 +89,5 @@ def _pdf(
     document: Shown, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
 ) -> bytes:
     more = {f"figures/{name}.svg": each.svg.encode() for name, each in figures.items()}
-    return typeset(
-        document.title, document.subtitle, document.provenance.date, body, more, paper, store, strict=False
-    )
+    head = Head(document.title, document.subtitle, document.origin.date, strict=False)
+    return typeset(head, body, more, paper, store)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from report.design.origin import Origin
 from report.document.derivation import DerivationStep
 from report.document.figure import Figure
-from report.document.thesis import Provenance
 from trimmer.design.design import Design
 
 
@@ -43,16 +43,16 @@ class DesignReport:
         design: What was computed.
         equations: The derivation.
         figures: By their identifiers.
-        provenance: What it was made from.
+        origin: What it was made from, and when.
     """
 
     title: str
     design: Design
     equations: Equations
     figures: dict[str, Figure]
-    provenance: Provenance
+    origin: Origin
 
     @property
     def subtitle(self) -> str:
         """The line below the title."""
-        return self.provenance.line
+        return self.origin.line

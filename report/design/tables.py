@@ -23,7 +23,8 @@ from trimmer.design.targets import Measure
 from trimmer.design.trial import all_measures
 
 if TYPE_CHECKING:
-    from report.design.report import DesignReport, Equations
+    from report.design.origin import Origin
+    from report.design.report import Equations
     from trimmer.design.design import Design
     from trimmer.design.linear import LinearState
     from trimmer.design.paths import NumberPath, Side
@@ -262,16 +263,16 @@ def _reach(side: Side | None, unit: str) -> str:
 
 def special_rows(path: NumberPath, design: Design) -> Rows:
     """Return the special points of a branch up to where it loses its stability, by rising value."""
-    output = next(iter(design.file.mechanism.outputs))
+    outputs = list(design.file.mechanism.outputs)[:1]
     found = [each for side in (path.down, path.up) if side is not None for each in side.first_special]
-    rows = [["At", "What happens", capital(measure_words(Measure.STROKE, output))]]
+    rows = [["At", "What happens", *(capital(measure_words(Measure.STROKE, name)) for name in outputs)]]
     for each in sorted(found, key=lambda special: special.value):
         parts = f" ({', '.join(each.parts)})" if each.parts else ""
         rows.append(
             [
                 _value(each.value, path.varied.unit, 5),
                 SPECIAL[each.kind] + parts,
-                _value(each.stroke[output], "m"),
+                *(_value(each.stroke[name], "m") for name in outputs),
             ]
         )
     return rows
@@ -323,9 +324,12 @@ def narrowing_rows(design: Design) -> Rows:
     return rows
 
 
-def provenance_rows(report: DesignReport) -> Rows:
-    """Return what the report was made from."""
-    made = report.provenance
-    rows = [["Made from", "Version"], ["trimmer", made.version], ["commit", made.commit]]
-    rows.append(["date of the commit", made.date])
+def provenance_rows(origin: Origin) -> Rows:
+    """Return what a report was made from."""
+    made = origin.provenance
+    rows = [["Made from", "Version"]]
+    for name, author, digest in origin.files:
+        by = [f"author: {author}"] if author else []
+        rows.append([code(name), "; ".join([*by, f"SHA-256: {digest}"])])
+    rows += [["trimmer", made.version], ["commit", f"{made.commit}, of {made.date[:10]}"]]
     return rows + [[name, version] for name, version in made.libraries]

@@ -30,7 +30,7 @@ def style() -> Iterator[None]:
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(
             {
-                "font.family": "STIXGeneral",
+                "font.family": ["STIXGeneral", "DejaVu Sans"],  # the second where the first has no letter
                 "mathtext.fontset": "stix",
                 "font.size": 10.0,
                 "axes.titlesize": 10.0,

@@ -13,6 +13,7 @@ from report.drawing.letters import letter_panels
 from report.drawing.placed import name_parts
 from report.drawing.read_out import read_out
 from report.drawing.style import style
+from trimmer.drawing.content import unwarned
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,7 +46,7 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     import matplotlib
 
     buffer = io.StringIO()
-    with style(), matplotlib.rc_context({"svg.hashsalt": identifier}):
+    with unwarned(), style(), matplotlib.rc_context({"svg.hashsalt": identifier}):
         letter_panels(figure)
         name_parts(figure)
         _write_ticks_plainly(figure)

@@ -51,11 +51,12 @@ def markdown(text: str, /, *values: object, **named: object) -> Markdown:
 def escaped(value: object) -> Markdown:
     """Return Markdown that shows each character of a value as it is; what is Markdown stays so.
 
-    Line ends and what no font shows become spaces. ``Markup`` is what Jinja gives for its own macros.
+    Line ends and what no font shows become spaces, and several spaces one: four would begin a block of code.
+    ``Markup`` is what Jinja gives for its own macros.
     """
     if isinstance(value, Markdown | Markup):
         return Markdown(value)
-    return Markdown(_PUNCTUATION.sub(r"\\\1", shown_characters(str(value))))
+    return Markdown(_PUNCTUATION.sub(r"\\\1", re.sub(" +", " ", shown_characters(str(value)))))
 
 
 def shown_characters(text: str) -> str:
@@ -65,12 +66,12 @@ def shown_characters(text: str) -> str:
 
 def plain(text: str) -> Markdown:
     """Return ``escaped`` without spaces around it, and with single ones inside."""
-    return text if isinstance(text, Markdown) else escaped(" ".join(text.split()))
+    return text if isinstance(text, Markdown) else escaped(" ".join(shown_characters(text).split()))
 
 
 def plain_with_mathematics(text: str) -> Markdown:
     """Escape plain text, but leave TeX mathematics between dollar signs as it is."""
-    pieces = _MATHEMATICS.split(" ".join(text.split()))
+    pieces = _MATHEMATICS.split(" ".join(shown_characters(text).split()))
     return Markdown("").join(
         Markdown(piece) if position % 2 else piece for position, piece in enumerate(pieces)
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import functools
+import hashlib
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -25,6 +26,8 @@ from report.rendering.summary import GRADES, SYMBOLS
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
 STYLES = ("page.css", "tables.css", "student.css", "print.css")
+THEME = "theme.js"
+"""Script that runs before the first paint."""
 SCRIPTS = (
     "search.js",
     "claims.js",
@@ -68,7 +71,7 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
     code = _environment().get_template("sources.html.j2").render(sources=sources(document))
     return page(
         "page.html.j2",
-        Look(STYLES, SCRIPTS, figures.values()),
+        Look(STYLES, SCRIPTS, figures.values(), document.explorable.formulas if document.explorable else ""),
         _with_copy(_with_programs(with_drawings(body, svg), document), document, copy) + code,
         document=document,
         symbols=SYMBOLS,
@@ -79,11 +82,12 @@ def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> st
 
 @dataclass(frozen=True)
 class Look:
-    """What a page is dressed in: styles, scripts, and the drawings that follow its colours."""
+    """What a page is dressed in: styles, scripts, drawings that follow its colours, and an own script."""
 
     styles: tuple[str, ...]
     scripts: tuple[str, ...]
     drawings: Iterable[str]
+    own_script: str = ""
 
 
 def page(template: str, look: Look, body: str, **values: object) -> str:
@@ -95,18 +99,43 @@ def page(template: str, look: Look, body: str, **values: object) -> str:
         body: the inside of the page.
         values: what the template asks for, the ``document`` with its title and subtitle among it.
     """
+    styles = [_font_face(), "\n".join([*_templates(look.styles), variables(look.drawings)])]
+    scripts = [*filter(None, [look.own_script]), "\n".join(_templates(look.scripts))]
+    (theme,) = _templates([THEME])
     return (
         _environment()
         .get_template(template)
         .render(
             values,
+            policy=policy([theme, *scripts], styles),
             contents=contents(body),
             body=body,
-            styles=[*_templates(look.styles), variables(look.drawings)],
-            scripts=_templates(look.scripts),
-            font=_base64(FONT.read_bytes()),
+            styles=styles,
+            scripts=scripts,
+            theme=theme,
         )
     )
+
+
+def policy(scripts: Iterable[str], styles: Iterable[str]) -> str:
+    """Return a content security policy that forbids all but some scripts and styles, by their digests.
+
+    Nothing comes from the network or from files. Drawings carry their colours in attributes.
+    """
+    return (
+        "default-src 'none'; img-src data:; font-src data:; base-uri 'none'; form-action 'none'; "
+        f"script-src {_digests(scripts)}; style-src-elem {_digests(styles)}; style-src-attr 'unsafe-inline'"
+    )
+
+
+def _digests(texts: Iterable[str]) -> str:
+    found = (hashlib.sha256(text.encode()).digest() for text in texts)
+    return " ".join(f"'sha256-{_base64(digest)}'" for digest in found)
+
+
+def _font_face() -> str:
+    source = f'url("data:font/woff2;base64,{_base64(FONT.read_bytes())}") format("woff2")'
+    return f'@font-face {{ font-family: "STIX Two Math"; src: {source}; }}'
 
 
 def _templates(names: Iterable[str]) -> list[str]:

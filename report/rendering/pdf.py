@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
 from importlib.metadata import version
@@ -41,38 +42,49 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
         **{f"figures/{name}.svg": svg.encode() for name, svg in drawings(document).items()},
         **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
     }
-    return typeset(document.title, document.subtitle, document.provenance.date, body, more, paper, store)
+    head = Head(document.title, document.subtitle, document.provenance.date)
+    return typeset(head, body, more, paper, store)
+
+
+@dataclass(frozen=True)
+class Head:
+    """What stands above the text of a report.
+
+    Attributes:
+        title: Of the document.
+        subtitle: The line below it.
+        date: ISO date of what it was made from, or on which it was made.
+        strict: Whether a formula that can only be set too small to be read is an error.
+    """
+
+    title: str
+    subtitle: str
+    date: str
+    strict: bool = True
 
 
 def typeset(
-    title: str,
-    subtitle: str,
-    date: str,
+    head: Head,
     body: str,
     more: Mapping[str, bytes],
     paper: Paper = Paper.A4,
     store: StageStore | None = None,
-    *,
-    strict: bool = True,
 ) -> bytes:
     """Return Typst source as PDF, below the head that all reports share.
 
     Args:
-        title: of the document.
-        subtitle: the line below it.
-        date: ISO date of what it was made from.
+        head: what stands above the text.
         body: Typst source; it holds the label ``end-of-report``.
-        more: files that it names.
+        more: files that it names; there are no others for Typst.
         paper: size of the pages.
         store: where the PDF is kept, and taken from if nothing has changed.
-        strict: whether a formula that can only be set too small to be read is an error.
 
     Raises:
         TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
         FileWriteError: if the PDF cannot be kept.
     """
-    source = {"main": _source(title, subtitle, body, paper, strict).encode(), **more}
-    timestamp = _timestamp(date)
+    source = {"main": _source(head, body, paper).encode(), **more}
+    timestamp = _timestamp(head.date)
     make = partial(_set, source, timestamp)
     if store is None:
         return make()
@@ -80,10 +92,10 @@ def typeset(
     return store.made(f"pdf-{paper.value}", hashlib.sha256(depends.encode()).hexdigest(), make)
 
 
-def _source(title: str, subtitle: str, body: str, paper: Paper, strict: bool) -> str:
-    settings = {"title": title, "version": subtitle, "paper": _PAPERS[paper]}
+def _source(head: Head, body: str, paper: Paper) -> str:
+    settings = {"title": head.title, "version": head.subtitle, "paper": _PAPERS[paper]}
     defined = "".join(f"#let {name} = {_string(value)}\n" for name, value in settings.items())
-    defined += f"#let strict = {str(strict).lower()}\n"
+    defined += f"#let strict = {str(head.strict).lower()}\n"
     return f"{defined}{(TEMPLATES / 'report.typ').read_text(encoding='utf-8')}\n{body}"
 
 

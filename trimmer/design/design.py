@@ -45,8 +45,8 @@ class Stage(Choice):
     MAP = "map"
 
 
-Told = Callable[[Stage, str, int, int], None]
-"""Is told a stage, what it is about, and how much of it is done."""
+Told = Callable[[Stage, tuple[str, ...], int, int], None]
+"""Is told a stage, the places that it is over, and how much of it is done."""
 
 
 @dataclass(frozen=True)
@@ -155,18 +155,18 @@ class Study:
 
     def linear(self) -> tuple[LinearState, ...]:
         """Return modes and transfer functions."""
-        return self._made(Stage.LINEAR, "", (), partial(linear_states, self.file.mechanism))
+        return self._made(Stage.LINEAR, (), (), partial(linear_states, self.file.mechanism))
 
     def motions(self) -> Motions:
         """Return the motions, those that neighbours lead to among them."""
         settings, mechanism = self.settings, self.file.mechanism
         depends = (settings.starts, settings.seed, settings.most_periods)
-        found = self._made(Stage.MOTIONS, "", depends, partial(motions_from_starts, mechanism, settings))
+        found = self._made(Stage.MOTIONS, (), depends, partial(motions_from_starts, mechanism, settings))
         near = self.varied(found)
         if mechanism.frequency is None or len(near) < 2:
             return found
         more = partial(with_neighbours, mechanism, found, near, settings, self.runner)
-        return self._made(Stage.NEIGHBOURS, "", settings.without_cells, more)
+        return self._made(Stage.NEIGHBOURS, (), settings.without_cells, more)
 
     def varied(self, motions: Motions) -> tuple[Varied, ...]:
         """Return the numbers that maps and branches are over."""
@@ -181,7 +181,7 @@ class Study:
         if motions.first is None or not motions.first.repeats:
             return None
         make = partial(sensitivities, self.file.mechanism, motions.first)
-        return self._made(Stage.SENSITIVITIES, "", (), make)
+        return self._made(Stage.SENSITIVITIES, (), (), make)
 
     def ranges(self) -> RangeStudy | None:
         """Return what is left open by what nobody knows."""
@@ -190,7 +190,7 @@ class Study:
             return None
         make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings, self.runner)
         depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
-        return self._made(Stage.RANGES, "", depends, make)
+        return self._made(Stage.RANGES, (), depends, make)
 
     def remedies(self, verdict: Verdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
@@ -199,7 +199,7 @@ class Study:
             return None
         settings = self.settings
         make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, settings, self.runner)
-        return self._made(Stage.REMEDIES, "", (file.targets, settings.without_cells), make)
+        return self._made(Stage.REMEDIES, (), (file.targets, settings.without_cells), make)
 
     def paths(self, motions: Motions, varied: tuple[Varied, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
@@ -210,7 +210,7 @@ class Study:
         return tuple(
             self._made(
                 Stage.BRANCH,
-                each.place,
+                (each.place,),
                 (each, most),
                 partial(path_through, self.file.mechanism, each, first, most),
             )
@@ -225,15 +225,17 @@ class Study:
         return tuple(self._map(by_role[0], each) for each in by_role[1:])
 
     def _map(self, first: Varied, second: Varied) -> DesignMap:
-        about = f"{first.place} x {second.place}"
+        over = (first.place, second.place)
         mechanism = self.file.mechanism
         return design_map(
             mechanism, first, second, self.settings, self.runner, self.keeper,
-            partial(self.told, Stage.MAP, about),
+            partial(self.told, Stage.MAP, over),
         )  # fmt: skip
 
-    def _made(self, stage: Stage, about: str, depends: object, make: Callable[[], Result]) -> Result:
-        self.told(stage, about, 0, 1)
-        result = self.keeper.made(stage.name.lower(), (about, depends), make)
-        self.told(stage, about, 1, 1)
+    def _made(
+        self, stage: Stage, over: tuple[str, ...], depends: object, make: Callable[[], Result]
+    ) -> Result:
+        self.told(stage, over, 0, 1)
+        result = self.keeper.made(stage.name.lower(), (over, depends), make)
+        self.told(stage, over, 1, 1)
         return result

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,10 +15,11 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem, as_message_of_file
-from trimmer.mechanism.reading import content_of_text, mechanism_of_text, text_of_file
+from trimmer.mechanism.reading import bytes_of_file, content_of_text, mechanism_of_text
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError
 from trimmer.messages import listed, near_match
+from trimmer.toml_files import decoded
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,8 @@ class DesignFile:
         held: The body that a hand holds; None if the file does not say.
         ranges: What nobody knows.
         lines: The line of each key, from 1 on, by the names that lead there.
+        author: Who wrote it; empty if it does not say.
+        digest: SHA-256 of its bytes, hexadecimal.
     """
 
     name: str
@@ -62,6 +66,8 @@ class DesignFile:
     held: str | None
     ranges: tuple[OpenRange, ...]
     lines: Mapping[tuple[str, ...], int]
+    author: str = ""
+    digest: str = ""
 
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
@@ -76,11 +82,16 @@ def read_design_file(path: Path) -> DesignFile:
         MechanismError: if it cannot be read, or holds what cannot be used. Every problem is named, with file,
             line, key and value, and what to do.
     """
-    return design_file_of_text(text_of_file(path), str(path))
+    return _design_file(bytes_of_file(path), str(path))
 
 
 def design_file_of_text(text: str, name: str) -> DesignFile:
     """Read the text of a design's file; see ``read_design_file``."""
+    return _design_file(text.encode(), name)
+
+
+def _design_file(raw: bytes, name: str) -> DesignFile:
+    text = decoded(raw)
     content = content_of_text(text, name)
     lines = lines_of_keys(text)
     problems: list[Problem] = []
@@ -92,10 +103,12 @@ def design_file_of_text(text: str, name: str) -> DesignFile:
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)
+    author = _author(content.get("author", ""), problems)
     _stop_at(problems, name, content, lines)
     for each in ranges:
         mechanism = mechanism.with_value(each.place, each.middle)
-    return DesignFile(name, mechanism, targets, held, ranges, lines)
+    digest = hashlib.sha256(raw).hexdigest()
+    return DesignFile(name, mechanism, targets, held, ranges, lines, author, digest)
 
 
 def _stop_at(
@@ -134,6 +147,13 @@ def _ranges(
             problems.append(Problem(each.place, reason, each.text))
         else:
             yield OpenRange(place_text(each.place), each.quantity.unit, *found, each.is_unknown)
+
+
+def _author(value: object, problems: list[Problem]) -> str:
+    if isinstance(value, str) and value.isprintable():
+        return value
+    problems.append(Problem(("author",), "names who wrote the file: text on one line", value))
+    return ""
 
 
 def _held(value: object, mechanism: Mechanism, problems: list[Problem]) -> str | None:

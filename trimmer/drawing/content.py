@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import io
+import warnings
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from matplotlib.axes import Axes
 
@@ -45,9 +47,18 @@ def head(figure: Figure, title: str) -> None:
         figure.suptitle(title, fontsize="medium", parse_math=False)
 
 
+@contextmanager
+def unwarned() -> Iterator[None]:
+    """Leave out Matplotlib's warnings of letters that no font has, and of names that leave axes no room."""
+    with warnings.catch_warnings():
+        for message in ("Glyph ", "constrained_layout not applied", "Tight layout not applied"):
+            warnings.filterwarnings("ignore", message, UserWarning)
+        yield
+
+
 def content_of(figure: Figure, file_format: str) -> bytes:
     """Return a figure as the content of a file: ``svg``, ``png`` or ``pdf``."""
     content = io.BytesIO()
-    with rc_context({"svg.hashsalt": "trimmer", "svg.fonttype": "path"}):
+    with unwarned(), rc_context({"svg.hashsalt": "trimmer", "svg.fonttype": "path"}):
         figure.savefig(content, format=file_format, metadata=DATELESS[file_format], dpi=DPI)
     return content.getvalue()

@@ -24,6 +24,8 @@ FAINT: Final[Look] = {"color": "#555555", "linestyle": ":", "linewidth": 1.0}
 STABLE: Final = "solid"
 UNSTABLE: Final = (0, (4, 2))
 """Dashes of motions that are stable and not."""
+LONGEST_LABEL: Final = 60
+"""Characters of a name that a picture shows."""
 
 
 def line(number: int) -> Look:
@@ -34,3 +36,12 @@ def line(number: int) -> Look:
 def colour(number: int) -> str:
     """Return the colour of a line by its number, where its dashes mean something else."""
     return COLOURS[number % len(COLOURS)]
+
+
+def plain_label(text: str, longest: int = LONGEST_LABEL) -> str:
+    """Return a name of the user's as a label: cut if it is long, and nothing in it acts.
+
+    Matplotlib takes what stands between dollar signs for mathematics, and hides a label that begins with _.
+    """
+    short = text if len(text) <= longest else f"{text[: longest - 1]}…"
+    return f"{' ' if short.startswith('_') else ''}{short}".replace("$", r"\$")

@@ -27,10 +27,10 @@ from trimmer.mechanism.quantities import (
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
-from trimmer.toml_files import is_parameter_file, parsed, read_text
+from trimmer.toml_files import decoded, is_parameter_file, parsed, read_bytes_of_text
 
 SECTIONS = (*PARTS, "outputs", "start")
-FOR_OTHERS = ("held", "targets", "uncertainty")
+FOR_OTHERS = ("author", "held", "targets", "uncertainty")
 """Keys that are no part of the mechanism: ``trimmer design`` and ``trimmer sample`` read them."""
 KEYS = ("title", "frequency", *SECTIONS, *FOR_OTHERS)
 NO_VALUES: Mapping[str, float | str] = MappingProxyType({})
@@ -56,7 +56,16 @@ def text_of_file(path: Path) -> str:
     Raises:
         MechanismError: if it cannot be read.
     """
-    return read_text(path, MechanismError, "'trimmer init FILE' writes one to start from")
+    return decoded(bytes_of_file(path))
+
+
+def bytes_of_file(path: Path) -> bytes:
+    """Read a mechanism file as it is.
+
+    Raises:
+        MechanismError: if it cannot be read, or is no text.
+    """
+    return read_bytes_of_text(path, MechanismError, "'trimmer init FILE' writes one to start from")
 
 
 def mechanism_of_text(text: str, name: str, values: Mapping[str, float | str] = NO_VALUES) -> Mechanism:

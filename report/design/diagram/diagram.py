@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, final
 
 from report.design.diagram import symbols
 from report.design.diagram.layout import Layout, Run, layout_of
-from report.design.figures.motion import plain_label
 from report.design.quantities import shown
 from report.drawing.marks import arrow
 from report.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
+from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -37,6 +37,8 @@ SYMBOL = 1.0
 """Longest symbol of a part."""
 PIN = 0.34
 SMALL = 7.0
+SHORT = 16
+"""Characters of a name that stands on one line."""
 COLOURS = (MOTOR, BRIDGE, HOUSING, GUARD, "#e8e6d2", "#d9e4e6")
 
 
@@ -124,7 +126,7 @@ class _Drawing:
     def body(self, name: str, number: int) -> None:
         left, right = self.geometry.edges[number + 1]
         bottom, top = self.ends(name)
-        words = "\n".join(textwrap.wrap(plain_label(name), 9, break_long_words=True))
+        words = plain_label("\n".join(textwrap.wrap(name, 9, max_lines=4, placeholder="…")))
         mass = shown(self.mechanism.bodies[name].mass, "kg")
         fill = COLOURS[number % len(COLOURS)]
         body(self.axes, (left, bottom), (right - left, top - bottom), "", fill)
@@ -168,7 +170,9 @@ class _Drawing:
         at = symbols.pin(self.axes, edge, y, sign, PIN)
         # The name lies over the arrow, where nothing else is.
         side = "right" if sign > 0 else "left"
-        self.axes.text(at + 0.07 * sign, y + 0.1, plain_label(end), ha=side, va="bottom", fontsize=SMALL)
+        self.axes.text(
+            at + 0.07 * sign, y + 0.1, plain_label(end, SHORT), ha=side, va="bottom", fontsize=SMALL
+        )
         return at
 
     def symbol(self, run: Run, left: float, right: float, y: float) -> None:
@@ -196,7 +200,7 @@ class _Drawing:
             "stops": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
             "frictions": lambda: shown(part.force, "N") if part.force else shown(part.viscous, "N s/m"),
         }[run.joint.section]()
-        name = "\n".join(textwrap.wrap(plain_label(run.joint.name), 16))
+        name = plain_label("\n".join(textwrap.wrap(run.joint.name, 16, max_lines=2, placeholder="…")))
         self.axes.text(x, y + 0.24, name, ha="center", va="bottom", fontsize=SMALL, linespacing=0.9)
         self.axes.text(x, y - 0.25, number, ha="center", va="top", fontsize=SMALL)
 
@@ -209,5 +213,5 @@ class _Drawing:
         y = top + 0.12 + 0.2 * others.index(name)
         arrow(self.axes, (left, y), (right, y), shrinkA=0, shrinkB=0, mutation_scale=9)
         self.axes.text(
-            (left + right) / 2, y + 0.04, plain_label(name), ha="center", va="bottom", fontsize=SMALL
+            (left + right) / 2, y + 0.04, plain_label(name, SHORT), ha="center", va="bottom", fontsize=SMALL
         )

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.design.figures.motion import plain_label
 from report.design.quantities import place_words, scale_for
 from report.drawing.style import BLACK, LINES, panels
 from trimmer.branches.special import SpecialKind
+from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,7 +52,7 @@ def branch(path: NumberPath, output: str) -> Figure:
         label="as in the file",
     )
     axes.set(
-        xlabel=f"{place_words(path.varied.place)} [{across.unit}]",
+        xlabel=f"{plain_label(place_words(path.varied.place))} [{across.unit}]",
         ylabel=f"{plain_label(output)}, peak to peak [{up.unit}]",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))

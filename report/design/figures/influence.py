@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from report.design.figures.motion import plain_label
 from report.design.quantities import place_words
 from report.drawing.style import BLACK, LINES, panels
+from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from report.design.figures.motion import plain_label
 from report.design.quantities import scale_for
 from report.drawing.style import BLACK, panels
 from trimmer.design.spectrum import LineKind
+from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

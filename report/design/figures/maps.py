@@ -9,6 +9,7 @@ import numpy as np
 from report.design.quantities import place_words, scale_for
 from report.drawing.style import new_figure
 from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.look import plain_label
 from trimmer.drawing.mechanisms.kinds import categories, category, legend_of
 
 if TYPE_CHECKING:
@@ -38,8 +39,8 @@ def kind_map(drawn: DesignMap) -> Figure:
         color="white", markeredgecolor="black", markersize=7, clip_on=False,
     )  # fmt: skip
     axes.set(
-        xlabel=f"{place_words(drawn.first.place)} [{first.unit}]",
-        ylabel=f"{place_words(drawn.second.place)} [{second.unit}]",
+        xlabel=f"{plain_label(place_words(drawn.first.place))} [{first.unit}]",
+        ylabel=f"{plain_label(place_words(drawn.second.place))} [{second.unit}]",
     )
     axes.grid(visible=False)
     axes.legend(

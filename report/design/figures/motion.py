@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from report.design.quantities import scale_for
 from report.drawing.style import LINES, panels
+from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,20 +18,23 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.design.found_motion import FoundMotion, Spans
 
-FORCE_HEIGHT, BAR_HEIGHT = 1.7, 0.28
+OUTPUT_HEIGHT, FORCE_HEIGHT, BAR_HEIGHT = 2.2, 1.7, 0.28
 BARS = {"contact": "#0072b2", "stick": "#d55e00"}
 
 
 def motion_over_time(motion: FoundMotion) -> Figure:
-    """Draw outputs above forces above bars of contact and stick."""
+    """Draw outputs above forces above bars of contact and stick, as far as there are any of them."""
     signals = motion.signals
     rows: list[tuple[str, str, Spans]] = [
         *((name, "contact", spans) for name, spans in signals.touching.items()),
         *((name, "stick", spans) for name, spans in signals.sticking.items()),
     ]
+    curves = [
+        *([(OUTPUT_HEIGHT, signals.outputs, "displacement", "m")] if signals.outputs else []),
+        *([(FORCE_HEIGHT, signals.forces, "force", "N")] if signals.forces else []),
+    ]
     heights = [
-        2.2,
-        *([FORCE_HEIGHT] if signals.forces else []),
+        *(height for height, *_ in curves),
         *([0.4 + BAR_HEIGHT * len(rows)] if rows else []),
     ]
     figure, all_axes = panels(
@@ -38,9 +42,8 @@ def motion_over_time(motion: FoundMotion) -> Figure:
     )
     time = scale_for(signals.times, "s")
     axes = list(all_axes[:, 0])
-    _curves(axes[0], signals.times / time.factor, signals.outputs, "displacement", "m")
-    if signals.forces:
-        _curves(axes[1], signals.times / time.factor, signals.forces, "force", "N")
+    for own, (_, found, name, unit) in zip(axes, curves, strict=False):
+        _curves(own, signals.times / time.factor, found, name, unit)
     if rows:
         _bars(axes[-1], rows, time)
     axes[-1].set_xlabel(f"time [{time.unit}]")
@@ -56,11 +59,6 @@ def _curves(axes: Axes, times: Reals, curves: Mapping[str, Reals], name: str, un
     axes.set_ylabel(f"{name} [{scale.unit}]")
     if len(curves) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
-
-
-def plain_label(text: str) -> str:
-    """Return a name of the user's as a label in which nothing is taken for mathematics."""
-    return text.replace("$", r"\$")
 
 
 def _bars(axes: Axes, rows: list[tuple[str, str, Spans]], time: Scale) -> None:

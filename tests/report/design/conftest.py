@@ -67,7 +67,7 @@ def design(store: StageStore) -> Design:
 @pytest.fixture(scope="session")
 def report(design: Design, store: StageStore) -> DesignReport:
     """The report on it."""
-    return report_on(design, store)
+    return report_on(design, store, "2026-03-01")
 
 
 @pytest.fixture(scope="session")

@@ -224,3 +224,20 @@ def test_help_names_each_option() -> None:
     assert all(
         option in told for option in ("--full", "--directory", "--format", "--paper", "--jobs", "--open")
     )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("mass = 1.0", 'mass = 1.0, symbol = "K"', "the derivation uses this symbol itself"),
+        ("force = 2.0", 'force = 2.0, symbol = "k_1"', "the symbol k_1 is taken twice"),
+    ],
+)
+def test_symbols_that_print_the_same_are_told_before_any_work(
+    old: str, new: str, told: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = SMALL.replace("stiffness = 20e3", 'stiffness = 20e3, symbol = "k_1"').replace(old, new)
+    (folder / "block.toml").write_text(text)
+    assert main(["design", "block.toml", "--directory", "out"]) == 2
+    assert told in capsys.readouterr().err
+    assert not (folder / "out").exists()

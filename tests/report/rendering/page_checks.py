@@ -44,6 +44,13 @@ SCHEMES: tuple[Scheme, ...] = ("light", "dark")
 
 _UNFOLD = "for (const details of document.querySelectorAll('details')) details.open = true"
 _LAY_OUT = "* { content-visibility: visible !important; }"
+_DRESS = """
+  (css) => { // the page's policy forbids an element of style
+    const style = new CSSStyleSheet();
+    style.replaceSync(css);
+    document.adoptedStyleSheets = [...document.adoptedStyleSheets, style];
+  }
+"""
 _SETTLED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
 _OVERFLOWING = """
   () => {
@@ -158,9 +165,14 @@ def visited(browser: Browser, address: str, width: int = 1440, scheme: Scheme = 
 
 def unfold(page: Page) -> None:
     """Open and lay out everything, what is off the screen too, and wait until the page has taken notice."""
-    page.add_style_tag(content=_LAY_OUT)
+    dress(page, _LAY_OUT)
     page.evaluate(_UNFOLD)
     page.evaluate(_SETTLED)
+
+
+def dress(page: Page, css: str) -> None:
+    """Give a page another style, after its own."""
+    page.evaluate(_DRESS, css)
 
 
 def resize(page: Page, width: int) -> None:

@@ -79,7 +79,7 @@ def test_axe_finds_no_violation_in_the_results_of_a_search(visit: Callable[..., 
 
 def test_axe_would_notice_low_contrast_in_the_dark(visit: Callable[..., Visit]) -> None:
     page = visit("?query=roll-off").page
-    page.add_style_tag(content="@media (prefers-color-scheme: dark) { .claim p { color: #16181b; } }")
+    page_checks.dress(page, "@media (prefers-color-scheme: dark) { .claim p { color: #16181b; } }")
     found = page_checks.violations(page, "[id='txt-5.1.2-roll-off']")
     assert any("color-contrast" in fault for fault in found)
 
@@ -126,7 +126,7 @@ def test_figures_follow_the_colours_of_the_page(visit: Callable[..., Visit]) -> 
 
 def test_heads_and_labels_of_the_summary_s_picture_keep_apart(visit: Callable[..., Visit]) -> None:
     page = visit().page
-    page.add_style_tag(content=".picture svg { font-family: 'DejaVu Serif', serif }")  # one of the widest
+    page_checks.dress(page, ".picture svg { font-family: 'DejaVu Serif', serif }")  # one of the widest
     boxes = page.evaluate("""[...document.querySelectorAll('.verdict-picture text, .verdict-picture rect')]
       .map((e) => e.getBBox()).map(({ x, y, width, height }) => [x, y, x + width, y + height])""")
     touching = [

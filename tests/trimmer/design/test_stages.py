@@ -80,8 +80,8 @@ def free() -> Any:
 def test_the_linear_stage_is_told_before_and_after() -> None:
     made = study()
     assert made.linear() == ("linear_states", made.file.mechanism)
-    assert made.keeper.told == [(Stage.LINEAR, "", 0, 1), (Stage.LINEAR, "", 1, 1)]
-    assert made.keeper.notes == [("linear", ("", ()))]
+    assert made.keeper.told == [(Stage.LINEAR, (), 0, 1), (Stage.LINEAR, (), 1, 1)]
+    assert made.keeper.notes == [("linear", ((), ()))]
 
 
 @pytest.mark.parametrize(("varied", "near"), [((GAP, SPEED), True), ((SPEED,), False), ((), False)])
@@ -95,7 +95,7 @@ def test_neighbours_need_two_numbers(
     if near:
         settings = SETTINGS.without_cells
         assert made.motions() == ("with_neighbours", made.file.mechanism, found, varied, SETTINGS, "runner")
-        assert made.keeper.notes == [("motions", ("", (2, 5, 33))), ("neighbours", ("", settings))]
+        assert made.keeper.notes == [("motions", ((), (2, 5, 33))), ("neighbours", ((), settings))]
         assert settings == replace(SETTINGS, cells=0)
     else:
         assert made.motions() is found
@@ -116,8 +116,8 @@ def test_motions_that_do_not_repeat_have_no_slopes_and_no_branches() -> None:
     paths = made.paths(motions(repeating), (GAP, SPEED))
     assert paths == tuple(("path_through", made.file.mechanism, each, repeating, 44) for each in (GAP, SPEED))
     assert made.keeper.notes == [
-        ("branch", ("stops.stop.gap", (GAP, 44))),
-        ("branch", ("frequency", (SPEED, 44))),
+        ("branch", (("stops.stop.gap",), (GAP, 44))),
+        ("branch", (("frequency",), (SPEED, 44))),
     ]
 
 
@@ -132,7 +132,7 @@ def test_ranges_need_a_drive_and_something_unknown() -> None:
     made = study()
     given = (made.file.mechanism, (RANGE,), (TARGET,), SETTINGS, "runner")
     assert made.ranges() == ("study_ranges", *given)
-    assert made.keeper.notes == [("ranges", ("", ((RANGE,), (TARGET,), 17, 300)))]
+    assert made.keeper.notes == [("ranges", ((), ((RANGE,), (TARGET,), 17, 300)))]
     assert study(ranges=()).ranges() is None
     assert study(mechanism=free()).ranges() is None
 
@@ -142,7 +142,7 @@ def test_remedies_need_a_drive_and_a_miss() -> None:
     missed: Any = SimpleNamespace(missed=(TARGET,))
     given = (made.file.mechanism, (TARGET,), (TARGET,), of, SETTINGS, "runner")
     assert made.remedies(missed, of) == ("remedies", *given)
-    assert made.keeper.notes == [("remedies", ("", ((TARGET,), SETTINGS.without_cells)))]
+    assert made.keeper.notes == [("remedies", ((), ((TARGET,), SETTINGS.without_cells)))]
     assert made.remedies(SimpleNamespace(missed=()), None) is None
     assert study(mechanism=free()).remedies(missed, None) is None
 
@@ -165,7 +165,7 @@ def test_maps_are_over_the_first_number_and_each_other(varied: Any, pairs: Any) 
         assert each[1] is made.file.mechanism
         assert each[4:7] == (SETTINGS, "runner", made.keeper)
         each[-1](3, 24)
-        assert made.keeper.told[-1] == (Stage.MAP, f"{each[2].place} x {each[3].place}", 3, 24)
+        assert made.keeper.told[-1] == (Stage.MAP, (each[2].place, each[3].place), 3, 24)
 
 
 def test_the_whole_and_the_short_look_hold_what_was_made(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.statuses import STICK
 from trimmer.drawing.axes import add_legend, axes_for
-from trimmer.drawing.look import BLACK, line
+from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.response.motion_signals import output_rows, while_status
@@ -39,7 +39,7 @@ def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes
     times = np.linspace(0.0, course.duration, POINTS)
     states = course.states(times)
     for number, (name, row) in enumerate(signals_of(flow).items()):
-        axes.plot(times, states @ row, label=name, linewidth=1.2, **line(number))
+        axes.plot(times, states @ row, label=plain_label(name), linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)
     name_axis(axes.yaxis, "displacement", "m")
     name_axis(axes.xaxis, "time", "s")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.drawing.axes import add_legend, axes_for
-from trimmer.drawing.look import line
+from trimmer.drawing.look import line, plain_label
 from trimmer.drawing.units import name_axis
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ MOST_POINTS = 8000
 def draw_signal(signal: Signal, ax: Axes | None = None) -> Axes:
     """Draw samples over time, s; see ``Signal.plot``."""
     axes = axes_for(ax)
-    axes.plot(*thinned(signal.times, signal.values), label=signal.name, linewidth=1.0, **line(0))
+    axes.plot(*thinned(signal.times, signal.values), label=plain_label(signal.name), linewidth=1.0, **line(0))
     _finish(axes)
     name_axis(axes.yaxis, signal.name, signal.unit)
     return axes
@@ -34,7 +34,7 @@ def draw_time_response(response: TimeResponse, ax: Axes | None = None) -> Axes:
     """Draw inputs and outputs over time, s; see ``TimeResponse.plot``."""
     axes = axes_for(ax)
     for number, (name, values) in enumerate(response.named.items()):
-        axes.plot(*thinned(response.time, values), label=name, **line(number))
+        axes.plot(*thinned(response.time, values), label=plain_label(name), **line(number))
     _finish(axes)
     name_axis(axes.yaxis, "signal, in its unit", "")
     add_legend(axes)

@@ -1,0 +1,75 @@
+"""What a report on designs was made from, and when."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from report.provenance import provenance
+from report.rendering.escaping import shown_characters
+from trimmer.errors import TrimmerError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from report.document.thesis import Provenance
+    from trimmer.design.design_file import DesignFile
+
+EPOCH = "SOURCE_DATE_EPOCH"
+"""Environment variable with the time at which things are made, s since 1970, so that they are made alike."""
+SHOWN_DIGITS = 12
+"""Digits of a file's hash below the title; the table at the end has all."""
+
+
+class DateError(TrimmerError):
+    """The environment names no date."""
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a report was made from.
+
+    Attributes:
+        date: ISO date of the day on which it was made, UTC.
+        files: Name, author and SHA-256 of each mechanism file.
+        provenance: The program and its libraries.
+    """
+
+    date: str
+    files: tuple[tuple[str, str, str], ...]
+    provenance: Provenance
+
+    @property
+    def line(self) -> str:
+        """The line below the title, plain text."""
+        authors = list(dict.fromkeys(author for _, author, _ in self.files if author))
+        by = f"by {' and '.join(authors)}; " if authors else ""
+        files = " and ".join(f"{name} (SHA-256 {digest[:SHOWN_DIGITS]}…)" for name, _, digest in self.files)
+        return f"{by}made on {self.date} with trimmer {self.provenance.version} from {files}"
+
+
+def origin_of(files: Iterable[DesignFile], date: str) -> Origin:
+    """Return what a report on some files is made from, on a day."""
+    told = tuple((shown_characters(each.name), each.author, each.digest) for each in files)
+    return Origin(date, told, provenance())
+
+
+def today() -> str:
+    """Return the ISO date of today, UTC, or that of ``SOURCE_DATE_EPOCH`` where it is set.
+
+    Raises:
+        DateError: if that is no number of seconds since 1970 in a year of four digits.
+    """
+    given = os.environ.get(EPOCH)
+    if not given:
+        return datetime.now(UTC).date().isoformat()
+    try:
+        if not given.isascii() or not given.isdecimal():
+            raise ValueError
+        return datetime.fromtimestamp(int(given), UTC).date().isoformat()
+    except (ValueError, OverflowError, OSError):
+        raise DateError(
+            f"{EPOCH}={given[:40]!r} in the environment is no date: give seconds since 1970, or unset it"
+        ) from None
