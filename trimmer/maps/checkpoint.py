@@ -95,7 +95,7 @@ def _problem(result: CellResult, inputs: MapInputs, states: int) -> str:
 def _problem_of_motion(motion: CellMotion, mechanism: Mechanism) -> str:
     if min(motion.period_count, motion.periods, motion.starts - 1) < 0:
         return "period_count, periods or starts are too small"
-    if motion.failure:
+    if motion.failure or motion.kind is MotionKind.DIVERGING:
         return ""
     if motion.measures is None:
         return "measures is null, and there is no failure"

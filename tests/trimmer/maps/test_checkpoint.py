@@ -16,6 +16,7 @@ from trimmer.errors import MapFileError
 from trimmer.files import FileWriteError
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
 from trimmer.mechanism import Mechanism
+from trimmer.response.response import MotionKind
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 
@@ -233,3 +234,21 @@ def test_control_c_leaves_a_file_to_go_on_with_and_says_so(file: Path) -> None:
     assert b"ForkProcess" not in errors
     assert file.read_bytes().endswith(b"\n")
     assert members(process.pid) == []
+
+
+BODY = "frequency = 10\n[bodies]\nbody = { mass = 1.0 }\n[outputs]\nx = { body = 1 }\n[forces]\n"
+DIVERGING = BODY + 'push = { on = "body", constant = 1.0, amplitude = 1.0 }\n'
+RESTING = (
+    BODY
+    + 'push = { on = "body", amplitude = 1.0 }\n[frictions]\nrub = { between = ["ground", "body"], force = 2 }\n'
+)
+
+
+@pytest.mark.parametrize(("text", "kind"), [(DIVERGING, MotionKind.DIVERGING), (RESTING, MotionKind.REST)])
+def test_a_map_goes_on_whatever_kind_its_motions_are_of(file: Path, text: str, kind: MotionKind) -> None:
+    values = {"frequency": [9.0, 10.0]}
+    machine = Mechanism.from_toml_text(text, "machine")
+    first = motion_map(machine, values, runner=SERIAL, file=file, most_periods=30)
+    assert first.kind.tolist() == [[kind, kind]]
+    again = motion_map(machine, values, runner=Stopping(0), file=file, resume=True, most_periods=30)
+    assert again.cells == first.cells
