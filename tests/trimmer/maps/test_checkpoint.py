@@ -238,10 +238,8 @@ def test_control_c_leaves_a_file_to_go_on_with_and_says_so(file: Path) -> None:
 
 BODY = "frequency = 10\n[bodies]\nbody = { mass = 1.0 }\n[outputs]\nx = { body = 1 }\n[forces]\n"
 DIVERGING = BODY + 'push = { on = "body", constant = 1.0, amplitude = 1.0 }\n'
-RESTING = (
-    BODY
-    + 'push = { on = "body", amplitude = 1.0 }\n[frictions]\nrub = { between = ["ground", "body"], force = 2 }\n'
-)
+RUBBING = '[frictions]\nrub = { between = ["ground", "body"], force = 2 }\n'
+RESTING = BODY + 'push = { on = "body", amplitude = 1.0 }\n' + RUBBING
 
 
 @pytest.mark.parametrize(("text", "kind"), [(DIVERGING, MotionKind.DIVERGING), (RESTING, MotionKind.REST)])
