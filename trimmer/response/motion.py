@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
     from trimmer.contact.flow import Course, ExactFlow
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.rest import Rest
 
 
 class MechanismEventKind(Choice):
@@ -191,6 +192,13 @@ class MechanismMotion(Tabular):
         _require("friction", name, frictions)
         number = frictions.index(name)
         return self._at(times, lambda rows, states: dry_forces(self.course, rows, states)[:, number])
+
+    @cached_property
+    def rest(self) -> Rest | None:
+        """Where it rests, with the forces of all parts, if it has come to rest at its end; else None."""
+        from trimmer.response.solved import rest_after
+
+        return rest_after(self.flow, self.course) if self.success else None
 
     @cached_property
     def undetermined_frictions(self) -> tuple[str, ...]:

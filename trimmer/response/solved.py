@@ -13,13 +13,13 @@ from trimmer.response.linear_motion import LinearMotion, lasting_motion, linear_
 from trimmer.response.orbit import orbit_of
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.rest import Rest
-from trimmer.response.shooting import Patience, Return, solve
+from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.window import watch
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.advance import Instant
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.contact.flow import Course, ExactFlow
     from trimmer.response.orbit import MechanismOrbit
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)
@@ -34,6 +34,8 @@ A_SECOND = 1.0
 """Over which what only moves on evenly is told, s: any time is a period of it."""
 EVENLY = "it moves on evenly, so that any time is a period"
 """What is said of that."""
+GONE = 1e-9
+"""Share of the sizes of a motion at which what decays is gone."""
 LEFT = 1e-3
 """Share of the start at which it is called gone."""
 
@@ -97,6 +99,15 @@ def rest_of(orbit: MechanismOrbit) -> Rest | None:
         return None
     motion = linear_motion(orbit.flow, orbit.instant)
     return Rest(orbit.flow, motion.limit, motion.free) if motion is not None and motion.still else None
+
+
+def rest_after(flow: ExactFlow, course: Course) -> Rest | None:
+    """Return the rest in which a motion ends; None if something moves then, or will."""
+    motion = lasting_motion(flow, course.end)
+    if motion is None or not motion.still or not _pins_are_still(flow):
+        return None
+    left = abs(motion.parts).sum(axis=0) / sizes_of(course)
+    return Rest(flow, motion.limit, motion.free) if left.max(initial=0.0) <= GONE else None
 
 
 def _pins_are_still(flow: ExactFlow) -> bool:

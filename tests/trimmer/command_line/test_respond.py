@@ -120,9 +120,13 @@ def test_wrong_use_is_named(words: list[str], named: str, capsys: pytest.Capture
 def test_a_mechanism_is_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     content = printed(capsys, "simulate", TWIN, "--duration", "0.1", "--state", "motor=1um,0")
     by_name = {"last_amplitudes", "energy.pins", "energy.forces", "energy.dampers", "energy.contacts"}
-    assert set(keys(content, by_name | {"energy.frictions"})) == documented(
-        "trimmer simulate, of a mechanism"
-    )
+    still = printed(capsys, "simulate", TWIN, "--duration", "0.1", "--set", "pins.pin.amplitude=0")
+    still["rest"] = with_one_name(still["rest"])
+    found = set(keys(content, by_name | {"energy.frictions"})) | {
+        f"rest.{key}" for key in keys(still["rest"])
+    }
+    assert found == documented("trimmer simulate, of a mechanism")
+    assert content["rest"] is None
     assert content["energy"]["residual"] < 1e-12
     table = tmp_path / "motion.csv"
     assert main(["simulate", TWIN, "--duration", "0.1", "--csv", str(table)]) == 0

@@ -168,6 +168,9 @@ def test_dry_friction_holds_it_where_it_stopped_with_the_force_of_the_springs() 
     assert rest.forces["floor"] == pytest.approx(0.2, rel=1e-12)
     assert rest.family
     assert response.motion.lyapunov is None
+    motion = simulate(mechanism, 40.0, state={"body": (2.0, 0.0)})
+    assert motion.rest.positions == pytest.approx(rest.positions, rel=1e-12)
+    assert simulate(mechanism, 5.0, state={"body": (2.0, 0.0)}).rest is None
 
 
 def test_a_drive_that_moves_nothing_leaves_rest() -> None:

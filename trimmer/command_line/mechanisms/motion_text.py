@@ -8,6 +8,7 @@ from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
 from trimmer.messages import listed
+from trimmer.response.response_json import rest_json
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ def as_json(motion: MechanismMotion) -> str:
         "success": motion.success,
         "message": motion.message,
         "events": [{"time": each.time, "kind": each.kind.word, "part": each.part} for each in motion.events],
+        "rest": None if motion.rest is None else rest_json(motion.rest),
         "last_amplitudes": _ranges(motion),
         "energy": {
             "kinetic": list(energy.kinetic),

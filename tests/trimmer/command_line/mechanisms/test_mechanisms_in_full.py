@@ -166,6 +166,7 @@ def test_a_motion_is_told_in_full() -> None:
         output=lambda name, times: {"a": 2.0, "b": -4.0}[name] * times,
         energy=Made(**energy, undetermined=()),
         undetermined_frictions=("blade",),
+        rest=None,
     )
     data = json.loads(of_mechanism.as_json(motion))
     assert data.pop("last_amplitudes") == pytest.approx({"a": 0.05, "b": 0.1})
@@ -174,6 +175,7 @@ def test_a_motion_is_told_in_full() -> None:
         "outcome": "completed",
         "success": True,
         "message": "done",
+        "rest": None,
         "events": [{"time": 0.25, "kind": "impact", "part": "wall"}],
         "energy": energy | {"kinetic": [1.0, 3.0], "stored": [0.5, 7.0]},
         "undetermined_frictions": ["blade"],
