@@ -242,4 +242,4 @@ def _with_index(letters: str, index: str | None) -> str:
 
 
 def _escaped(words: str) -> str:
-    return "".join(f"\\{each}" if each in "&#_%" else each for each in words)
+    return "".join(f"\\{each}" if each in "{}$&#_%" else each for each in words)

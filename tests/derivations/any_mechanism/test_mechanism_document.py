@@ -9,7 +9,7 @@ from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.dimension_checks import require_consistent
 from derivations.dimensions import DimensionError
-from derivations.latex import latex_number, latex_text
+from derivations.latex import escaped, latex_number, latex_prose, latex_text
 from derivations.latex_document import ValuedQuantity, mechanism_document
 from derivations.mechanism import Mechanism
 from derivations.parts import ContactLaw, Damper, Spring
@@ -162,3 +162,12 @@ def test_numbers_of_the_table(value, expected):
 
 def test_words_lose_the_meaning_of_their_characters():
     assert latex_text(r"a_b\c^2 100 %") == r"a\_b\textbackslash{}c\textasciicircum{}2 100 \%"
+
+
+def test_prose_of_a_step_becomes_latex():
+    name = r"a_b `c` $d$ \e 5%"
+    shown = latex_text(name)
+    assert latex_prose(escaped(name)) == shown
+    assert latex_prose(f"The body {escaped(name)} ($q_1\\,\\delta$) and `x`.") == (
+        f"The body {shown} ($q_1\\,\\delta$) and \\texttt{{x}}."
+    )

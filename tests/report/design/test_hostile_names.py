@@ -6,6 +6,7 @@ import dataclasses
 import re
 import subprocess
 from collections.abc import Iterator, Mapping
+from html import unescape
 from html.parser import HTMLParser
 from http.server import BaseHTTPRequestHandler, HTTPServer, ThreadingHTTPServer
 from pathlib import Path
@@ -18,9 +19,10 @@ from playwright.sync_api import Browser
 
 from report.cache.stage_store import StageStore
 from report.design.building import files_of, looked_at, report_on
+from report.design.comparison import ComparisonReport, spectra_overlaid
 from report.design.figures.drawn import drawn
-from report.design.markdown import environment
-from report.design.origin import Origin
+from report.design.markdown import comparison_to_markdown, environment
+from report.design.origin import Origin, origin_of
 from report.design.render import SCRIPTS, STYLES, rendered
 from report.document.figure import Figure
 from report.drawing.style import new_figure
@@ -30,6 +32,8 @@ from report.rendering.html import Look, page
 from report.rendering.request import Format, Paper
 from tests.report.rendering.page_checks import chromium_browser, lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
+from trimmer.design.comparison import compared
+from trimmer.design.design import Design
 from trimmer.design.design_file import design_file_of_text
 from trimmer.design.settings import DesignSettings
 from trimmer.drawing.look import plain_label
@@ -337,3 +341,17 @@ def test_a_report_on_a_hostile_file_asks_for_nothing_and_holds_no_file(
     pages = told("pdftotext", "-layout", pdf, "-")
     assert "secret words" not in pages
     assert "a ![x](http://127.0.0.1:9/beacon.png) b" in pages
+
+
+def test_a_comparison_shows_names_of_files_as_they_are(design: Design) -> None:
+    names = ("a`b ![x](secret.png)", "<script>x</script> **y**")
+    files = [dataclasses.replace(design.file, name=name) for name in names]
+    before, after = (dataclasses.replace(design, file=file) for file in files)
+    comparison = compared(before, after)
+    figures = spectra_overlaid(comparison, names)
+    report = ComparisonReport("A", comparison, names, figures, origin_of(files, "2026-03-01"))
+    pieces = comparison_to_markdown(report)
+    html = str(rendered(report, pieces, frozenset({Format.HTML}), Paper.A4, None)[Format.HTML])
+    assert acting(html) == []
+    shown = unescape(re.sub(r"<[^>]+>", "", html))
+    assert all(shown.count(name) >= 4 for name in names)

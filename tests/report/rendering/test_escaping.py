@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import html
 import re
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -9,6 +10,7 @@ from hypothesis import strategies as st
 
 from report.rendering import escaping
 from report.rendering.environment import MarkdownEnvironment
+from report.rendering.pandoc import PandocError, read, write
 from tests.report.rendering.conversion import converted
 from tests.report.rendering.sample_formulas import SPECIAL
 
@@ -111,3 +113,15 @@ def test_no_name_of_a_place_holds_markup() -> None:
     for text in ("", "a b", "a}", "a)", "a#", 'a"', "ä"):
         with pytest.raises(ValueError, match="names no place"):
             escaping.identifier(text)
+
+
+@pytest.mark.parametrize("character", ["\n", "\u2028", "\u202e", "\x1b", "\x00", "\ud800", "\u200b"])
+def test_what_is_not_seen_cannot_begin_a_line_or_turn_it(character: str) -> None:
+    shown = escaping.escaped(f"a{character}# b")
+    assert shown == (r"a\?\# b" if character == "\ud800" else r"a \# b")
+
+
+def test_pandoc_reads_no_file_that_the_text_names(tmp_path: Path) -> None:
+    (tmp_path / "secret.csv").write_text("secret")
+    with pytest.raises(PandocError):
+        write(read(f"![a]({tmp_path}/secret.csv)"), "html5", ["--embed-resources", "--standalone"])

@@ -13,7 +13,7 @@ from report.document.derivation import DerivationStep
 from report.document.document import Document
 from report.document.figure import Equation
 from report.rendering.markdown import to_markdown
-from report.rendering.pdf import TypesettingError, to_pdf
+from report.rendering.pdf import Head, TypesettingError, to_pdf, typeset
 from report.rendering.pieces import Converter
 from report.rendering.request import Format, Paper
 from report.rendering.selection import select
@@ -129,3 +129,26 @@ def test_a_formula_that_is_a_little_too_wide_is_set_smaller(
     boxes = poppler("pdftotext", "-bbox", str(path), "-")
     right_ends = [float(piece.partition('"')[0]) for piece in boxes.split('xMax="')[1:]]
     assert max(right_ends) < 595.3 - 59
+
+
+@pytest.mark.parametrize(
+    "source", ['#image("secret.svg")', '#read("secret.svg")', '#include "secret.typ"', '#read("/etc/hosts")']
+)
+def test_typst_sees_no_file_of_the_folder(
+    source: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "secret.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1"/>')
+    (tmp_path / "secret.typ").write_text("secret")
+    end = '#[#metadata("end of report") <end-of-report>]'
+    head = Head("Title", "", "2026-03-01")
+    assert typeset(head, end, {}).startswith(b"%PDF-")
+    with pytest.raises(TypesettingError, match="file not found"):
+        typeset(head, f"{source}\n{end}", {})
+
+
+def test_a_formula_of_a_design_that_is_too_wide_is_set_small() -> None:
+    wide = f'#formula("long")[$ {" + ".join(["x"] * 600)} $] #[#metadata("end") <end-of-report>]'
+    with pytest.raises(TypesettingError, match="does not fit"):
+        typeset(Head("Title", "", "2026-03-01"), wide, {})
+    assert typeset(Head("Title", "", "2026-03-01", strict=False), wide, {}).startswith(b"%PDF-")

@@ -210,3 +210,17 @@ def test_an_axis_looks_at_both_of_its_ends() -> None:
     name_axis(axis, "a $rate", "m/s")
     assert axis.get_label_text() == "a $rate, mm/s"
     assert not axis.label.get_parse_math()
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", ["_hidden", "$x$", "$\\frac{$", "a$ \\$ $b", "中文", "m" * 500, "\\"])
+def test_no_name_acts_in_a_label_or_is_lost(name: str) -> None:
+    figure = new_figure(4.0, 3.0)
+    axes = figure.add_subplot()
+    axes.plot([0, 1], [0, 1], label=look.plain_label(name))
+    add_legend(axes)
+    assert content_of(figure, "svg").startswith(b"<?xml")
+    (text,) = axes.get_legend().get_texts()
+    shown, is_mathematics = text._preprocess_math(text.get_text())
+    assert not is_mathematics
+    assert shown.strip() == (name if len(name) < 100 else f"{name[:59]}…")

@@ -133,3 +133,10 @@ def test_a_number_that_is_taken_is_passed_over():
     )
     assert [symbol(mechanism, "bodies", name, "mass") for name in bodies] == ["m_2", "m_1"]
     assert [symbol(mechanism, "bodies", name, "coordinate") for name in bodies] == ["q_1", "q_a"]
+
+
+@pytest.mark.parametrize("name", ["<a>", "a`b", "a|b|c", "$x$", "x^2", "~", "{x}", "a\\b", "m" * 25])
+def test_a_name_that_formulas_cannot_show_is_a_number(name):
+    mechanism = Mechanism(bodies={name: Body(1.0)}, links={"k": Link(("ground", name), 1.0)})
+    found = printed_symbols(mechanism)["bodies", name, "mass"]
+    assert (found.symbol, found.meaning) == ("m_1", f"mass of {name}")

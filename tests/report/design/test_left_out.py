@@ -1,0 +1,72 @@
+"""Every section of a file that may be left out is left out of every example: a right report comes of it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from report.cache.stage_store import StageStore
+from report.design.building import looked_at, report_on
+from report.design.markdown import to_markdown
+from report.design.report import DesignReport
+from trimmer import MechanismError, SerialRunner
+from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design.settings import DesignSettings
+from trimmer.examples import example_text, examples
+
+TINY = DesignSettings(
+    starts=1, cells=2, cell_periods=20, neighbours=3, trials=1, most_points=4, range_points=3, most_periods=40
+)
+KEYS = ("title", "frequency", "held", "author")
+SECTION = r"(?ms)^\[{}\]\n.*?(?=^\[|\Z)"
+KEY = r"(?m)^{} *=.*\n"
+
+
+def without(text: str, name: str) -> str:
+    """Return a file without a section or a key at its top."""
+    return re.sub((KEY if name in KEYS else SECTION).format(name), "", text)
+
+
+def cases() -> list[tuple[str, str]]:
+    """Return each example with each thing that it has and may be without."""
+    found = []
+    for name in examples():
+        text = example_text(name)
+        sections = [each for each in re.findall(r"(?m)^\[(\w+)\]", text) if each != "bodies"]
+        keys = [each for each in KEYS if re.search(KEY.format(each), text)]
+        found += [(name, each) for each in (*keys, *sections)]
+    return found
+
+
+def reported(file: DesignFile, folder: Path) -> tuple[DesignReport, str]:
+    """Return the report on a file, and its text."""
+    store = StageStore(folder)
+    design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None)
+    report = report_on(design, store, "2026-03-01")
+    return report, "\n".join(to_markdown(report).values())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "left_out"), cases())
+def test_a_report_needs_no_section_that_may_be_left_out(name: str, left_out: str, tmp_path: Path) -> None:
+    try:
+        file = design_file_of_text(without(example_text(name), left_out), f"{name}.toml")
+    except MechanismError as error:  # what is left names it: then that is said before any work
+        assert f"{name}.toml: line" in str(error) or "problems:" in str(error)
+        return
+    _, text = reported(file, tmp_path)
+    assert "None" not in text
+    assert "nan" not in text.split()
+
+
+def test_a_file_without_outputs_gets_its_report(tmp_path: Path) -> None:
+    text = without(example_text("den-hartog"), "outputs")
+    report, text = reported(design_file_of_text(text, "den-hartog.toml"), tmp_path)
+    assert {"diagram", "motion", "map-1"} <= set(report.figures)
+    assert not {"transfer", "spectrum-1", "branch-1"} & set(report.figures)
+    assert "The file names no outputs, so there is no transfer function." in text
+    assert "The file names no outputs, whose lines would stand here." in text
+    assert "Peak to peak of" not in text
+    assert r"block\, acceleration" in text
