@@ -79,6 +79,34 @@ class Course:
         """Return the extended states, (times, N), at times, s, that do not decrease."""
         return sample(self.modes.tables, self.log, times)
 
+    def turned(self, time: float, phase: float) -> Course:
+        """Return a motion that repeats after whole drive periods as one that begins at a later instant of it.
+
+        Nothing is integrated again, so that each event is there once, also where it comes to that instant.
+
+        Args:
+            time: From the start to that instant, s.
+            phase: Time of that instant since the start of a drive period, s.
+        """
+        count, log = int(np.searchsorted(self.log.start, time, side="right")), self.log
+        (extended,) = self.states(np.array([time]))
+        mode = int(log.mode[count - 1])
+        cut = Log._make(each[count - 1 : count].copy() for each in log)
+        cut.start[:], cut.state[:], cut.part[:], cut.kind[:], cut.function[:] = 0.0, extended, -1, NOTHING, -1
+        later = log._replace(start=log.start - time), log._replace(start=log.start + self.duration - time)
+        turned = cut, Log._make(each[count:] for each in later[0]), later[1].first(count)
+        begin = replace(
+            self.begin,
+            state=extended[: self.modes.layout.state_count],
+            statuses=self.modes[mode].statuses,
+            periods=0,
+            phase=phase,
+            known_zeros=np.zeros_like(self.begin.known_zeros),
+        )
+        end = replace(begin, periods=self.end.periods - self.begin.periods)
+        joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
+        return replace(self, begin=begin, end=end, log=joined)
+
     def tangents(self, at_start: Reals) -> Reals:
         """Return what becomes of small distances of the state, (n, columns), over the motion.
 

@@ -221,7 +221,7 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
     """
-    multipliers, margins = with_shifts(flow, *multipliers_of(shot))
+    multipliers, margins = with_shifts(flow, *multipliers_of(shot.calm or shot))
     success = shot.miss <= CLOSED
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
     seen, course = flow.travelling(shot.course) if success else (flow, shot.course)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.advance import Ending, Instant
+from trimmer.contact.calm import amid_longest, is_amid
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -33,6 +34,8 @@ SINGULAR = 1e-12
 """Share of the largest singular value of Newton's matrix below which one is rounding."""
 SAMPLES = 16
 """Instants at which a motion without events is looked at."""
+MOST_CALM = 3
+"""How often an instant amid a long segment is looked for, as the motion changes."""
 LONGEST = 4.0
 """Factor by which an unknown period may grow; a longer one has lost the motion."""
 
@@ -44,10 +47,12 @@ class Shot:
     Attributes:
         course: The motion.
         sizes: Scale of each state, for comparing them, (n,).
+        calm: The same motion from amid a long segment, where it was solved; None if it begins there.
     """
 
     course: Course
     sizes: Reals
+    calm: Shot | None = None
 
     @cached_property
     def monodromy(self) -> Reals:
@@ -66,7 +71,9 @@ class Shot:
 
     @property
     def miss(self) -> float:
-        """The largest modulus of them."""
+        """The largest modulus of them, from where it was solved."""
+        if self.calm is not None:
+            return self.calm.miss
         return float(abs(self.gap).max(initial=0.0))
 
     @property
@@ -213,7 +220,48 @@ def solve(
         The motion that came closest, which may be far from returning; None if none ran to its end.
     """
     patience = patience or Patience()
-    shot, followed = problem.shoot(instant, duration), 0
+    first = problem.shoot(instant, duration)
+    if first is None or not problem.periods:
+        return _settled(problem, first, patience)
+    found, shot = [first], first
+    for _ in range(MOST_CALM):
+        calm = _solved_from_calm(problem, shot, patience)
+        if calm is None:
+            break
+        found.append(calm)
+        if calm.miss <= CLOSED:
+            return calm
+        shot = calm
+    last = _settled(problem, first, patience)
+    return min([*found, *([] if last is None else [last])], key=lambda each: each.miss)
+
+
+def _solved_from_calm(problem: Return, shot: Shot, patience: Patience) -> Shot | None:
+    """Solve from amid the longest segment of a motion, where no event comes to the beginning of its period.
+
+    Returns:
+        What was found, from where the motion began; None if it begins amid a long segment already, or nothing
+        happens in it, or it cannot be followed.
+    """
+    flow, course = problem.flow, shot.course
+    times, period = np.unique(course.times), course.duration
+    if not len(times) or is_amid(times, period):
+        return None
+    later = amid_longest(times, period)
+    ahead = flow.timed(course.begin, later, problem.most_steps * problem.periods)
+    if ahead.ending is not Ending.REACHED_END:
+        return None
+    begin = flow.at(ahead.end.state, ahead.end.phase, like=ahead.end)
+    found = _settled(problem, problem.shoot(begin), patience)
+    if found is None:
+        return None
+    again = found.course.turned(period - later, course.begin.phase)
+    return Shot(again, found.sizes, found)
+
+
+def _settled(problem: Return, shot: Shot | None, patience: Patience) -> Shot | None:
+    """Take Newton's steps from a motion as long as they bring it nearer to its return."""
+    followed = 0
     for _ in range(patience.iterations):
         if shot is None or shot.miss <= SETTLED:
             break

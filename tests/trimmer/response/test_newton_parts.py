@@ -20,6 +20,8 @@ def shot(miss: float, gap: object = None, sizes: object = 1.0, name: str = "") -
 class Problem:
     """A problem whose motions are given by the share of the step that they take."""
 
+    periods = 0
+
     def __init__(self, trials: list, first: object = None, singular: bool = False) -> None:
         self.trials, self.first, self.singular, self.asked = trials, first, singular, []
 

@@ -291,7 +291,7 @@ def test_an_orbit_says_what_it_is(multipliers: list, periods: int, told: str) ->
     flow.advances = lambda sizes: False
     flow.travelling = lambda course: (flow, course)
     shot = SimpleNamespace(
-        monodromy=np.diag(multipliers), miss=1e-12, course=course, sizes=np.ones(1), gap=None
+        monodromy=np.diag(multipliers), miss=1e-12, course=course, sizes=np.ones(1), gap=None, calm=None
     )
     assert orbit_of(flow, shot, periods).message == told
     assert orbit_of(flow, shot, periods, "more").message == f"{told}; more"
@@ -309,7 +309,9 @@ def test_an_orbit_says_what_it_is(multipliers: list, periods: int, told: str) ->
 
 def test_multipliers_come_by_falling_modulus() -> None:
     course = SimpleNamespace(duration=0.5, begin=None, events=[])
-    shot = SimpleNamespace(monodromy=np.diag([0.1, -3.0, 1.0]), miss=0.0, course=course, sizes=np.ones(3))
+    shot = SimpleNamespace(
+        monodromy=np.diag([0.1, -3.0, 1.0]), miss=0.0, course=course, sizes=np.ones(3), calm=None
+    )
     flow = SimpleNamespace(period=0.0, size=3, shifts=0, travelling=lambda course: (flow, course))
     flow.advances = lambda sizes: False
     found = orbit_of(flow, shot, 0)

@@ -11,9 +11,10 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.branches.period_maps.period_map import Phase, Signature
-from trimmer.branches.period_maps.strobe import Restart, amid_longest, is_amid
+from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.contact.advance import Instant
+from trimmer.contact.calm import amid_longest, is_amid
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.contact.frame import frame_of
 from trimmer.contact.machine import machine_of

@@ -16,7 +16,8 @@ import scipy.optimize
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
-from trimmer.branches.period_maps.strobe import Restart, amid_longest, is_amid
+from trimmer.branches.period_maps.strobe import Restart
+from trimmer.contact.calm import amid_longest, is_amid
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import UnsupportedMotionError
 

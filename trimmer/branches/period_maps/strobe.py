@@ -1,25 +1,13 @@
-"""Where in its period an orbit had better begin: where nothing happens for as long as can be.
-
-The map of a period is smooth in its state only as long as no event comes to the instant at which the period
-begins: there the event changes from the end of one passage to the beginning of the next, and the derivative
-changes with it, though the motion and its multipliers do not. So each branch has an instant of its own.
-"""
+"""An orbit of a branch as one that begins at another instant; see ``trimmer.contact.calm``."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.branches.period_maps.period_map import PeriodMap
-
-LEAST_SHARE = 0.3
-"""Length of the segment in which orbits begin, as a share of the longest, below which they begin there."""
-LEAST_MARGIN = 0.15
-"""Share of a segment from its ends within which no orbit begins."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,21 +23,3 @@ class Restart:
     map: PeriodMap
     state: Reals
     tangent: Reals
-
-
-def is_amid(starts: Reals, period: float) -> bool:
-    """Say whether the time 0 of a period, s, is far from its events, at increasing times, s."""
-    own = period - starts[-1] + starts[0]
-    longest = max(own, float(np.diff(starts).max(initial=0.0)))
-    share = float(period - starts[-1]) / own if own > 0.0 else 0.0
-    return own > LEAST_SHARE * longest and LEAST_MARGIN < share < 1.0 - LEAST_MARGIN
-
-
-def amid_longest(starts: Reals, period: float) -> float:
-    """Return the middle of the longest segment between the events of a period, s, at increasing times, s."""
-    lengths = np.diff(starts)
-    own = period - starts[-1] + starts[0]
-    if own >= lengths.max(initial=0.0):
-        return float((starts[-1] + 0.5 * own) % period)
-    first = int(np.argmax(lengths))
-    return float(starts[first] + 0.5 * lengths[first])
