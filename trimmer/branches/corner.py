@@ -7,6 +7,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc
 from trimmer.branches.borders import Border, special_points
+from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place
 from trimmer.branches.step import Front, Step, angle, fold_at
 
@@ -46,7 +47,7 @@ def is_torn(front: Front) -> bool:
 
 def _tangents(front: Front, beyond: Place) -> list[Reals]:
     """Return both directions along the curve on the other side, the one with the right determinant first."""
-    tangent = np.linalg.svd(beyond.slope)[2][-1]
+    tangent = null_vector(beyond.slope)
     sign = np.sign(beyond.orientation(tangent)) * front.turn
     return [sign * tangent, -sign * tangent] if sign else [tangent, -tangent]
 

@@ -11,6 +11,7 @@ from trimmer.arrays import Reals
 from trimmer.branches.branch import NEUTRAL, BranchEnd
 from trimmer.branches.corner import is_torn, turned
 from trimmer.branches.known import SAME
+from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.step import Front, Step, begun, step
@@ -128,7 +129,7 @@ def _restarted(front: Front) -> Front:
     place = problem.place(problem.position(front.place.value, restart.state))
     if place is None:
         return front
-    tangent = np.asarray(np.linalg.svd(place.slope)[2][-1])
+    tangent = null_vector(place.slope)
     place = problem.correct(place.position, tangent, float(tangent @ place.position))
     ahead = None if place is None else place.tangent(tangent)
     if place is None or ahead is None:

@@ -7,6 +7,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc
 from trimmer.branches.bifurcations import Bifurcation
+from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.step import Front, begun
 
@@ -35,7 +36,7 @@ def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:
 def _critical(place: Place, multiplier: float) -> Reals:
     """Return the unit direction, shape (n + 1,), of the eigenvector of the multiplier nearest to a number."""
     matrix = place.monodromy - multiplier * np.eye(len(place.miss))
-    return np.append(np.linalg.svd(matrix)[2][-1], 0.0)
+    return np.append(null_vector(matrix), 0.0)
 
 
 def _first(problem: Problem, origin: Reals, direction: Reals) -> Front | None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.branches.settings import FollowSettings
@@ -88,7 +89,7 @@ def relocated(
         centre = _centre(problem.adopted(guess))
         if centre is None:
             return None
-        tangent = _null_vector(centre)
+        tangent = null_vector(centre.slope)
     except (np.linalg.LinAlgError, TrimmerError):
         return None
     found: list[Relocated] = []
@@ -102,13 +103,8 @@ def relocated(
 
 def _centre(guess: Place) -> Place | None:
     """Return the orbit beside a guess, across the direction of the branch there."""
-    normal = _null_vector(guess)
+    normal = null_vector(guess.slope)
     return guess.problem.correct(guess.position, normal, float(normal @ guess.position))
-
-
-def _null_vector(place: Place) -> Reals:
-    """Return the direction of the branch near a place, shape (n + 1,), its sign left to chance."""
-    return np.asarray(np.linalg.svd(place.slope)[2][-1])
 
 
 def _searched(centre: Place, direction: Reals, sought: Sought, reach: float) -> Relocated | None:
