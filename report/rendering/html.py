@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import functools
-import hashlib
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -21,6 +20,7 @@ from report.rendering.passages import passages
 from report.rendering.pictures.drawings import drawings
 from report.rendering.pictures.figure_colours import variables, with_variables
 from report.rendering.pieces import TEMPLATES
+from report.rendering.policy import policy
 from report.rendering.sources import sources
 from report.rendering.summary import GRADES, SYMBOLS
 
@@ -115,22 +115,6 @@ def page(template: str, look: Look, body: str, **values: object) -> str:
             theme=theme,
         )
     )
-
-
-def policy(scripts: Iterable[str], styles: Iterable[str]) -> str:
-    """Return a content security policy that forbids all but some scripts and styles, by their digests.
-
-    Nothing comes from the network or from files. Drawings carry their colours in attributes.
-    """
-    return (
-        "default-src 'none'; img-src data:; font-src data:; base-uri 'none'; form-action 'none'; "
-        f"script-src {_digests(scripts)}; style-src-elem {_digests(styles)}; style-src-attr 'unsafe-inline'"
-    )
-
-
-def _digests(texts: Iterable[str]) -> str:
-    found = (hashlib.sha256(text.encode()).digest() for text in texts)
-    return " ".join(f"'sha256-{_base64(digest)}'" for digest in found)
 
 
 def _font_face() -> str:

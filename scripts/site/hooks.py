@@ -15,6 +15,7 @@ from mkdocs.exceptions import BuildError
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
+from report.rendering.policy import with_policy_of_site
 from scripts.site.built import loaded_from_elsewhere
 from scripts.site.command_pages import command_pages
 from scripts.site.example_scripts import ExampleScript, ScriptError, example_scripts, run_script
@@ -91,6 +92,11 @@ def on_page_markdown(markdown: str, *, page: Page, **_: Any) -> str:
 def on_page_content(html: str, **_: Any) -> str:
     """Turn formulas into MathML, and wrap the sentences of what is printed."""
     return with_wrapped_sentences(with_mathml(html))
+
+
+def on_post_page(output: str, **_: Any) -> str:
+    """Let a page load nothing but the site's own files."""
+    return with_policy_of_site(output)
 
 
 def on_post_build(*, config: MkDocsConfig) -> None:
