@@ -149,6 +149,8 @@ class Return:
         # The state may slide along the orbit: the correction is to be at right angles to it.
         tangent, rate = (each / shot.sizes for each in shot.rates)
         bordered = np.block([[matrix, rate[:, None]], [tangent[None], np.zeros((1, 1))]])
+        if not np.isfinite(bordered).all():  # LAPACK would complain on the terminal.
+            raise np.linalg.LinAlgError("the derivative of the return is not finite")
         solution = np.linalg.lstsq(bordered, -np.append(shot.gap, 0.0), rcond=1e-13)[0]
         return solution[:-1] * shot.sizes, float(solution[-1])
 
