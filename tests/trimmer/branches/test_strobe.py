@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 
+from tests.mechanisms.shifted_phases import differences_of_branches, shifted, state_at
 from tests.trimmer.branches.bouncing_ball import ball, damping, fold, resting, thrown
+from tests.trimmer.maps.machines import impact_oscillator
 from trimmer import (
     FollowSettings,
     LocusRanges,
     LocusSettings,
+    Mechanism,
     MechanismError,
     SpecialKind,
     follow,
     follow_special,
+    forced_orbit,
 )
 from trimmer.mechanism.parts import ContactLaw
 
 QUIET, LOCUS = FollowSettings(quiet=True), LocusSettings(quiet=True)
+ALONE = FollowSettings(quiet=True, switches=0)
 
 
 @pytest.mark.parametrize("stiffness", [1e6, 1e8])
@@ -104,3 +110,34 @@ def test_a_start_of_another_shape_is_refused() -> None:
     machine = ball(1e6, 0.0, law=ContactLaw.RELAXING)
     with pytest.raises(MechanismError, match="the mechanism has 3 states: ball, ball' and contact"):
         follow(machine, "pins.table.amplitude", 0.6, 0.3, state=thrown(0.0), settings=QUIET)
+
+
+def compared(
+    mechanism: Mechanism, place: str, interval: tuple[float, float], share: float, begin: Any
+) -> Any:
+    """Return the special points of a branch, and what differs under a clock that begins later."""
+    first = mechanism.with_value(place, interval[0])
+    orbit = forced_orbit(first, guess=begin)
+    states = orbit.instant.state, state_at(first, share, orbit.instant.state)
+    ours, theirs = (
+        follow(each, place, *interval, state=state, settings=ALONE)
+        for each, state in zip((first, shifted(first, share)), states, strict=True)
+    )
+    return {each.kind for each in ours.special}, list(differences_of_branches(ours, theirs))
+
+
+@pytest.mark.parametrize("share", [0.13, 0.5])
+def test_folds_grazings_and_period_doublings_are_the_same_under_a_later_clock(share: float) -> None:
+    kinds, different = compared(impact_oscillator(), "frequency", (1.0, 1.5), share, None)
+    assert (kinds, different) == ({SpecialKind.FOLD, SpecialKind.GRAZING}, [])
+    kinds, different = compared(ball(1e4, 0.0), "pins.table.amplitude", (0.6, 1.13), share, thrown(0.0))
+    assert (kinds, different) == ({SpecialKind.PERIOD_DOUBLING}, [])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("share", [0.13, 0.5, 0.77])
+def test_stick_tori_and_lost_symmetry_are_the_same_under_a_later_clock(share: float) -> None:
+    trimmer = Mechanism.from_toml("examples/thesis-play.toml")
+    kinds, different = compared(trimmer, "plays.bridge.gap", (4e-5, 1.2e-4), share, None)
+    assert kinds == {SpecialKind.STICK, SpecialKind.TORUS, SpecialKind.SYMMETRY_BREAKING}
+    assert different == []
