@@ -140,9 +140,10 @@ def differences(seed: int, *, branches: bool = True) -> list[str]:
     begin, count = orbit.instant.state, orbit.periods
     later = state_at(mechanism, share, begin)
     beside = begin * (1.0 + 1e-3 * random.normal(size=len(begin)))
+    # Of a continuum of orbits, as where something sticks anywhere, each guess finds the nearest member.
     guesses = (forced_orbit(mechanism, periods=count, guess=beside),)
     guesses += (forced_orbit(other, periods=count, guess=state_at(mechanism, share, beside)),)
-    if guesses[0].success:
+    if guesses[0].success and not any(each.neutral for each in guesses):
         found += [f"forced_orbit: {each}" for each in differences_of_orbits(*guesses)]
     if not branches:
         return found

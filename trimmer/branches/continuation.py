@@ -11,9 +11,9 @@ import numpy as np
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
-from trimmer.branches.branch import Branch, BranchEnd, BranchPoint
+from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import front_beyond, joint
-from trimmer.branches.known import Known
+from trimmer.branches.known import SAME, Known
 from trimmer.branches.orbit import Problem
 from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
@@ -102,7 +102,10 @@ def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval)
         if place is not None:
             break
     else:
-        return None
+        # Beside an orbit that is not single Newton's method finds one or none by chance.
+        neutral = abs(guess.multipliers - 1.0).min() < NEUTRAL
+        closed = Problem(begins[-1][0], interval.span, scales(guess, None)).adopted(guess).error < SAME
+        return BranchEnd.NOT_ISOLATED if neutral and closed else None
     problem = Problem(map, interval.span, scales(place, None))
     place = problem.adopted(place)
     tangent = place.tangent((interval.stop - interval.start) * across)

@@ -116,7 +116,11 @@ def _changes(modes: Modes, log: Log, first: int, last: int, fired: int) -> Itera
 
 
 def _falling(modes: Modes, before: int, fired: int, state: Reals) -> list[EventFunction]:
-    """Return what falls to zero at an event: what has fired, then one function of each other part."""
+    """Return what falls to zero at an event: what has fired, then one function of each other part.
+
+    What is the same as one of them for all motions of the mode falls to zero with it in a neighbour too: two
+    frictions of a body come to rest together where the other body of the one is held.
+    """
     mode, tables = modes[before], modes.tables
     falling = [mode.functions[fired]]
     count = len(mode.functions)
@@ -125,10 +129,19 @@ def _falling(modes: Modes, before: int, fired: int, state: Reals) -> list[EventF
     for number in np.flatnonzero(abs(values) <= AT_REST * sizes):
         function = mode.functions[number]
         others = all(function.owner != each.owner for each in falling)
-        if others and function.row @ (mode.flow @ state) < 0:
+        if not others or function.row @ (mode.flow @ state) >= 0:
+            continue
+        if not any(_are_one(function.row @ mode.hold, each.row @ mode.hold) for each in falling):
             falling.append(function)
     # What several frictions do jointly is no change of one of them.
     return falling if min(each.owner for each in falling) >= 0 else falling[:1]
+
+
+def _are_one(row: Reals, other: Reals) -> bool:
+    """Say whether one functional is a multiple of another."""
+    largest = abs(other).max()
+    away = row if largest == 0.0 else row - other * (row @ other) / (other @ other)
+    return bool(abs(away).max() <= AT_REST * abs(row).max())
 
 
 def _is_one(function: EventFunction, other: EventFunction) -> bool:

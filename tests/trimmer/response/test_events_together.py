@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from tests.mechanisms.random_mechanisms import random_mechanism
 from trimmer import Mechanism, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 
@@ -82,3 +83,18 @@ def test_equal_machines_have_the_multipliers_of_one_twice(
     assert not two.one_sided
     # Without a drive either machine may be ahead of the other for ever.
     assert (two.stable, two.neutral) == ((True, False) if frequency else (False, True))
+
+
+def test_frictions_of_bodies_that_hold_each_other_come_to_rest_together() -> None:
+    """A body comes to rest beside one that is held and beside the ground: one event, also of a neighbour."""
+    orbit = respond(random_mechanism(1118)).motion.orbit
+    assert orbit is not None
+    flow, begin, columns = orbit.flow, orbit.instant, []
+    for size, direction in zip(orbit.sizes, np.eye(len(orbit.sizes)), strict=True):
+        ends = [
+            flow.course(flow.at(begin.state + step * size * direction, like=begin), 1).end.state
+            for step in (1e-6, -1e-6)
+        ]
+        columns.append((ends[0] - ends[1]) / 2e-6 / orbit.sizes)
+    differences = np.sort(abs(np.linalg.eigvals(np.array(columns).T)))[::-1]
+    np.testing.assert_allclose(abs(orbit.multipliers[:3]), differences[:3], rtol=1e-6)
