@@ -31,6 +31,8 @@ from trimmer.contact.statuses import (
 if TYPE_CHECKING:
     from trimmer.branches.period_maps.mechanism_map import MechanismMap
 
+ROUNDING = 1e-14
+"""Share of the largest displacement or velocity up to which another one is rounding."""
 STRETCHED = 1e-2
 """Least scale of the stretch of a relaxing spring, relative to the largest displacement."""
 STATUSES = {
@@ -94,13 +96,15 @@ class MechanismPassage:
     def sizes(self) -> Reals:
         """Largest magnitude of each entry at events and at equal times, shape (n,).
 
-        A stretch is a difference of displacements, and known no better than their rounding: its own is at
-        least a share of theirs.
+        What is rounding beside others of its kind does not move. A stretch is a difference of displacements,
+        and known no better than their rounding: its own is at least a share of theirs.
         """
         times = np.linspace(0.0, self.course.duration, 64)
         states = np.vstack([self.course.states(times), self.course.log.state])
         sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
         bodies = len(self.flow.modes.layout.bodies)
+        for kind in (sizes[:bodies], sizes[bodies : 2 * bodies]):
+            kind[kind <= ROUNDING * kind.max()] = 0.0
         stretches = sizes[2 * bodies :]
         np.maximum(stretches, STRETCHED * sizes[:bodies].max(), out=stretches)
         return sizes
