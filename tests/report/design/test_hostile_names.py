@@ -30,7 +30,7 @@ from report.provenance import provenance
 from report.rendering.escaping import markdown, plain, shown_characters
 from report.rendering.html import Look, page
 from report.rendering.request import Format, Paper
-from tests.report.rendering.page_checks import chromium_browser, lead, loaded_from_elsewhere, opened, visited
+from tests.report.rendering.page_checks import lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
 from trimmer.design.comparison import compared
 from trimmer.design.design import Design
@@ -183,12 +183,6 @@ def test_known_attacks_are_shown_as_they_are_written(harmless: Skeleton) -> None
     found = Skeleton(str(files_of_small(list(NASTY))[Format.HTML]))
     assert found.elements == harmless.elements
     assert [cell.strip() for cell in found.cells[2::2]] == list(NASTY)
-
-
-@pytest.fixture(scope="module")
-def browser(chromium: str) -> Iterator[Browser]:
-    with chromium_browser(chromium) as browser:
-        yield browser
 
 
 SMUGGLED = (

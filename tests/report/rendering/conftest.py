@@ -12,7 +12,7 @@ from report.document.document import Document
 from report.rendering.render import render
 from report.rendering.request import Format
 from tests.report.made_once import MadeOnce
-from tests.report.rendering.page_checks import Visit, chromium_browser, lead, opened
+from tests.report.rendering.page_checks import Visit, lead, opened
 from tests.report.rendering.sample import sample
 
 
@@ -32,12 +32,6 @@ def rendered(
 @pytest.fixture(scope="session")
 def address(rendered: Mapping[Format, Path]) -> str:
     return rendered[Format.HTML].as_uri()
-
-
-@pytest.fixture(scope="session")
-def browser(chromium: str) -> Iterator[Browser]:
-    with chromium_browser(chromium) as browser:
-        yield browser
 
 
 @pytest.fixture(scope="session")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -113,6 +114,14 @@ class Visit:
     page: Page
     requests: list[str] = field(default_factory=list)
     complaints: list[str] = field(default_factory=list)
+
+
+def wait_until(page: Page, expression: str) -> None:
+    """Wait until an expression is true of a page, whose policy forbids what Playwright itself would do."""
+    patience = time.monotonic() + PATIENCE / 1000
+    while not page.evaluate(expression):
+        assert time.monotonic() < patience, f"it did not become true: {expression}"
+        page.wait_for_timeout(20)
 
 
 @contextmanager

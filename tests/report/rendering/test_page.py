@@ -15,7 +15,7 @@ from report.document.document import Document
 from report.rendering.pictures.figure_colours import in_the_dark
 from report.rendering.request import Format
 from tests.report.rendering import page_checks
-from tests.report.rendering.page_checks import SCHEMES, WIDTHS, Scheme, Visit
+from tests.report.rendering.page_checks import SCHEMES, WIDTHS, Scheme, Visit, wait_until
 
 pytestmark = pytest.mark.browser
 
@@ -230,7 +230,7 @@ def half_a_page(rendered: Mapping[Format, Path]) -> Iterator[str]:
 def test_the_first_paint_does_not_wait_for_figures(browser: Browser, half_a_page: str) -> None:
     page = browser.new_page()
     page.goto(half_a_page, wait_until="commit")
-    page.wait_for_function("performance.getEntriesByName('first-contentful-paint').length === 1")
+    wait_until(page, "performance.getEntriesByName('first-contentful-paint').length === 1")
     assert page.evaluate("document.readyState") == "loading"
     assert re.match("The linear trimmer", page.locator("h1").inner_text())
     page.close()

@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, Page, expect
 from report.document.document import Document
 from report.grade import Grade, grade
 from report.rendering.summary import GRADES
-from tests.report.rendering.page_checks import Visit
+from tests.report.rendering.page_checks import Visit, wait_until
 
 pytestmark = pytest.mark.browser
 
@@ -98,7 +98,7 @@ def test_a_count_in_the_summary_filters_the_claims(visit: Callable[..., Visit], 
     page = visit().page
     page.locator("details.fold summary").first.click()
     page.locator("a[data-filter='grade=result&chapter=2']").click()
-    page.wait_for_function("location.search === '?grade=result&chapter=2'")
+    wait_until(page, "location.search === '?grade=result&chapter=2'")
     chapter = {finding.id for finding in document.chapters[0].findings}
     assert shown(page) == ids(document, Grade.RESULT) & chapter
     assert page.evaluate("location.hash") == "#chapter-2"
@@ -111,7 +111,7 @@ def test_the_filter_works_by_keyboard_and_can_be_reset(
     checkbox(page, Grade.RESULT).press(" ")
     assert shown(page) == ids(document) - ids(document, Grade.RESULT)
     page.get_by_role("button", name="Show all").press(" ")
-    page.wait_for_function("location.search === ''")
+    wait_until(page, "location.search === ''")
     assert shown(page) == ids(document)
 
 
@@ -140,7 +140,7 @@ def test_the_first_result_is_opened_by_enter(visit: Callable[..., Visit]) -> Non
     expect(page.get_by_label("Search", exact=True)).to_be_focused()
     page.keyboard.type("impulse")
     page.keyboard.press("Enter")
-    page.wait_for_function("location.hash === '#txt-5.2.1-impulse-1e-8'")
+    wait_until(page, "location.hash === '#txt-5.2.1-impulse-1e-8'")
     expect(page.locator("[id='txt-5.2.1-impulse-1e-8']")).to_be_in_viewport()
 
 
@@ -208,5 +208,5 @@ def test_what_is_found_is_marked(visit: Callable[..., Visit]) -> None:
     search(page, "2e-8")
     assert any("10" in text for text in page.evaluate(MARKED))  # as it stands there: a formula
     page.get_by_role("button", name="Show all").click()
-    page.wait_for_function("location.search === ''")
+    wait_until(page, "location.search === ''")
     assert page.evaluate(MARKED) == []

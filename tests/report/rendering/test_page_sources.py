@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.report.rendering.page_checks import Visit
+from tests.report.rendering.page_checks import Visit, wait_until
 
 pytestmark = pytest.mark.browser
 
@@ -47,13 +47,13 @@ def test_a_source_is_read_by_keyboard(visit: Callable[..., Visit]) -> None:
     page = visit().page
     link(page).focus()
     page.keyboard.press("Enter")
-    page.wait_for_function(f"document.getElementById('{PLACE}').open")
+    wait_until(page, f"document.getElementById('{PLACE}').open")
     code = page.get_by_role("group", name="trimmer/linear/low_pass.py")
     for _ in range(3):  # past the name of the file and the link to the card
         page.keyboard.press("Tab")
     expect(code).to_be_focused()
     page.keyboard.press("PageDown")
-    page.wait_for_function("document.activeElement.scrollTop > 0")
+    wait_until(page, "document.activeElement.scrollTop > 0")
 
 
 def test_long_lines_scroll_inside_of_a_source(visit: Callable[..., Visit]) -> None:

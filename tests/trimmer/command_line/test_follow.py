@@ -27,7 +27,7 @@ def test_json_has_the_keys_of_the_document(capsys: pytest.CaptureFixture[str]) -
     (asymmetric,) = content.pop("branches")
     assert asymmetric["parted"] == special
     assert asymmetric.keys() == {*content, "branches"}
-    assert set(content["points"][0]["outputs"]["stroke"]) == {"peak_to_peak", "harmonics"}
+    assert set(content["points"][0]["outputs"]["stroke"]) == {"peak_to_peak", "harmonics", "advance"}
     of_balance = {"points[].balance.distance", "points[].balance.converged"}
     named = set(keys(content, {"points[].outputs"})) - {"points[].balance"}
     assert named == documented("trimmer follow") - of_balance - {"branches", "points[].balance"}

@@ -21,7 +21,7 @@ GAP = "plays.bridge.gap"
 
 
 def test_respond_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path: Path, capsys) -> None:
-    found = SimpleNamespace(motion=SimpleNamespace(orbit=None, window=None))
+    found = SimpleNamespace(motion=SimpleNamespace(orbit=None, window=None, rest=None, linear=None))
     respond = replaced("trimmer.response.respond.respond", found)
     as_words(monkeypatch, "mechanisms.respond_text")
     replaced("trimmer.drawing.mechanisms.response.response_figure", "figure")
@@ -39,7 +39,9 @@ def test_respond_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path
     told = capsys.readouterr()
     assert (told.out, told.err) == ("data\n", "")
     for name in ("orbit", "window"):
-        found.motion = SimpleNamespace(**{"orbit": None, "window": None, name: 1})
+        found.motion = SimpleNamespace(
+            **{"orbit": None, "window": None, "rest": None, "linear": None, name: 1}
+        )
         assert main(["respond", TWIN, "--plot", str(picture)]) == 0
         assert capsys.readouterr() == ("told\n", "")
         picture.unlink()
@@ -47,7 +49,7 @@ def test_respond_hands_on_what_is_asked(replaced, written, monkeypatch, tmp_path
     # What is told makes way for a picture on standard output, but only if there is one.
     monkeypatch.setattr("trimmer.command_line.file_options.is_standard_output", lambda path: True)
     for orbit, streams in ((1, ("", "told\n")), (None, ("told\n", None))):
-        found.motion = SimpleNamespace(orbit=orbit, window=None)
+        found.motion = SimpleNamespace(orbit=orbit, window=None, rest=None, linear=None)
         assert main(["respond", TWIN, "--plot", str(picture)]) == 0
         told = capsys.readouterr()
         assert told.out == streams[0]

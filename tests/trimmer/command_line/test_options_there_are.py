@@ -30,7 +30,7 @@ COMMANDS = {
     "spectrum": f"{SIGNAL} --drive,--drive-frequency --gap --closed-loop=False --window=hann:4 --limit=20 "
     f"--average {LOOP} --wav --csv --bits=16:2 {SHOWN}",
     "overlay": f"{SIGNAL} --against --set=[] --output --drive {SHOWN}",
-    "init": "file*?=trimmer.toml --example=thesis-play:13",
+    "init": "file*?=trimmer.toml --example=thesis-play:14",
     "respond": f"{MECHANISM} --state=[] --starts=1 --seed=0 --periods,--wait=1000 {SHOWN}",
     "follow": f"{MECHANISM} --vary --from>start --to>stop --periods --points=2000 --wait=2000 --switches=1:5 "
     f"--harmonics {SHOWN}",

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from types import SimpleNamespace as Made
 
 import numpy as np
-import pytest
 
-from tests.trimmer.command_line.told import cells, point_of_branch
+from tests.trimmer.command_line.told import cells
 from trimmer.branches.special import SpecialKind
 from trimmer.command_line.mechanisms import (
     follow_text,
@@ -87,24 +85,6 @@ def test_the_largest_lines_are_told_in_order_of_frequency() -> None:
     assert respond_text._lines(settled(None), "x") == "1: 3, 3: 1"
 
 
-def test_a_motion_is_told_with_what_it_repeats_in() -> None:
-    lines = list(respond_text._motion(settled([(1, 1, 2.0)])))
-    assert lines[0] == "  2.5 events per drive period; largest multiplier 0.5"
-    assert "p/k of the drive" in lines[1]
-    assert cells(lines[2:3]) == [["x", "5", "2", "1: 2"]]
-    assert cells(lines[4:5]) == [["body", "7 (95 %: 6.02002 to 7.97998)"]]
-    assert len(lines) == 5
-    free = list(respond_text._motion(settled([(1, 1, 2.0)], periods=0)))
-    assert "per period;" in free[0]
-    assert "multiples of its own frequency" in free[1]
-    restless = list(respond_text._motion(settled(None)))
-    assert "window" in restless[0]
-    assert "p/k of the drive" in restless[1]
-    nothing = settled(None)
-    nothing.window = None
-    assert list(respond_text._motion(nothing)) == []
-
-
 def test_parts_are_told_if_there_are_some() -> None:
     contact = Made(impacts=2.0, impact_speed=0.5, largest_force=3.0, share=0.125)
     friction = Made(work=1e-3, power=0.25, stick=0.5)
@@ -112,24 +92,6 @@ def test_parts_are_told_if_there_are_some() -> None:
     assert cells(lines)[1] == ["wall", "2", "0.5", "3", "12.50%"]
     assert cells(lines)[3] == ["blade", "0.001", "0.25", "50.00%"]
     assert list(respond_text._parts(Made(contacts={}, frictions={}))) == []
-
-
-def test_motions_of_several_starts_are_numbered() -> None:
-    first, second = settled([(1, 1, 2.0)]), settled([(1, 1, 3.0)])
-    second.message, second.mirrored = "Another.", True
-    response = Made(message="First.", motions=[first, second], starts=4, seed=5, box={"a": (1e-3, 0.25)})
-    lines = respond_text.as_text(response).splitlines()
-    assert lines[:3] == ["First.", "", "Motion 1, 25% of the starts"]
-    at = lines.index("Motion 2, 25% of the starts, the mirror image of one before")
-    assert lines[at - 1 : at + 2] == ["", lines[at], "Another."]
-    assert lines.count("First.") == 1
-    assert lines[-2:] == [
-        "",
-        "Random starts lie within a 0.001 m and 0.25 m/s on either side of rest (seed 5).",
-    ]
-    alone = Made(message="First.", motions=[first], starts=1)
-    assert "Motion" not in respond_text.as_text(alone)
-    assert "Random" not in respond_text.as_text(alone)
 
 
 def made_branch(**changes: object) -> Made:
@@ -194,44 +156,6 @@ def test_harmonic_balance_that_converges_nowhere_is_told() -> None:
     assert follow_text._balance(branch, 3).endswith("converged at no point")
 
 
-def test_a_map_tells_coexistence_and_its_first_failures() -> None:
-    motions = [Made(kind=Made(word="w"))]
-    failures = {(row, column): f"reason {row}{column}" for row in range(2) for column in range(3)}
-    result = Made(
-        inputs=Made(
-            mechanism=Made(title="", places={"a": "m", "b": "N"}),
-            cell_values=lambda number: (number * 1.0, number * 10.0),
-        ),
-        cells=[Made(motions=motions)] * 6,
-        shape=(2, 3),
-        places=("a", "b"),
-        values=((1.0, 2.0, 3.0), (10.0, 20.0)),
-        motion_count=np.array([[1, 2, 2], [1, 1, 3]]),
-        failures=failures,
-        peak_to_peak={"x": np.array([[1.0, np.nan, 4.0]])},
-        impacts=np.full((2, 3), np.nan),
-        impact_speed=np.array([[0.5, 0.5, 0.5]]),
-        rms_acceleration={},
-        wear_power={"f": np.array([[1.0, 2.0, 6.0]])},
-    )
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(map_text, "described", lambda motion: motion.kind.word)
-        lines = map_text.as_text(result, "all").splitlines()
-    assert lines[1:3] == ["  a from 1 to 3 m, 3 values", "  b from 10 to 20 N, 2 values"]
-    assert ["w", "6", "100.0%"] in cells(lines)
-    ranges = [row for row in cells(lines) if row[-1] in ("m", "m/s", "W")]
-    assert ranges == [
-        ["x, peak to peak", "1", "2.5", "4", "m"],
-        ["largest impact speed", "0.5", "0.5", "0.5", "m/s"],
-        ["f, wear power", "1", "2", "6", "W"],
-    ]
-    assert "several motions coexist in 3 cells" in lines
-    failed = [line for line in lines if line.startswith("failed")]
-    assert len(failed) == 5
-    assert failed[4] == "failed at a = 4, b = 40: reason 11"
-    assert lines[-2:] == ["and 1 more failed, which --json lists", "searched: all"]
-
-
 def test_meetings_of_curves_are_told() -> None:
     side = Made(places=("a", "b"), message="it leaves")
     curves = [
@@ -289,11 +213,3 @@ def test_the_yield_is_told_of_all_targets_and_of_each() -> None:
     assert len(list(sample_text._yield_lines(samples))) == 2
     samples.targets = []
     assert "no targets" in next(sample_text._yield_lines(samples))
-
-
-def test_multipliers_are_pairs_in_json() -> None:
-    content = json.loads(json.dumps(follow_text._point(point_of_branch(), None)))
-    assert content["multipliers"] == [[0.5, -0.25]]
-    assert content["outputs"] == {"x": {"peak_to_peak": 4.0, "harmonics": [2.0, 1.0]}}
-    assert content["balance"] is None
-    assert follow_text._point(point_of_branch(), 3)["balance"] == {"distance": 3.0, "converged": True}

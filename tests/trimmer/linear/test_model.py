@@ -237,8 +237,8 @@ def test_a_faster_trimmer_has_the_same_response_at_higher_frequency(parameters, 
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("build", [transfer_function, pin_model])
 @pytest.mark.parametrize("channels", CHANNELS)
-def test_parameters_so_far_apart_that_the_equations_overflow_are_named(build, channels) -> None:
-    with pytest.raises(ParameterError, match=r"overflow: the lightest body has m2 = 1e-300 kg"):
-        build(dataclasses.replace(THESIS, m2=1e-300), channels=channels)
+def test_parameters_so_far_apart_that_the_equations_overflow_are_named(channels) -> None:
+    far = dict.fromkeys(("m1", "m2", "m3", "m4"), 1e-50) | dict.fromkeys(("k1", "k2", "k3", "k4"), 1e50)
+    with pytest.raises(ParameterError, match=r"overflow: the lightest body has m1 = 1e-50 kg"):
+        transfer_function(dataclasses.replace(THESIS, **far), channels=channels)
