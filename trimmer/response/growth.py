@@ -25,6 +25,8 @@ BLOCK = 32
 """Drive periods over which the size of a motion is taken."""
 NEGLIGIBLE = 1e-6
 """Share of the size that a motion has within a period below which its growth is rounding."""
+ROUNDING = 1e-9
+"""Share of the largest eigenvalue of a matrix below which another one may be zero."""
 OLDER = 4
 """Factor of its age at which it is looked at again."""
 SUSPECT = 0.5
@@ -43,7 +45,7 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
         age: Drive periods since the start.
     """
     block = min(BLOCK, len(states) // 4)
-    if not block or len(states) > age + 1:
+    if not block or len(states) > age + 1 or is_bounded(flow):
         return False
     first, last = state_sizes(flow, states[:block]), state_sizes(flow, states[-block:])
     younger = age - len(states) + block
@@ -59,6 +61,24 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
         return strobe.ending is Ending.DIVERGED
     later = state_sizes(flow, flow.reduced(strobe.states[-block:]))
     return bool((later[growing] >= PROPORTIONAL * OLDER * last[growing]).any())
+
+
+def is_bounded(flow: ExactFlow) -> bool:
+    """Say whether no motion can grow without bound: links hold and damp every displacement of the bodies.
+
+    Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion to the
+    speed. So the energy falls wherever it is large, unless a pin goes on for ever.
+    """
+    if any(pin.velocity for pin in flow.mechanism.pins.values()):
+        return False
+    roots = np.sqrt([body.mass for body in flow.mechanism.bodies.values()])
+    count, base = len(roots), flow.modes.machine.base
+    for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
+        resisting = -base[count : 2 * count, block] * roots[:, None] / roots
+        values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
+        if values[0] <= ROUNDING * abs(values[-1]):
+            return False
+    return True
 
 
 def grew(reached: Sequence[tuple[float, Reals]]) -> bool:

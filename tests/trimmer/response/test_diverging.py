@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from tests.mechanisms.random_mechanisms import random_mechanism
 from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response.response_json import response_json
@@ -132,3 +133,9 @@ def test_a_map_names_what_diverges() -> None:
     found = motion_map(resonant(0.5), {"frictions.floor.force": [0.5, 2.8]}, most_periods=200)
     assert found.kind.tolist() == [[MotionKind.DIVERGING, MotionKind.PERIODIC]]
     assert not found.failures
+
+
+def test_what_springs_hold_and_dampers_damp_never_diverges() -> None:
+    # Friction holds it, so that only rounding grows with the time.
+    motion = respond(random_mechanism(86), most_periods=200).motion
+    assert motion.kind is not MotionKind.DIVERGING
