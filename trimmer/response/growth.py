@@ -66,8 +66,8 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
 def is_bounded(flow: ExactFlow) -> bool:
     """Say whether no motion can grow without bound: links hold and damp every displacement of the bodies.
 
-    Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion to the
-    speed. So the energy falls wherever it is large, unless a pin goes on for ever.
+    Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion to
+    the speed. So the energy falls wherever it is large, unless a pin goes on for ever.
     """
     if any(pin.velocity for pin in flow.mechanism.pins.values()):
         return False
