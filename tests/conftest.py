@@ -10,12 +10,16 @@ import signal
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
 from tests.digits import rests_on_digits
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None, max_examples=60)
@@ -97,6 +101,15 @@ def chromium() -> str:
     path = find_chromium()
     assert path is not None, "mark tests that use this fixture with pytest.mark.browser"
     return path
+
+
+@pytest.fixture(scope="session")
+def browser(chromium: str) -> Iterator[Browser]:
+    """One Chromium for all tests of a process: Playwright cannot run twice in one."""
+    from tests.report.rendering.page_checks import chromium_browser
+
+    with chromium_browser(chromium) as browser:
+        yield browser
 
 
 @pytest.fixture(scope="session")

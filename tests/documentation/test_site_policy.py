@@ -9,8 +9,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Browser
 
-from tests.report.rendering.page_checks import chromium_browser, visited
+from tests.report.rendering.page_checks import visited
 
 PROJECT = Path(__file__).parents[2]
 SETTINGS = """
@@ -27,7 +28,7 @@ HOOK = "from scripts.site.hooks import on_post_page"
 
 @pytest.mark.browser
 def test_search_works_under_the_policy_and_nothing_comes_from_elsewhere(
-    chromium: str, tmp_path: Path
+    browser: Browser, tmp_path: Path
 ) -> None:
     (tmp_path / "mkdocs.yml").write_text(SETTINGS)
     (tmp_path / "hook.py").write_text(HOOK)
@@ -44,7 +45,7 @@ def test_search_works_under_the_policy_and_nothing_comes_from_elsewhere(
     )
     assert built.returncode == 0, built.stderr
     address = (tmp_path / "site" / "index.html").as_uri()
-    with chromium_browser(chromium) as browser, visited(browser, address) as visit:
+    with visited(browser, address) as visit:
         visit.page.locator("input.md-search__input").click()
         visit.page.keyboard.type("gearboxes")
         visit.page.locator(".md-search-result__item").first.wait_for()

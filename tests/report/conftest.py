@@ -1,9 +1,6 @@
 """Evidence, claims and findings, made once in each run of the tests."""
 
-from collections.abc import Iterator
-
 import pytest
-from playwright.sync_api import Browser
 
 from report.cache.source_closure import SourceTree
 from report.collect import collect
@@ -11,7 +8,6 @@ from report.evidence import gather
 from report.inventory import read_inventory
 from report.judge import judge
 from tests.report.made_once import MadeOnce
-from tests.report.rendering.page_checks import chromium_browser
 
 
 @pytest.fixture(scope="session")
@@ -52,9 +48,3 @@ def findings(claims, inventory, made_once):
         "findings",
         lambda: {claim_id: judge(claims[claim_id], entry) for claim_id, entry in inventory.items()},
     )
-
-
-@pytest.fixture(scope="session")
-def browser(chromium: str) -> Iterator[Browser]:
-    with chromium_browser(chromium) as browser:
-        yield browser
