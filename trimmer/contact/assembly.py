@@ -58,6 +58,9 @@ class EventFunction:
     row: Reals
     signs: tuple[int, ...] = ()
 
+ROUNDING = 16 * float(np.finfo(float).eps)
+"""Rounding of a sum of products as a share of the moduli of its terms."""
+
 
 @dataclass(frozen=True, eq=False)
 class Mode:
@@ -99,8 +102,9 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
         rates, push = machine.friction_rate[tree], machine.friction_push[tree]
         inverse = np.linalg.inv(rates[:, bodies : 2 * bodies] @ push.T)
         forces = inverse @ (rates @ flow)
-        flow[bodies : 2 * bodies] -= push.T @ forces
-        hold[bodies : 2 * bodies] -= push.T @ inverse @ rates
+        velocities, shares = slice(bodies, 2 * bodies), abs(push.T) @ abs(inverse) @ abs(rates)
+        flow[velocities] = _difference(flow[velocities], push.T @ forces, shares @ abs(flow))
+        hold[velocities] = _difference(hold[velocities], push.T @ inverse @ rates, shares)
         functions += _of_stick(machine, sticking, tree, forces)
     for friction, status in enumerate(statuses[contacts:]):
         if status != STICK:
@@ -108,6 +112,19 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
             row = direction * machine.friction_rate[friction]
             functions.append(EventFunction(contacts + friction, ARRIVED, row))
     return Mode(statuses, flow, tuple(functions), hold)
+
+
+def _difference(whole: Reals, part: Reals, moduli: Reals) -> Reals:
+    """Return the whole without a part, exactly zero where rounding cannot tell: what sticks must not drift.
+
+    Args:
+        whole: Any entries.
+        part: What is taken away.
+        moduli: Sums of the moduli of the terms that the part is made of.
+    """
+    left = whole - part
+    left[abs(left) <= ROUNDING * (abs(whole) + moduli)] = 0.0
+    return left
 
 
 def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Places | None = None) -> Reals:

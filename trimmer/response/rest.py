@@ -1,4 +1,4 @@
-"""A mechanism at rest: where everything stands still, and what each part bears there."""
+"""A mechanism at rest: where all bodies stand still, and what each part bears there."""
 
 from __future__ import annotations
 

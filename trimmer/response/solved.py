@@ -68,7 +68,7 @@ def solved(flow: ExactFlow, instant: Instant) -> Solved | None:
     motion = lasting_motion(flow, instant)
     if motion is None:
         return None
-    rests, seen = motion.still and _pins_are_still(flow), _in_place(motion)
+    rests, seen = motion.still, _in_place(motion)
     rest = Rest(seen.flow, seen.limit, seen.free) if rests else None
     if rests and not flow.period:
         return Solved(MotionKind.REST, seen, rest=rest)
@@ -95,7 +95,7 @@ def _in_place(motion: LinearMotion) -> LinearMotion:
 
 def rest_of(orbit: MechanismOrbit) -> Rest | None:
     """Return the rest that an orbit is in which nothing moves; None for others."""
-    if orbit.course.events or not _pins_are_still(orbit.flow):
+    if orbit.course.events:
         return None
     motion = linear_motion(orbit.flow, orbit.instant)
     return Rest(orbit.flow, motion.limit, motion.free) if motion is not None and motion.still else None
@@ -104,14 +104,10 @@ def rest_of(orbit: MechanismOrbit) -> Rest | None:
 def rest_after(flow: ExactFlow, course: Course) -> Rest | None:
     """Return the rest in which a motion ends; None if something moves then, or will."""
     motion = lasting_motion(flow, course.end)
-    if motion is None or not motion.still or not _pins_are_still(flow):
+    if motion is None or not motion.still:
         return None
     left = abs(motion.parts).sum(axis=0) / sizes_of(course)
     return Rest(flow, motion.limit, motion.free) if left.max(initial=0.0) <= GONE else None
-
-
-def _pins_are_still(flow: ExactFlow) -> bool:
-    return all(pin.amplitude == 0 for pin in flow.mechanism.pins.values())
 
 
 def _repeats(flow: ExactFlow, frequencies: Reals) -> tuple[int, float]:

@@ -135,7 +135,26 @@ def test_a_map_names_what_diverges() -> None:
     assert not found.failures
 
 
-def test_what_springs_hold_and_dampers_damp_never_diverges() -> None:
-    # Friction holds it, so that only rounding grows with the time.
+def test_what_friction_holds_rests_whatever_drives_it() -> None:
+    """A moving pin behind a spring is a force to what friction holds; nothing may drift by rounding."""
     motion = respond(random_mechanism(86), most_periods=200).motion
-    assert motion.kind is not MotionKind.DIVERGING
+    assert (motion.kind, motion.peak_to_peak) == (MotionKind.REST, {"asked for": 0.0})
+
+    def held(**drive: object) -> Mechanism:
+        frictions = {"floor": Friction(("ground", "body"), 1.0)}
+        return Mechanism(
+            {"body": Body(0.7)},
+            frequency=3.0,
+            frictions=frictions,
+            outputs=OUTPUTS,
+            start={"body": (0.01, 0.0)},
+            **drive,
+        )
+
+    spring = {"spring": Link(("pin", "body"), 1234.5, 0.6)}
+    pulled = respond(
+        held(links=spring, pins={"pin": Pin("ground", amplitude=2e-4, phase=0.3, offset=0.01)})
+    ).motion
+    pushed = respond(held(forces={"push": Force("body", amplitude=0.25)})).motion
+    assert pulled.kind is pushed.kind is MotionKind.REST
+    assert pulled.rest.positions == pushed.rest.positions == {"body": 0.01}
