@@ -8,7 +8,7 @@ import control
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import exact_response, stable_systems, trimmers
@@ -63,6 +63,7 @@ def test_real_axis_crossings_of_the_thesis_trimmer_are_those_of_the_force_balanc
         assert crossing.value == pytest.approx(float(value), rel=1e-9)
 
 
+@settings(max_examples=25)
 @given(stable_systems(), st.floats(-2, 2))
 def test_no_grid_sees_a_gain_crossing_that_was_not_found(system, exponent) -> None:
     level = 10**exponent
@@ -75,6 +76,7 @@ def test_no_grid_sees_a_gain_crossing_that_was_not_found(system, exponent) -> No
         assert np.count_nonzero((found >= omega[place]) & (found <= omega[place + 1])) % 2 == 1
 
 
+@settings(max_examples=25)
 @given(stable_systems())
 def test_no_grid_sees_a_real_axis_crossing_that_was_not_found(system: control.TransferFunction) -> None:
     crossings = real_axis_crossings(system)
@@ -91,6 +93,7 @@ def test_no_grid_sees_a_real_axis_crossing_that_was_not_found(system: control.Tr
         assert np.count_nonzero((found >= omega[place]) & (found <= omega[place + 1])) % 2 == 1
 
 
+@settings(max_examples=25)
 @given(stable_systems())
 def test_crossings_include_those_of_python_control(system: control.TransferFunction) -> None:
     system *= 0.7 / abs(system.dcgain())  # at a gain of 1 the curve would leave 0 dB imperceptibly
@@ -104,6 +107,7 @@ def test_crossings_include_those_of_python_control(system: control.TransferFunct
         assert min(abs(omega - x) for x in found) <= 1e-5 * omega
 
 
+@settings(max_examples=25)
 @given(trimmers())
 def test_gain_crossings_of_any_trimmer_come_in_the_number_its_ends_require(parameters) -> None:
     """|G| starts at a positive value and ends at 0, so a level below the start is crossed oddly often."""

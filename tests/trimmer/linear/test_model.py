@@ -19,8 +19,6 @@ from trimmer.linear.model import (
     INPUTS,
     STATES,
     InputChannels,
-    _require_finite,
-    _without_leading_zeros,
     linear_model,
     pin_model,
     transfer_function,
@@ -108,22 +106,9 @@ def test_the_response_is_that_of_the_force_balance(build, output, channels) -> N
         assert system(1j * omega) == pytest.approx(exact, rel=1e-9, abs=rounding)
 
 
-def test_both_channels_are_the_two_inputs_tied_together() -> None:
-    model = linear_model(THESIS)
-    tied = pin_model(THESIS, channels=InputChannels.DISPLACEMENT_AND_VELOCITY)
-    for omega in OMEGAS:
-        separate = model(1j * omega)[0]
-        assert tied(1j * omega) == pytest.approx(separate[0] + 1j * omega * separate[1], rel=1e-11)
-
-
 def test_states_that_are_no_velocities_are_not_called_velocities() -> None:
     assert pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY).state_labels == list(STATES)
     assert pin_model(THESIS).state_labels == ["q1", "q2", "q3", "q4", "z1", "z2", "z3", "z4"]
-
-
-def test_the_pin_acts_by_both_channels_by_default() -> None:
-    assert pin_model(THESIS)(1000j) == pin_model(THESIS, channels=CHANNELS[1])(1000j)
-    assert abs(pin_model(THESIS)(1e5j) / pin_model(THESIS, channels=CHANNELS[0])(1e5j)) > 1.5
 
 
 def test_reference_values_of_the_thesis_trimmer() -> None:
@@ -134,24 +119,10 @@ def test_reference_values_of_the_thesis_trimmer() -> None:
     assert abs(exact_response(200 * np.pi)) == pytest.approx(0.9990132848467925, rel=1e-15)
 
 
-def test_zeros_before_a_polynomial_are_dropped_and_nothing_else() -> None:
-    assert _without_leading_zeros(np.array([0.0, 0.0, 3.0, 0.0, 2.0, 0.0])).tolist() == [3.0, 0.0, 2.0, 0.0]
-    assert _without_leading_zeros(np.zeros(4)).tolist() == [0.0]
-
-
 @pytest.mark.parametrize("build", [linear_model, pin_model, transfer_function])
 def test_what_is_no_trimmer_is_named(build) -> None:
     with pytest.raises(WrongTypeError, match="parameters"):
         build(3.0)
-
-
-def test_any_number_that_is_none_is_told_with_the_lightest_body() -> None:
-    light = dataclasses.replace(THESIS, m3=1e-9, m4=1e-8)
-    finite, lost = np.ones((2, 2)), np.array([1.0, np.inf])
-    _require_finite(light, finite, finite)
-    for results in ((finite, lost), (lost, finite), (np.array([np.nan]),)):
-        with pytest.raises(ParameterError, match="lightest body has m3 = 1e-09 kg"):
-            _require_finite(light, *results)
 
 
 def test_a_pin_that_touches_nothing_gives_a_zero_transfer_function() -> None:
@@ -173,14 +144,7 @@ def test_state_space_and_transfer_function_agree_for_any_trimmer(parameters, out
         assert rational(1j * omega) == pytest.approx(expected, rel=1e-8, abs=1e-8 * scale)
 
 
-@given(trimmers())
-def test_matrices_are_symmetric_and_not_negative(parameters: TrimmerParameters) -> None:
-    for matrix in ("mass_matrix", "damping_matrix", "stiffness_matrix"):
-        values = np.array(getattr(linear_trimmer, matrix)(*parameters.values()))
-        np.testing.assert_array_equal(values, values.T)
-        assert np.linalg.eigvalsh(values).min() >= -1e-12 * np.abs(values).max()
-
-
+@settings(max_examples=25)
 @given(trimmers())
 def test_poles_are_the_roots_of_the_characteristic_polynomial(parameters: TrimmerParameters) -> None:
     polynomial = np.poly1d(linear_trimmer.characteristic_polynomial(*parameters.values()))
@@ -189,11 +153,7 @@ def test_poles_are_the_roots_of_the_characteristic_polynomial(parameters: Trimme
         assert abs(polynomial(pole)) <= 1e-9 * size
 
 
-@given(trimmers())
-def test_a_damped_trimmer_is_stable(parameters: TrimmerParameters) -> None:
-    assert linear_model(parameters).poles().real.max() < 0
-
-
+@settings(max_examples=25)
 @given(trimmers(), st.sampled_from(list(permutations(range(4), 2))))
 def test_reciprocity(parameters: TrimmerParameters, bodies: tuple[int, int]) -> None:
     """A force on one body moves another as a force there would move the one (Maxwell and Betti)."""
@@ -205,6 +165,7 @@ def test_reciprocity(parameters: TrimmerParameters, bodies: tuple[int, int]) -> 
     assert receptance[here, there] == pytest.approx(receptance[there, here], rel=1e-7)
 
 
+@settings(max_examples=25)
 @given(trimmers(), st.floats(1e-3, 1e3), st.sampled_from(CHANNELS))
 def test_one_factor_on_all_parameters_changes_nothing(parameters, factor, channels) -> None:
     scaled = TrimmerParameters(**{k: factor * v for k, v in dataclasses.asdict(parameters).items()})
@@ -221,6 +182,7 @@ def test_one_factor_on_all_parameters_changes_nothing(parameters, factor, channe
     )
 
 
+@settings(max_examples=25)
 @given(trimmers(), st.floats(0.01, 100), st.sampled_from(CHANNELS))
 def test_a_faster_trimmer_has_the_same_response_at_higher_frequency(parameters, speed, channels) -> None:
     faster = dataclasses.replace(

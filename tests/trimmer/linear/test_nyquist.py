@@ -6,7 +6,7 @@ from dataclasses import replace
 import control
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import stable_systems
@@ -14,8 +14,7 @@ from trimmer.displacement import Body, Displacement
 from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.model import InputChannels, pin_model, transfer_function
-from trimmer.linear.nyquist import PointOnLocusError, _in_right_half_plane, _meet_on_axis, encirclements
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.linear.nyquist import PointOnLocusError, encirclements
 from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
@@ -42,6 +41,7 @@ def test_the_thesis_trimmer_does_not_encircle_minus_one() -> None:
     assert encirclements(pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY)) == 0
 
 
+@settings(max_examples=25)
 @given(stable_systems(), POINTS)
 def test_encirclements_are_those_of_python_control(system: control.TransferFunction, point: float) -> None:
     poles = system.poles()
@@ -52,6 +52,7 @@ def test_encirclements_are_those_of_python_control(system: control.TransferFunct
     assert encirclements(system, point) == winding(system, point, omega)
 
 
+@settings(max_examples=25)
 @given(stable_systems(), POINTS)
 def test_encirclements_are_the_crossings_of_the_axis_beyond_the_point(system, point) -> None:
     """The locus goes round a point as often as it crosses the ray that runs from the point away from 0.
@@ -123,29 +124,3 @@ def test_an_improper_system_is_refused() -> None:
 def test_the_point_must_be_finite(point: float) -> None:
     with pytest.raises(ValueError, match="must be finite"):
         encirclements(control.tf([1], [1, 1]), point)
-
-
-def test_only_roots_right_of_the_axis_are_counted() -> None:
-    assert _in_right_half_plane((0.0, 2j, -1.0 + 1j, 1e-9 - 3j, 4.0)) == 2
-    assert _in_right_half_plane(()) == 0
-
-
-@pytest.mark.parametrize(
-    ("zeros", "poles", "met"),
-    [
-        ((2j, -2j), (), True),
-        ((2j, -2j), (2j, -2j), False),
-        ((2j, -2j), (2j + 1e-14j, -2j), False),
-        ((2j, -2j), (2.1j, -2.1j), True),
-        ((2j, -2j), (-1e-13 + 2j, -1e-13 - 2j), True),
-        ((2j, -2j, 3j, -3j), (2j, -2j), True),
-        ((-1.0 + 2j, -1.0 - 2j), (), False),
-        ((1.0 + 2j, 1.0 - 2j), (3j, -3j), False),
-        ((-1.0, 0.0), (), True),
-        ((), (3j, -3j), False),
-    ],
-)
-def test_a_zero_on_the_axis_meets_unless_a_pole_hides_it(
-    zeros: tuple[complex, ...], poles: tuple[complex, ...], met: bool
-) -> None:
-    assert _meet_on_axis(ZeroPoleGain(1.0, zeros, poles)) is met

@@ -137,11 +137,6 @@ def test_a_wrong_initial_state_is_named(state: object) -> None:
         time_response(FIRST_ORDER, TIMES, np.zeros(3), state)
 
 
-def test_the_names_of_the_first_version_are_no_arguments() -> None:
-    with pytest.raises(TypeError, match="samples"):
-        time_response(FIRST_ORDER, samples=np.zeros(3), times=TIMES)  # type: ignore[call-arg]
-
-
 def test_stamps_that_are_rounded_count_as_equally_spaced() -> None:
     times = np.round(np.arange(0.0, 1.0, 1 / 3000), 10)
     assert time_response(FIRST_ORDER, times, np.ones(times.size)).outputs.shape == times.shape
@@ -169,16 +164,10 @@ def test_signals_are_numbered_where_there_are_several() -> None:
     inputs = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])
     response = time_response(two, times, inputs, [7.0, 8.0])
     assert list(response.named) == ["input 1", "input 2", "output 1"]
-    assert response.named["input 2"].tolist() == [4.0, 5.0, 6.0]
-    table = response._table()
-    assert [each.name for each in table.columns] == [
-        *("time", "input 1", "input 2", "output 1", "state 1", "state 2"),
-    ]
-    first = next(list(row) for row in table.rows())
-    assert first == [0.0, 1.0, 4.0, 23.0, 7.0, 8.0]
+    first = response.to_dataframe().iloc[0].to_dict()
+    values = {"input 1": 1.0, "input 2": 4.0, "output 1": 23.0, "state 1": 7.0, "state 2": 8.0}
+    assert first == {"time": 0.0, **values}
     alone = time_response(FIRST_ORDER, times, times)
     assert list(alone.named) == ["input", "output"]
-    assert [list(row) for row in alone._table().rows()][2] == [
-        *(1.0, 1.0, pytest.approx(math.exp(-1.0)), pytest.approx(math.exp(-1.0))),
-    ]
+    assert alone.to_dataframe().iloc[2].tolist() == [1.0, 1.0, *[pytest.approx(math.exp(-1.0))] * 2]
     assert "3 samples from 0 to 1 s" in repr(alone)

@@ -3,7 +3,7 @@ from __future__ import annotations
 import control
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import stable_systems, trimmers
@@ -31,6 +31,7 @@ def test_both_forms_of_the_trimmer_have_the_same_factors(body: Body, channels: I
     ("channels", "degree"),
     [(InputChannels.DISPLACEMENT_ONLY, 2), (InputChannels.DISPLACEMENT_AND_VELOCITY, 1)],
 )
+@settings(max_examples=25)
 @given(parameters=trimmers())
 def test_relative_degree_of_cutter_against_guard(channels, degree, parameters) -> None:
     """A force moves a mass as 1/s^2; through a damper the pin's own velocity adds one s."""
@@ -38,6 +39,7 @@ def test_relative_degree_of_cutter_against_guard(channels, degree, parameters) -
     assert ZeroPoleGain.of(transfer_function(parameters, channels=channels)).relative_degree == degree
 
 
+@settings(max_examples=25)
 @given(stable_systems(), st.floats(-2, 2))
 def test_gain_and_phase_are_those_of_the_response(system: control.TransferFunction, exponent: float) -> None:
     omega = 10**exponent
@@ -47,19 +49,7 @@ def test_gain_and_phase_are_those_of_the_response(system: control.TransferFuncti
     assert np.exp(1j * factored.phase(omega)) == pytest.approx(response / abs(response), abs=1e-7)
 
 
-@given(stable_systems(), st.floats(-2, 2))
-def test_slopes_are_the_derivatives(system: control.TransferFunction, exponent: float) -> None:
-    omega = 10**exponent
-    factored = ZeroPoleGain.of(system)
-    step = 1e-6 * np.abs(1j * omega - factored.roots).min()
-    for curve, terms in (
-        (factored.log_gain, factored.log_gain_slope_terms(omega)),
-        (factored.phase, factored.phase_slope_terms(omega)),
-    ):
-        difference = (curve(omega + step) - curve(omega - step)) / (2 * step)
-        assert terms.sum() == pytest.approx(difference, abs=1e-4 * np.abs(terms).sum() + 1e-12 / step)
-
-
+@settings(max_examples=25)
 @given(stable_systems())
 def test_the_phase_is_continuous(system: control.TransferFunction) -> None:
     factored = ZeroPoleGain.of(system)
