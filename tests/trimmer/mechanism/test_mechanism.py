@@ -11,14 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.mechanism.mechanisms import mechanisms
-from trimmer import ContactLaw, Mechanism, MechanismError, WrongTypeError
+from trimmer import ContactLaw, Mechanism, MechanismError, WrongTypeError, linear_matrices
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 
 BODIES = {"a": Body(1.0), "b": Body(2.0)}
 LINK = Link(("a", "b"), 3.0)
 
 
-@settings(max_examples=40)
+@settings(max_examples=15)
 @given(mechanisms())
 def test_copies_are_equal(mechanism: Mechanism) -> None:
     for again in (
@@ -193,3 +193,10 @@ def test_several_problems_are_named_at_once() -> None:
         Mechanism({"a": Body(0.0), "b": Body(-1.0)})
     assert str(raised.value).splitlines()[0] == "the mechanism: 2 problems:"
     assert len(str(raised.value).splitlines()) == 3
+
+
+def test_a_mechanism_is_told_in_a_line() -> None:
+    pin, force = {"p": Pin("a", 1.0)}, {"f": Force("a", 1.0)}
+    mechanism = Mechanism(BODIES, 1.0, pins=pin, links={"l": LINK}, forces=force, title="T")
+    assert repr(mechanism) == "<Mechanism: T, 2 bodies, 1 pin, 1 link, 1 force>"
+    assert repr(linear_matrices(mechanism)) == "<LinearMatrices: 2 bodies, 1 pin, 1 force>"

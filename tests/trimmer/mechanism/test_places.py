@@ -106,7 +106,7 @@ def test_all_numbers_have_places() -> None:
     }
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(mechanisms(), st.data())
 def test_a_number_that_is_set_is_read_back_and_no_other_changes(mechanism: Mechanism, data) -> None:
     place = data.draw(st.sampled_from(sorted(mechanism.places)))
@@ -137,6 +137,12 @@ def test_the_static_force_is_the_kinetic_one_until_it_is_set() -> None:
         stuck.with_value("frictions.blade.force", 0.7)
 
 
+def test_starts_are_set_one_number_by_one() -> None:
+    changed = TRIMMER.with_value("start.cutter.velocity", "20 mm/s").with_value("start.motor.displacement", 3)
+    assert dict(changed.start) == {"cutter": (0.0, 0.02), "motor": (3.0, 0.0)}
+    assert (changed.value("start.cutter.velocity"), changed.value("start.cutter.displacement")) == (0.02, 0.0)
+
+
 def test_a_mechanism_may_get_a_frequency() -> None:
     still = Mechanism({"a": Body(1.0)}, links={"l": Link(("ground", "a"), 1.0)})
     with pytest.raises(MechanismError, match="frequency: the mechanism has none"):
@@ -156,6 +162,15 @@ def test_a_mechanism_may_get_a_frequency() -> None:
         ("pins.pin.order", 0, "must be a whole number from 1 on"),
         ("pins.pin.order", "two", "is no number; text is not evaluated"),
         ("frequency", 0, "must be greater than zero, in Hz"),
+        ("frequenzy", 1, "did you mean frequency?"),
+        ("bridge.gap", 1, "did you mean plays.bridge.gap?"),
+        ("gap", 1, "did you mean plays.bridge.gap or stops.wall.gap?"),
+        ("mass", 1, 'did you mean bodies.motor.mass, bodies.cutter.mass or bodies."2. guard".mass?'),
+        ("damping", 1, "a place begins with"),  # too many to ask for
+        ("outputs.stroke.pin", 1, 'after outputs.stroke comes cutter or "2. guard"'),
+        ("outputs.x.motor", 1, "after outputs comes stroke"),
+        ("start.pin.velocity", 1, 'after start comes motor, cutter or "2. guard"'),
+        ("start.motor.x", 1, "after start.motor comes displacement or velocity"),
         ("plays.brigde.gap", 1, "no number at plays.brigde.gap; did you mean plays.bridge.gap?"),
         ("play.bridge.gap", 1, "did you mean plays.bridge.gap?"),
         ("plays.bridge", 1, "after plays.bridge comes stiffness, damping or gap"),

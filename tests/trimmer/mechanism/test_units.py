@@ -52,6 +52,13 @@ from trimmer.mechanism.units import UnitError, quantity, unit
         ("50 g mm", "kg m", 50e-6),
         ("2", "1", 2.0),
         ("2 1", "1", 2.0),
+        ("2 N/mm/mm", "N/m^2", 2e6),
+        ("5 mm^2", "m²", 5e-6),
+        ("4 s⁻²", "1/s^2", 4.0),
+        ("2 °/s", "rad/s", math.pi / 90),
+        ("1 m", "mm", 1000.0),
+        ("0e100 m", "m", 0.0),
+        (f"{'0' * 59}7 m", "m", 7.0),
     ],
 )
 def test_quantities_are_converted_exactly(text: str, si_unit: str, number: float) -> None:
@@ -87,7 +94,9 @@ def test_quantities_are_converted_exactly(text: str, si_unit: str, number: float
         ("1e-323 nm", "m", "too small"),
         ("1e999999999 m", "m", "too large or too small"),
         ("0x10 m", "m", "unknown unit"),
-        ("1" * 100 + " m", "m", "too many digits"),
+        ("1" * 61 + " m", "m", "too many digits"),
+        ("1e101 m", "m", "too many digits"),
+        ("1e-101 m", "m", "too many digits"),
     ],
 )
 def test_what_does_not_fit_is_refused(text: str, si_unit: str, reason: str) -> None:
@@ -115,3 +124,30 @@ def test_products_and_quotients_are_those_of_the_units(first: str, second: str) 
     assert unit(f"{first}^2/{first}") == unit(first)
     assert unit(f"{first}/{first}").dimension == (0, 0, 0, 0)
     assert unit(f"{first}/{first}").scale == Fraction(1)
+
+
+PREFIXES = {"n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "k": 3, "M": 6}
+UNITS = {
+    "g": ("kg", -3, "nuµμmk"),
+    "m": ("m", 0, "nuµμmck"),
+    "s": ("s", 0, "nuµμm"),
+    "N": ("N", 0, "nuµμmkM"),
+    "Hz": ("1/s", 0, "mkM"),
+    "rad": ("rad", 0, "m"),
+    "t": ("kg", 3, ""),
+    "rpm": ("1/min", 0, ""),
+    "Ns": ("N s", 0, ""),
+}
+"""Another unit, the power of ten between both, and the prefixes that the first one takes."""
+
+
+@pytest.mark.parametrize("name", UNITS)
+def test_each_unit_takes_its_prefixes_and_no_others(name: str) -> None:
+    other, power, prefixes = UNITS[name]
+    assert quantity(f"1 {name}", other) == float(f"1e{power}")
+    for prefix, exponent in PREFIXES.items():
+        if prefix in prefixes:
+            assert quantity(f"1 {prefix}{name}", other) == float(f"1e{power + exponent}")
+        else:
+            with pytest.raises(UnitError, match="unknown unit"):
+                unit(prefix + name)
