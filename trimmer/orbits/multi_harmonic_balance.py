@@ -151,7 +151,7 @@ def _solve(
     start = np.append([1.0, 1.0], harmonics[1:].view(np.float64) / amplitude)
     found = scipy.optimize.root(imbalance, start, method="hybr", options={"xtol": 1e-14})
     residual = float(abs(imbalance(found.x)).max())
-    if residual > BALANCED:
+    if not residual <= BALANCED:  # At a pole of the system it is NaN.
         raise OrbitNotFoundError(f"no solution with harmonics up to {order} lies near that of lower order")
     given, solved = unpacked(found.x)
     return BalancedHarmonics(order, given.largest(), solved, given.coefficients, residual)
