@@ -1,4 +1,4 @@
-"""Which elements have a half-period equation, its level, and the orbits that its zeros are."""
+"""Orbits of a relay that are known in closed form, and which loops have the equation that finds them all."""
 
 from __future__ import annotations
 
@@ -7,106 +7,102 @@ import math
 import control
 import numpy as np
 import pytest
-import scipy.linalg
+import scipy.optimize
 
-from tests.trimmer.orbits.test_half_period import loop_with_unequal_switches
-from trimmer import ClosedLoop, CoulombFriction, FrictionBacklash, Relay, Saturation, ViscousFriction
-from trimmer.motion.relay_component import PLUS
-from trimmer.motion.threshold_component import POSITIVE
-from trimmer.orbits.half_period import interval_of
-from trimmer.orbits.relay_orbits import _equation, _orbit, _plus, relay_orbits
+from trimmer import (
+    ClosedLoop,
+    CoulombFriction,
+    DeadZone,
+    Element,
+    FrictionBacklash,
+    OrbitSearch,
+    Relay,
+    Saturation,
+    ViscousFriction,
+    periodic_orbits,
+)
 
-PLANT = control.tf([1.0], [1.0, 3.0, 2.0, 0.0])
-GAIN, RATE, LEVEL, HALF_WIDTH = 4.0, 0.7, 1.5, 0.9
-FIRST_ORDER = control.ss([[-RATE]], [[GAIN]], [[0.5]], [[0.0]])
-SWITCHING = ClosedLoop(FIRST_ORDER, Relay(LEVEL, HALF_WIDTH))
+NEVER = OrbitSearch("never")
+GAIN, RATE, LEVEL, THRESHOLD = 4.0, 0.7, 1.5, 0.9
+LAG = control.ss([[-RATE]], [[GAIN]], [[0.5]], [[0.0]])
 """x' = -0.7 x + 4 u, of which half is the output."""
-STATE = HALF_WIDTH / 0.5
-"""Of the linear system where the relay switches."""
-REST = GAIN * LEVEL / RATE
-HALF = math.log((REST + STATE) / (REST - STATE)) / RATE
+REST, AT_SWITCH = GAIN * LEVEL / RATE, THRESHOLD / 0.5
+HALF = math.log((REST + AT_SWITCH) / (REST - AT_SWITCH)) / RATE
+
+
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_hysteresis_around_a_lag_of_first_order() -> None:
+    orbits = periodic_orbits(LAG, Relay(LEVEL, THRESHOLD), [], NEVER)
+    (orbit,), search = orbits, orbits.search.relay
+    assert orbit.period == pytest.approx(2 * HALF, rel=1e-11)
+    assert orbit.amplitude == pytest.approx(THRESHOLD, rel=1e-11)
+    assert np.diff(orbit.switching_times) == pytest.approx([HALF], rel=1e-10)
+    assert (orbit.prediction, orbit.success) == (None, True)
+    assert (search.zeros, search.undecided, search.grid) == (1, (), 0)
+    # The output is a square wave, 6/(pi n) at odd n, here from the middle of its positive half on.
+    numbers = np.arange(1, 16)
+    square = np.where(numbers % 2, 6.0 / np.pi / numbers, 0.0)
+    through = -square * 0.5 * GAIN / (1j * numbers * orbit.omega + RATE)
+    turned = through * np.exp(
+        1j * numbers * (math.pi / 2 - orbit.omega * (orbit.switching_times[0] - HALF / 2))
+    )
+    np.testing.assert_allclose(orbit.harmonics, turned, atol=1e-10)
+    nothing = periodic_orbits(
+        LAG, Relay(LEVEL, THRESHOLD), [], OrbitSearch("never", half_periods=(1.1 * HALF, 9))
+    )
+    assert (len(nothing), nothing.search.relay.zeros) == (0, 0)
 
 
 @pytest.mark.parametrize(
-    ("element", "modes"),
+    ("element", "grid"),
     [
-        (Relay(1.0), (PLUS,)),
-        (Relay(1.0, 0.3), (POSITIVE,)),
-        (CoulombFriction(1.0), (PLUS,)),
-        (ViscousFriction(2.0) + Relay(1.0), (0, PLUS)),
-        (CoulombFriction(1.0) + 3.0 * ViscousFriction(2.0), (PLUS, 0)),
+        (Relay(1.0), 48),
+        (Relay(1.0, 0.03), 0),
+        (-CoulombFriction(1.0), 48),
+        (0.2 * ViscousFriction(2.0) + Relay(1.0), 48),
+        (DeadZone(1.0, 2.0) + Saturation(1.0, 2.0) + Relay(1.0), None),
         (Relay(1.0) + Relay(2.0), None),
         (Relay(1.0) + Relay(2.0, 0.3), None),
         (Relay(1.0, 0.3, 1.7), None),
-        (Relay(1.0) + Saturation(1.0, 1.0), None),
         (FrictionBacklash(1.0), None),
         (ViscousFriction(1.0), None),
     ],
 )
-def test_one_relay_beside_what_is_linear_has_an_equation(element, modes: tuple[int, ...] | None) -> None:
-    loop = ClosedLoop(PLANT, element)
-    number = _plus(loop)
-    assert (None if number is None else loop.modes.component_modes(number)) == modes
-    assert (_equation(loop) is None) == (modes is None)
-    assert (relay_orbits(loop, (1.0, 1.5)) is None) == (modes is None)
+def test_one_relay_beside_what_is_linear_has_an_equation(element: Element, grid: int | None) -> None:
+    plant = control.tf([1.0], [1.0, 3.0, 2.0, 0.0])
+    relay = periodic_orbits(plant, element, [], OrbitSearch("never", half_periods=(1.0, 4.0))).search.relay
+    assert (None if relay is None else relay.grid) == grid
 
 
-def test_the_equation_has_the_flow_of_the_positive_output_and_the_level_of_its_rise() -> None:
-    equation = _equation(SWITCHING)
-    np.testing.assert_allclose(equation.matrix, [[-RATE, GAIN * LEVEL], [0.0, 0.0]])
-    # The input of the relay, less half of x, rises to its half width where the output becomes positive.
-    np.testing.assert_allclose(equation.row, [-0.5])
-    assert equation.level == pytest.approx(HALF_WIDTH)
-    assert _equation(ClosedLoop(PLANT, Relay(1.0))).level == 0.0
+def test_an_integrator_and_two_lags() -> None:
+    """1/(s (s+1) (s+2)): half the period solves T/4 - tanh(T/2) + tanh(T)/4 = 0."""
+    (orbit,) = periodic_orbits(ClosedLoop(control.tf([1.0], [1.0, 3.0, 2.0, 0.0]), Relay(1.0)), [], NEVER)
+    half = scipy.optimize.brentq(lambda t: t / 4 - math.tanh(t / 2) + math.tanh(t) / 4, 1.0, 9.0, xtol=1e-14)
+    assert orbit.period == pytest.approx(2 * half, rel=1e-10)
 
 
-def test_hysteresis_around_a_first_order_lag_has_one_orbit() -> None:
-    with np.errstate(invalid="raise"):
-        (orbit,), search = relay_orbits(SWITCHING, None)
-    assert orbit.period == pytest.approx(2 * HALF, rel=1e-11)
-    assert orbit.amplitude == pytest.approx(HALF_WIDTH, rel=1e-11)
-    assert orbit.prediction is None
-    assert orbit.residual < 1e-12
-    assert search.half_periods == interval_of(_equation(SWITCHING))
-    assert (search.zeros, search.undecided, search.grid) == (1, (), 0)
-    # The motion begins in the middle of the positive output.
-    middle = REST - (REST + STATE) * math.exp(-RATE * HALF / 2)
-    assert orbit.motion.log.state[0].tolist() == [pytest.approx(middle, rel=1e-11), 0.0, 0.0, 1.0]
-    assert orbit.switching_times == pytest.approx([HALF / 2, 3 * HALF / 2], rel=1e-11)
-    nothing, search = relay_orbits(SWITCHING, (1.1 * HALF, 3 * HALF))
-    assert (nothing, search.half_periods, search.zeros) == ([], (1.1 * HALF, 3 * HALF), 0)
+OMEGA = 691.0
+INTERVALS = {
+    "poles -2 and -50, zero -26": (([[-2, 0], [0, -50]], [1, 1], [1, 1]), (0.01 / 50, 40 / 2)),
+    "an undamped mode": (([[0, 1], [-(OMEGA**2), 0]], [0, 1], [1, 0]), (0.01 / OMEGA, 50 * np.pi / OMEGA)),
+    "a lightly damped mode": (
+        ([[0, 1], [-400.25, -1]], [0, 1], [1, 0]),
+        (0.01 / math.sqrt(400.25), 50 * np.pi / math.sqrt(400.25)),
+    ),
+    "an undamped mode beside a fast pole": (
+        ([[0, 3, 0], [-3, 0, 0], [0, 0, -20]], [0, 1, 1], [1, 0, 1]),
+        (0.01 / 20, 50 * np.pi / 3),
+    ),
+    "a zero at -500": (([[-1, 0], [0, -2]], [1, 1], [499, -498]), (0.01 / 500, 40.0)),
+    "a zero at -5000, too far": (([[-1, 0], [0, -2]], [1, 1], [4999, -4998]), (0.01 / 2, 40.0)),
+    "an integrator beside a pole": (([[0, 0], [0, -4]], [1, 1], [1, 0]), (0.01 / 4, 10.0)),
+    "two integrators and a zero at -3": (([[0, 1], [0, 0]], [0, 1], [3, 1]), (0.01 / 3, 40 / 3)),
+}
 
 
-def test_without_hysteresis_unequal_switches_are_looked_for_too() -> None:
-    loop = ClosedLoop(PLANT, Relay(1.0))
-    (orbit,), search = relay_orbits(loop, (0.5, 5.0))
-    assert (search.half_periods, search.zeros, search.undecided, search.grid) == ((0.5, 5.0), 1, (), 48)
-    half = orbit.period / 2
-    assert half / 4 - math.tanh(half / 2) + math.tanh(half) / 4 == pytest.approx(0.0, abs=1e-10)
-
-
-def test_a_state_that_does_not_return_is_no_orbit() -> None:
-    start = np.array([-STATE])
-    symmetric = _orbit(SWITCHING, HALF, None, start)
-    assert symmetric.period == pytest.approx(2 * HALF, rel=1e-11)
-    # As an orbit with two durations it is found to be symmetric.
-    both = _orbit(SWITCHING, HALF, HALF, start)
-    assert both.period == pytest.approx(2 * HALF, rel=1e-11)
-    np.testing.assert_allclose(both.multipliers, symmetric.multipliers, atol=1e-9)
-    assert _orbit(SWITCHING, 1.01 * HALF, None, start) is None
-    assert _orbit(SWITCHING, HALF, 1.01 * HALF, start) is None
-    near = _orbit(SWITCHING, (1 + 1e-4) * HALF, None, start)
-    assert near.period == pytest.approx(2 * HALF, rel=1e-10)
-
-
-def test_an_orbit_of_unequal_durations_has_both_as_its_period() -> None:
-    """Of a plant whose row is chosen so that the relay switches after 2.3 and 1.1 s."""
-    loop = ClosedLoop(loop_with_unequal_switches(0, 2.3, 1.1), Relay(1.0))
-    orbits, search = relay_orbits(loop, None)
-    (orbit,) = (each for each in orbits if abs(each.period - 3.4) < 1e-6)
-    assert search.grid == 48
-    flow = scipy.linalg.expm(loop.modes.mode(_plus(loop)).matrix * 2.3 / 2)
-    begin = orbit.motion.log.state[0]
-    assert orbit.switching_times[0] == pytest.approx(2.3 / 2, rel=1e-8)
-    at_switch = (flow @ begin)[: loop.model.nstates]
-    assert float(loop.model.C[0] @ at_switch) == pytest.approx(0.0, abs=1e-8)
+@pytest.mark.parametrize("name", INTERVALS)
+def test_the_interval_that_is_searched_spans_the_time_constants(name: str) -> None:
+    (A, b, row), interval = INTERVALS[name]
+    system = control.ss(A, np.transpose([b]), -np.array([row], dtype=float), 0)
+    search = periodic_orbits(system, Relay(1.0), [], NEVER).search.relay
+    assert search.half_periods == pytest.approx(interval, rel=1e-9)

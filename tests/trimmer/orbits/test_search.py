@@ -16,17 +16,18 @@ from trimmer import (
     InertiaBacklash,
     OrbitNotFoundWarning,
     OrbitSearch,
-    PeriodicOrbit,
+    OrbitSearched,
+    OrbitSearchInterrupted,
     Relay,
+    RelaySearch,
+    Saturation,
     Simulations,
+    SimulationSearch,
     TrimmerParameters,
+    WrongTypeError,
     periodic_orbits,
     pin_model,
 )
-from trimmer.orbits.describe import orbit_of
-from trimmer.orbits.distinct import same, shortest
-from trimmer.orbits.return_map import arcs, flow, follow
-from trimmer.orbits.shooting import Return, solve
 
 QUIET = control.ss(control.tf([1], [1, 1, 1]))
 BOUNCING = control.ss(*scipy.signal.tf2ss([20, 8.5], [1, 4.7, 0])), InertiaBacklash(0.64)
@@ -104,75 +105,6 @@ def test_settings_out_of_range_are_refused(setting: dict[str, object], message: 
         OrbitSearch(**setting)  # type: ignore[arg-type]
 
 
-@pytest.fixture(scope="module")
-def bouncing() -> PeriodicOrbit:
-    return periodic_orbits(*BOUNCING)[0]
-
-
-def shot_again(orbit: PeriodicOrbit, share: float, sign: float, periods: int) -> PeriodicOrbit:
-    """Find an orbit again from another phase of it or of its mirror image, over several periods."""
-    loop = orbit.motion.loop
-    time = share * orbit.period
-    segment = int(np.searchsorted(orbit.motion.log.start, time, side="right")) - 1
-    mode = int(orbit.motion.log.mode[segment])
-    state = (
-        flow(loop.modes, mode, time - float(orbit.motion.log.start[segment]))
-        @ orbit.motion.log.state[segment]
-    )
-    sizes = abs(orbit.motion.log.state).max(axis=0)
-    sizes[sizes == 0.0] = 1.0
-    problem = Return(loop.modes, mirrored=False, driven=False, sizes=sizes)
-    if sign < 0:
-        mirrored = Return(loop.modes, mirrored=True, driven=False, sizes=sizes)
-        mode, state = mirrored.final(mode), mirrored.signs * state
-        state[-1] = 1.0
-    shot = solve(problem, mode, state, periods * orbit.period)
-    assert shot is not None
-    return orbit_of(loop, *shortest(problem, shot), None)
-
-
-@pytest.mark.parametrize("share", [0.1, 0.37, 0.8])
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-@pytest.mark.parametrize("periods", [1, 2, 3])
-def test_an_orbit_is_known_again_from_any_phase_and_as_its_image(
-    bouncing: PeriodicOrbit, share: float, sign: float, periods: int
-) -> None:
-    orbit = bouncing
-    again = shot_again(orbit, share, sign, periods)
-    assert same(orbit, again)
-    assert again.period == pytest.approx(orbit.period, rel=1e-9)
-    assert np.sort(abs(again.multipliers)) == pytest.approx(np.sort(abs(orbit.multipliers)), abs=1e-6)
-
-
-def test_two_orbits_are_told_apart() -> None:
-    outer, inner = periodic_orbits(pin_model(TrimmerParameters.thesis()), FrictionBacklash(4e-5))
-    assert not same(outer, inner)
-
-
-def test_a_contact_of_no_length_gives_all_multipliers() -> None:
-    # The load is met and left at one instant; the motion starts in flight, where its states are free.
-    (orbit,) = periodic_orbits(*BOUNCING)
-    events = orbit.motion.events
-    assert [events[k].time for k in (0, 2)] == [events[k].time for k in (1, 3)]
-    loop, start, mode = orbit.motion.loop, orbit.motion.log.state[0], int(orbit.motion.log.mode[0])
-    sizes = abs(orbit.motion.log.state).max(axis=0)[:4]
-    columns = []
-    for each in range(4):
-        ends = []
-        for sign in (-1.0, 1.0):
-            disturbed = start.copy()
-            disturbed[each] += sign * 1e-6 * sizes[each]
-            log = follow(loop.modes, mode, disturbed, orbit.period)
-            assert log is not None
-            last = arcs(loop.modes, log, orbit.period)[-1]
-            ends.append((flow(loop.modes, last.mode, last.duration) @ last.state)[:4] / sizes)
-        columns.append((ends[1] - ends[0]) / 2e-6)
-    differences = np.sort(abs(np.linalg.eigvals(np.array(columns).T)))
-    assert len(orbit.multipliers) == 4  # Two of the plant, position and velocity of the load.
-    assert np.sort(abs(orbit.multipliers)) == pytest.approx(differences, rel=1e-5, abs=1e-5)
-    assert abs(orbit.multipliers[2:]).max() < 0.03
-
-
 def test_a_relay_that_comes_to_rest_is_told() -> None:
     orbits = periodic_orbits(control.tf([1], [1, 2]), Relay(1.0))
     assert len(orbits) == 0
@@ -214,3 +146,112 @@ def test_when_to_simulate_is_chosen_by_its_word(word: str) -> None:
         ChoiceError, match="simulations is 'nonsense': choose never, where-predictions-fail or al"
     ):
         OrbitSearch("nonsense")
+
+
+RELAY = RelaySearch((0.25, 4.0), 3, ((1.0, 1.5), (2.0, 2.25)), 0)
+SIMULATED = SimulationSearch(10, 5, 4, 3, 2, 1, 0, 10)
+CUT = SimulationSearch(2, 0, 0, 0, 0, 0, 2, 32)
+LEFT_OUT = "other orbits, which simulations look for if they are asked for (--simulate)."
+ALL_RETURN = "return with their signs changed after one switch, with half periods from 0.25 to 4 s"
+SENTENCES = [
+    (OrbitSearched(0, False, 0, None, None), ["searched: near no guess. Not searched: " + LEFT_OUT]),
+    (OrbitSearched(1, True, 0, None, None), ["near 1 prediction of harmonic balance (all led to an orbit)"]),
+    (OrbitSearched(3, True, 1, None, None), ["near 3 predictions of harmonic balance (1 led to none)"]),
+    (
+        OrbitSearched(2, False, 0, RELAY, SIMULATED),
+        [
+            "searched: near 2 guesses (all led to an orbit); all orbits of the relay",
+            ALL_RETURN
+            + " except in 2 intervals of 0.75 s together; stable orbits by simulation from 10 init",
+            "(seed 5: 4 settled on an orbit, 3 came to rest, 2 grew without bound, 1 ended as ",
+            "Not searched: other unstable orbits, stable orbits that none of these initial states leads to.",
+        ],
+    ),
+    (
+        OrbitSearched(0, False, 0, RelaySearch((0.25, 4.0), 3, (), 48), CUT),
+        [
+            ALL_RETURN + "; orbits with two switches at unequal distances from a grid of 48 durations; ",
+            "from 2 of 32 initial states (seed 0: 2 did not settle in time)",
+        ],
+    ),
+]
+
+
+@pytest.mark.parametrize(("searched", "parts"), SENTENCES)
+def test_a_sentence_tells_what_was_searched_and_what_was_not(searched: OrbitSearched, parts: list) -> None:
+    for part in parts:
+        assert part in searched.sentence
+
+
+def test_doubts_are_what_was_left_open() -> None:
+    done = RelaySearch((0.25, 4.0), 3, (), 0)
+    assert OrbitSearched(3, True, 0, done, SIMULATED).doubts == ()
+    assert OrbitSearched(3, True, 2, RELAY, CUT).doubts == (
+        "2 predictions of harmonic balance led to no orbit",
+        "part of the interval of half periods is undecided",
+        "some simulations did not settle in time",
+        "the search was interrupted",
+    )
+
+
+ENDS = {
+    "settled": (control.tf([1.0], [1.0, 3.0, 2.0, 0.0]), Relay(1.0), {}),
+    "at_rest": (control.tf([1.0], [1.0, 2.0]), Relay(1.0), {}),
+    "diverged": (control.tf([1.0], [1.0, -0.5, 1.0]), Saturation(1.0, 1.0), {}),
+    "accumulated": (control.tf([60.0], [1, 3, 3, 1]), FrictionBacklash(1.0) + Relay(1.0), {}),
+    "left": (control.tf([1.0], [1.0, 3.0, 2.0, 0.0]), Relay(1.0), {"steps": 3}),
+}
+
+
+@pytest.mark.parametrize("end", ENDS)
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_ends_of_simulated_motions_are_counted(end: str) -> None:
+    plant, element, settings = ENDS[end]
+    found = periodic_orbits(plant, element, [], OrbitSearch("always", starts=4, seed=2, **settings))
+    told = found.search.simulations
+    assert {name: getattr(told, name) for name in ENDS} == {name: 4 * (name == end) for name in ENDS}
+    assert (told.starts, told.planned, told.seed, told.interrupted) == (4, 4, 2, False)
+
+
+class Interrupting:
+    """A generator of random numbers at whose third state Ctrl-C is pressed."""
+
+    def __init__(self, given: np.random.Generator) -> None:
+        self.given, self.count = given, 0
+
+    def __getattr__(self, name: str) -> object:
+        self.count += name == "integers"
+        if self.count == 3:
+            raise KeyboardInterrupt
+        return getattr(self.given, name)
+
+
+def test_an_interrupted_search_keeps_what_it_has(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = np.random.default_rng
+    monkeypatch.setattr(np.random, "default_rng", lambda seed: Interrupting(given(seed)))
+    with pytest.raises(OrbitSearchInterrupted) as raised:
+        periodic_orbits(*BOUNCING, [], ALWAYS)
+    orbits = raised.value.orbits
+    assert (len(orbits), orbits.search.simulations.settled, orbits.search.simulations.starts) == (1, 2, 2)
+    assert orbits.search.doubts == ("the search was interrupted",)
+    assert str(raised.value) == orbits.message
+
+
+def test_motions_begin_at_all_sizes_of_the_element() -> None:
+    """An unstable orbit parts motions that grow from those that come to rest, whatever its size."""
+    some, loop = (
+        OrbitSearch("always", starts=12),
+        pin_model(TrimmerParameters.thesis(), channels="displacement"),
+    )
+    told = [
+        periodic_orbits(loop, FrictionBacklash(size), [], some).search.simulations
+        for size in (1e-9, 1.0, 1e9)
+    ]
+    assert told[0] == told[1] == told[2]
+    assert min(told[0].settled, told[0].at_rest) > 1
+
+
+@pytest.mark.parametrize("wrong", ["ab", (1.0,), (1.0, 2.0, 3.0), 2.0])
+def test_guesses_are_cycles_or_pairs(wrong: object) -> None:
+    with pytest.raises(WrongTypeError, match=r"guesses\[1\] must be a limit cycle or a pair"):
+        periodic_orbits(*BOUNCING, [(1.0, 2.0), wrong])

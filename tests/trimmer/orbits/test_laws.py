@@ -1,0 +1,161 @@
+"""Laws of exact orbits: scaling in amplitude and time, other states and gains, disturbed motions."""
+
+from __future__ import annotations
+
+import functools
+
+import control
+import numpy as np
+import pytest
+import scipy.signal
+
+from trimmer import (
+    CoulombFriction,
+    DeadZone,
+    FrictionBacklash,
+    InertiaBacklash,
+    InputChannels,
+    OrbitSearch,
+    PeriodicOrbit,
+    PeriodicOrbits,
+    Preload,
+    Relay,
+    Saturation,
+    Simulations,
+    TrimmerParameters,
+    ViscousBacklash,
+    periodic_orbits,
+    pin_model,
+    simulate,
+)
+
+SERVO = control.ss(control.tf([3.0], [1.0, 1.0, 0.0]))
+WITH_INTEGRATOR = control.ss(control.tf([1.0], [1.0, 2.0, 1.0, 0.0]))
+LAGS = control.ss(control.tf([60.0], [1.0, 3.0, 3.0, 1.0]))
+OSCILLATOR = control.ss(control.tf([1.0], [1.0, 0.3, 1.0]))
+FRACTION = control.ss(*scipy.signal.tf2ss([20, 8.5], [1, 4.7, 0]))
+TRIMMER = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
+SIZE, SPEED = 3e-5, 40.0
+
+
+LOOPS = {
+    "relay": (LAGS, lambda size, speed: Relay(size)),
+    "relay with thresholds": (LAGS, lambda size, speed: Relay(size, 0.1 * size, 0.2 * size)),
+    "hysteresis": (LAGS, lambda size, speed: Relay(size, 0.3 * size)),
+    "saturation": (LAGS, lambda size, speed: Saturation(size, 0.8)),
+    "dead zone": (LAGS, lambda size, speed: DeadZone(size, 0.8)),
+    "preload": (LAGS, lambda size, speed: Preload(0.5 * size, 0.01)),
+    "friction": (LAGS, lambda size, speed: FrictionBacklash(size)),
+    "load that slows down": (SERVO, lambda size, speed: ViscousBacklash(size, 0.3 / speed)),
+    "load that bounces": (FRACTION, lambda size, speed: InertiaBacklash(size)),
+    "negative friction": (OSCILLATOR, lambda size, speed: -CoulombFriction(size)),
+    "friction-controlled trimmer": (TRIMMER, lambda size, speed: FrictionBacklash(size)),
+    "viscous-controlled trimmer": (TRIMMER, lambda size, speed: ViscousBacklash(size, 3e-4 / speed)),
+    "inertia-controlled trimmer": (TRIMMER, lambda size, speed: InertiaBacklash(size)),
+    "sum": (WITH_INTEGRATOR, lambda size, speed: FrictionBacklash(size) + 0.5 * Relay(2.0 * size)),
+}
+"""A system, and an element for a size of its input (and output) and a speed of the loop."""
+
+
+def slowed(system: control.StateSpace, speed: float) -> control.StateSpace:
+    """The same system in a time that passes so many times as fast."""
+    return control.ss(speed * system.A, speed * system.B, system.C, system.D)
+
+
+@functools.cache
+def orbits_of(name: str) -> PeriodicOrbits:
+    system, element = LOOPS[name]
+    return periodic_orbits(system, element(1.0, 1.0))
+
+
+def assert_alike(found: PeriodicOrbits, expected: PeriodicOrbits, size: float, speed: float) -> None:
+    assert len(found) == len(expected) > 0
+    for one, other in zip(found, expected, strict=True):
+        assert one.amplitude == pytest.approx(size * other.amplitude, rel=1e-8)
+        assert one.period == pytest.approx(other.period / speed, rel=1e-8)
+        assert np.sort(abs(one.multipliers)) == pytest.approx(np.sort(abs(other.multipliers)), abs=1e-5)
+        assert one.steadiness == other.steadiness
+        np.testing.assert_allclose(abs(one.harmonics), size * abs(other.harmonics), atol=1e-8 * one.amplitude)
+        assert len(one.switching_times) == len(other.switching_times)
+
+
+@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.OrbitNotFoundWarning")
+def test_orbits_scale_in_amplitude_and_time(name: str) -> None:
+    system, element = LOOPS[name]
+    found = periodic_orbits(slowed(system, SPEED), element(SIZE, SPEED))
+    assert_alike(found, orbits_of(name), SIZE, SPEED)
+
+
+@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.OrbitNotFoundWarning")
+def test_factors_of_the_element_may_be_those_of_the_system_in_other_states(name: str) -> None:
+    system, element = LOOPS[name]
+    turn = np.diag(10.0 ** np.resize([-1, 1, 0, 2, -2], system.nstates))
+    if system.nstates < 8:  # Those of the trimmer are displacements and velocities, with nothing in common.
+        turn = turn @ np.triu(np.ones_like(turn))
+    other = control.ss(
+        np.linalg.solve(turn, system.A @ turn), np.linalg.solve(turn, system.B) / -2.5, system.C @ turn, 0
+    )
+    assert_alike(periodic_orbits(other, -2.5 * element(1.0, 1.0)), orbits_of(name), 1.0, 1.0)
+
+
+def begun(orbit: PeriodicOrbit, load: bool) -> tuple[np.ndarray, float]:
+    """State of the linear system far from events, and the output that sets the element's own states.
+
+    A load has none while it is in contact: asked to lie far away, it begins there.
+    """
+    order = orbit.motion.loop.model.nstates
+    ends = np.append(orbit.switching_times, orbit.switching_times[0] + orbit.period)
+    for begin in 0.5 * (ends[:-1] + ends[1:])[np.argsort(-np.diff(ends))]:
+        time = begin % orbit.period
+        output = float(orbit.motion.element_output(time))
+        if not load:
+            return orbit.motion.state(time)[:order], output
+        side = orbit.motion.element_input(time) - output
+        if abs(abs(side) - 0.5) < 1e-9:
+            return orbit.motion.state(time)[:order], -1e9 * np.sign(side)
+    raise AssertionError
+
+
+def slopes(orbit: PeriodicOrbit, load: bool) -> np.ndarray:
+    """Derivative of the state after a period by that before it, relative to sizes, by differences."""
+    start, output = begun(orbit, load)
+    order, period = len(start), orbit.period
+    sizes = abs(orbit.motion.state(np.linspace(0.0, period, 99))[:order]).max(axis=1)
+
+    def returned(change: np.ndarray) -> np.ndarray:
+        state = start + change
+        motion = simulate(orbit.motion.loop, period, initial_state=state, element_output=output)
+        return motion.state(period)[:order] / sizes
+
+    assert returned(0.0 * start) == pytest.approx(start / sizes, abs=1e-9)
+    shifts = 1e-6 * np.diag(sizes)
+    return np.array([(returned(shift) - returned(-shift)) / 2e-6 for shift in shifts]).T
+
+
+ONLY_SCALED = ("load that bounces", "friction", "sum")
+"""Of a contact of no length, one so brief that a millionth more is much, and a load beside a relay."""
+
+
+@pytest.mark.parametrize("name", [name for name in LOOPS if name not in ONLY_SCALED])
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.OrbitNotFoundWarning")
+def test_multipliers_are_those_of_disturbed_motions(name: str) -> None:
+    """Where a load is in contact, the states of the linear system tell all multipliers that are not zero."""
+    load = name.startswith(("load", "friction", "viscous", "inertia"))
+    for orbit in orbits_of(name):
+        differences = np.sort(abs(np.linalg.eigvals(slopes(orbit, load))))
+        found = np.sort(abs(orbit.multipliers))
+        assert found[-len(differences) :] == pytest.approx(differences, rel=1e-5, abs=1e-6)
+        assert not load or found[: -len(differences)].max() < 1e-6
+
+
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_an_orbit_is_told_once_whichever_motion_led_to_it() -> None:
+    """Simulated from many states, on both sides, at any phase; a relay's own equation leads there too."""
+    for name in ("load that bounces", "relay", "load that slows down"):
+        system, element = LOOPS[name]
+        asked = periodic_orbits(system, element(1.0, 1.0), search=OrbitSearch(Simulations.ALWAYS, starts=8))
+        assert asked.search.simulations is not None
+        assert asked.search.simulations.settled > 4
+        assert_alike(asked, orbits_of(name), 1.0, 1.0)
