@@ -8,16 +8,22 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.linalg
 
-from trimmer.response.shooting import CLOSED
+from trimmer.response.shooting import CLOSED, Return
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
+    from trimmer.contact.flow import ExactFlow
     from trimmer.response.shooting import Shot
 
 FAR = 0.5
 """Modulus of a multiplier below which it is far inside the unit circle, whatever its rounding."""
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Rounding of the derivative of a return in each of its segments, as a share of its norm."""
+
+NEAR = 1e-3
+"""Distance of a multiplier from 1 below which the return hardly tells where the orbit is."""
+MISPLACED = 4.0
+"""By how many times its estimate an orbit may be misplaced."""
 
 
 def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:
@@ -33,6 +39,42 @@ def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:
         nearest = np.argmin(abs(values - each) + (margins > 0) * abs(values).max())
         margins[nearest] = rounding * condition
     return values, margins
+
+
+def with_place(flow: ExactFlow, shot: Shot, periods: int, multipliers: Complexes, margins: Reals) -> Reals:
+    """Return the margins with what the place of the orbit adds to them.
+
+    Where a multiplier is near 1 the return hardly tells where along its direction the orbit is: the miss is
+    divided by the distance from 1. So it is where slips die away, each with a smaller one to follow: their
+    derivatives approach 1 as the slips approach none, and Newton's method stops on the way.
+
+    Args:
+        flow: The motion of the mechanism.
+        shot: The orbit.
+        periods: Number of drive periods that it spans; without a drive, 0, the margins stay as they are.
+        multipliers: By falling modulus, (n,).
+        margins: Rounding of each, (n,).
+    """
+    distance = abs(multipliers - 1)
+    near = np.flatnonzero((distance < NEAR) & (multipliers.imag == 0) & (distance > margins))
+    if not periods or not len(near):
+        return margins
+    found, begin, matrix = (
+        margins.copy(),
+        shot.course.begin,
+        shot.monodromy * shot.sizes / shot.sizes[:, None],
+    )
+    values, vectors = np.linalg.eig(matrix)
+    for each in near:
+        direction = vectors[:, np.argmin(abs(values - multipliers[each]))].real
+        missed = shot.miss + ROUNDING * np.linalg.norm(matrix)
+        step = MISPLACED * missed / distance[each] * direction / abs(direction).max()
+        for side in (1.0, -1.0):
+            start = flow.at(begin.state + side * step * shot.sizes, begin.phase, like=begin)
+            beside = Return(flow, periods).shoot(start, sizes=shot.sizes)
+            moved = np.inf if beside is None else abs(multipliers_of(beside)[0] - multipliers[each]).min()
+            found[each] = max(found[each], moved)
+    return found
 
 
 def _conditions(matrix: Reals) -> tuple[Complexes, Reals]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.response.multipliers import multipliers_of
+from trimmer.response.multipliers import multipliers_of, with_place
 from trimmer.response.shooting import CLOSED, Shot
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
@@ -51,7 +51,8 @@ class MechanismOrbit(Tabular):
         success: Whether it returns.
         message: What was found, in a sentence.
         margins: Rounding of each multiplier, (n,): its condition times that of the derivative of the return,
-            in which what is left of the residual counts too. Empty for none.
+            in which what is left of the residual counts too, and what the place of the orbit adds where a
+            multiplier near 1 leaves it open. Empty for none.
     """
 
     flow: ExactFlow
@@ -221,8 +222,11 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
     """
-    multipliers, margins = with_shifts(flow, *multipliers_of(shot.calm or shot))
-    success = shot.miss <= CLOSED
+    solved, success = shot.calm or shot, shot.miss <= CLOSED
+    multipliers, margins = multipliers_of(solved)
+    if success:
+        margins = with_place(flow, solved, periods, multipliers, margins)
+    multipliers, margins = with_shifts(flow, multipliers, margins)
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
     seen, course = flow.travelling(shot.course) if success else (flow, shot.course)
     orbit = MechanismOrbit(

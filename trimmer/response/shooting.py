@@ -36,6 +36,8 @@ SAMPLES = 16
 """Instants at which a motion without events is looked at."""
 MOST_CALM = 3
 """How often an instant amid a long segment is looked for, as the motion changes."""
+POLISHED = 40
+"""Newton steps beyond the patience for what is closed: near a state that many orbits meet, each is a half."""
 LONGEST = 4.0
 """Factor by which an unknown period may grow; a longer one has lost the motion."""
 
@@ -264,8 +266,8 @@ def _solved_from_calm(problem: Return, shot: Shot, patience: Patience) -> Shot |
 def _settled(problem: Return, shot: Shot | None, patience: Patience) -> Shot | None:
     """Take Newton's steps from a motion as long as they bring it nearer to its return."""
     followed = 0
-    for _ in range(patience.iterations):
-        if shot is None or shot.miss <= SETTLED:
+    for step in range(patience.iterations + POLISHED):
+        if shot is None or shot.miss <= SETTLED or (step >= patience.iterations and shot.miss > CLOSED):
             break
         following = _improved(problem, shot, patience.halvings)
         if following is None and shot.miss > CLOSED and followed < patience.followed:
