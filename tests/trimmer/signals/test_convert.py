@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson
@@ -13,7 +11,6 @@ from trimmer.motion.loops import Drive
 from trimmer.motion.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 from trimmer.response.simulate import simulate
-from trimmer.signals.band import Band
 from trimmer.signals.convert import Conversion, convert
 from trimmer.signals.quantity import STANDARD_GRAVITY, Quantity
 from trimmer.signals.signal import Signal, SignalError
@@ -138,23 +135,6 @@ def test_what_lies_outside_is_cut_and_told() -> None:
     assert f"{100 * conversion.outside:.2g} % of the variance" in " ".join(conversion.signal.notes)
 
 
-def test_the_sensor_bounds_the_band_and_its_loss_is_as_told() -> None:
-    signal = made(exact(TIMES, 2), 2, "displacement", sensor_corner=12.0).signal
-    assert signal.trusted.lowest == 36.0
-    assert 1 - 3 / math.hypot(3, 1) == pytest.approx(0.05, abs=2e-3)
-
-
-def test_a_resampled_signal_is_converted_where_it_is_trusted() -> None:
-    signal = Signal(exact(TIMES, 2), RATE, "a", "m/s2", trusted=Band(highest=500.0, highest_reason="spline"))
-    assert convert(signal, "displacement").signal.trusted.highest == 500.0
-
-
-def test_the_same_quantity_is_only_brought_to_si() -> None:
-    conversion = convert(Signal(1e3 * exact(TIMES, 0), RATE, "x", "mm"), "displacement")
-    np.testing.assert_allclose(conversion.signal.values, exact(TIMES, 0), rtol=1e-12, atol=1e-18)
-    assert conversion.cut == 0.0
-
-
 def test_faults_of_the_source_are_told_though_the_result_hides_them() -> None:
     clipped = np.clip(exact(TIMES, 2), -400.0, 400.0)
     assert any("clipped" in note for note in made(clipped, 2, "displacement").signal.notes)
@@ -183,6 +163,7 @@ def test_what_cannot_be_converted_is_refused(unit, quantity, options, message: s
         convert(Signal(NOISE[:40], RATE, "a", "m"), "velocity")
 
 
+@pytest.mark.slow
 def test_the_exact_motion_of_the_trimmer_comes_back_from_its_acceleration() -> None:
     """Its displacement, differentiated as lines; offset, drift and noise are added to the acceleration."""
     loop = TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(4e-5), Drive(1.5e-3, 2 * np.pi * 110.0))

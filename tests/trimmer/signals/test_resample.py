@@ -22,14 +22,3 @@ def test_lines_in_the_trusted_band_are_as_exact_as_it_says(seed: int) -> None:
     made = resampled(times, np.cos(2 * np.pi * beyond * times), 1000.0)
     at = times[0] + np.arange(made.size) / 1000.0
     assert np.abs(made - np.cos(2 * np.pi * beyond * at))[20:-20].max() > SPLINE_ERROR
-
-
-def test_resampling_is_linear_and_keeps_what_is_at_equal_distances() -> None:
-    times = np.arange(50) / 7.0
-    one, two = np.random.default_rng(0).normal(size=(2, 50))
-    np.testing.assert_allclose(resampled(times, one, 7.0), one, atol=1e-12)
-    jittered = times + 0.02 * np.sin(np.arange(50))
-    both = resampled(jittered, 2 * one - two, 9.0)
-    np.testing.assert_allclose(
-        both, 2 * resampled(jittered, one, 9.0) - resampled(jittered, two, 9.0), atol=1e-12
-    )

@@ -10,7 +10,7 @@ import pytest
 from tests.trimmer.signals.reading import message_for
 from trimmer.signals.read import read_recording, read_signal
 from trimmer.signals.sampling import Gaps, Sampling, TimeStamps
-from trimmer.signals.time_stamps import last_digit, spacing_of
+from trimmer.signals.time_stamps import spacing_of
 
 RESAMPLE = Sampling(TimeStamps.RESAMPLE, Gaps.SPLIT)
 SPLIT = Sampling(gaps=Gaps.SPLIT)
@@ -55,14 +55,6 @@ def test_gaps_are_named_with_time_and_length_and_never_bridged(file, digits: str
     longest = read_signal(path, sampling=SPLIT)
     assert longest.start == pytest.approx(0.28, abs=1e-9)
     assert "the longest of 2 stretches" in longest.notes[-1] and "1000 samples" in longest.notes[-1]
-
-
-def test_one_missing_sample_is_a_gap(file) -> None:
-    kept = np.delete(np.arange(100), 40)
-    recording = read_recording(file(text(kept / 1000)), sampling=SPLIT)
-    assert [stretch.values.size for stretch in recording.stretches] == [40, 59]
-    assert (recording.gaps[0].missing, recording.gaps[0].line) == (1, 42)
-    assert {stretch.sample_rate for stretch in recording.stretches} == {1000.0}
 
 
 def test_missing_values_can_be_gaps(file) -> None:
@@ -126,29 +118,6 @@ def test_stamps_that_do_not_rise_are_refused_in_a_sentence(file, times, message:
     assert ignored.values.size == times.size
     assert "time stamps are left aside" in ignored.notes[0]
     assert message_for(path, sampling=Sampling("ignore")) == ": no sample rate; give it (--rate)"
-
-
-def test_rows_that_are_repeated_are_left_out_when_resampling(file) -> None:
-    times = np.r_[0:50, 49:90] / 1000
-    signal = read_signal(file(text(times)), sampling=RESAMPLE)
-    assert (signal.values.size, signal.sample_rate) == (90, 1000.0)
-    assert signal.notes == ("rows left out because they repeat the row before and its time stamp: 1",)
-    values = np.arange(times.size, dtype=float)
-    assert "does not come after" in message_for(file(text(times, ".9g", values)), sampling=RESAMPLE)
-
-
-def test_stamps_in_single_precision_are_rounded_ones() -> None:
-    times = (100.0 + np.arange(5000) / 44_100).astype(np.float32).astype(float)
-    assert last_digit(times) == pytest.approx(2.0**-17)
-    spacing = spacing_of(times, range(5000), "file")
-    assert spacing.equal
-    assert abs(spacing.rate / 44_100 - 1) < spacing.rate_uncertainty
-
-
-def test_words_are_taken_for_members() -> None:
-    assert Sampling("resample", "split") == RESAMPLE
-    with pytest.raises(ValueError, match="choose equal, resample or ignore"):
-        Sampling("bridge")
 
 
 def test_a_line_with_a_serial_number_before_the_heading_is_no_data(file) -> None:

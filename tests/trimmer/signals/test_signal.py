@@ -7,6 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from trimmer import Band
+from trimmer.errors import WrongTypeError
 from trimmer.signals.signal import Signal, SignalError, split_heading
 
 
@@ -97,3 +99,53 @@ def test_a_signal_that_was_pickled_is_the_same_and_cannot_be_changed_either() ->
     assert not back.values.flags.writeable
     for name in ("sample_rate", "name", "unit", "start", "notes", "converted", "full_scale", "trusted"):
         assert getattr(back, name) == getattr(signal, name)
+
+
+@pytest.mark.parametrize(
+    ("options", "error"),
+    [
+        ({"converted": 0.5}, ValueError),
+        ({"interpolated": -1}, ValueError),
+        ({"trusted": (0.0, 1.0)}, WrongTypeError),
+        ({"full_scale": 0.0}, SignalError),
+        ({"full_scale": np.nan}, SignalError),
+        ({"notes": (1,)}, WrongTypeError),
+        ({"name": 1}, WrongTypeError),
+        ({"unit": None}, WrongTypeError),
+    ],
+)
+def test_fields_of_a_signal_are_checked(options: dict[str, object], error: type[Exception]) -> None:
+    with pytest.raises(error):
+        Signal([1.0], 1.0, **options)  # type: ignore[arg-type]
+
+
+def test_sizes_parts_and_scales() -> None:
+    assert Signal([0.0, -7.5e299, 7.5e299], 1.0).rms == pytest.approx(np.sqrt(2 / 3) * 7.5e299)
+    assert Signal([-5.0, -5.0], 1.0).rms == 0.0
+    scaled = Signal([1.0, -2.0], 1.0, unit="V", full_scale=5.0).scaled(-3.0, "mm")
+    assert (scaled.values.tolist(), scaled.unit, scaled.full_scale) == ([-3.0, 6.0], "mm", 15.0)
+    signal = Signal(np.arange(10.0), 10.0, "stroke", "mm", start=1.0)
+    assert repr(signal) == "<Signal: stroke [mm], 10 samples at 10 Hz, 1 s>"
+    # Both ends belong to a part, and a millionth of a sample.
+    for begin, end, values in (
+        (1.2, 1.5, [2, 3, 4, 5]),
+        (1.2 + 9e-8, 1.5 - 9e-8, [2, 3, 4, 5]),
+        (1.81, 9, [9]),
+    ):
+        assert signal.between(begin, end).values.tolist() == values
+    assert signal.between(1.2 + 2e-7, 1.5 - 2e-7).values.tolist() == [3, 4]
+    with pytest.raises(
+        SignalError, match=r"no sample lies from 1\.21 s to 1\.29 s: the record goes from 1 s"
+    ):
+        signal.between(1.21, 1.29)
+
+
+def test_bands_have_the_narrower_ends_with_their_reasons() -> None:
+    wide, narrow = Band(2.0, 90.0, "a", "b"), Band(5.0, 80.0, "c", "d")
+    assert wide.within(narrow) == narrow.within(wide) == narrow
+    assert wide.within(Band(1.0, 80.0, "c", "d")) == Band(2.0, 80.0, "a", "d")
+    assert wide.within(Band(2.0, 90.0, "c", "d")) == wide
+    assert [each in wide for each in (2.0, 90.0, 1.9, 90.1)] == [True, True, False, False]
+    assert wide.sentence == "trusted from 2 Hz (a) up to 90 Hz (b)"
+    assert Band(2.0, lowest_reason="a").sentence == "trusted from 2 Hz (a)"
+    assert Band().sentence == "trusted at all frequencies up to half of the sample rate"

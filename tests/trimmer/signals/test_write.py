@@ -43,13 +43,6 @@ def test_any_rate_and_start_come_back_nearly(path: Path, values, rate: float, st
     assert back.sample_rate == pytest.approx(rate, rel=rounding + 1e-15)
 
 
-@pytest.mark.parametrize("rate", [10002300.0, 123456.789012345, 0.999999999999999, 3.00000000000001e-5])
-def test_a_rate_of_many_digits_comes_back(path: Path, rate: float) -> None:
-    """The first is the thesis's (section 5.2.1)."""
-    write_signal(path, Signal(np.zeros(1000), rate))
-    assert read_signal(path).sample_rate == rate
-
-
 def test_several_signals_share_the_times(path: Path) -> None:
     first, second = Signal([1.0, 2.0], 4.0, "pin", "m"), Signal([3.0, 4.0], 4.0, 'a "b", c')
     write_signal(path, first, second)
