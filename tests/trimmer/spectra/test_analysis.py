@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.errors import SignalWarning
+from trimmer.errors import SignalWarning, WrongTypeError
 from trimmer.signals.band import Band
 from trimmer.signals.read import read_signal
-from trimmer.signals.signal import Signal
+from trimmer.signals.signal import Signal, SignalError
 from trimmer.signals.write import write_signal
 from trimmer.spectra.analysis import analyse_signal
 from trimmer.spectra.classification import Harmonic, LimitCycleLine, NaturalMode
+from trimmer.spectra.harmonics import fit_harmonics
 from trimmer.spectra.window import Window
 
 RATE, DRIVE = 20_000.0, 109.845
@@ -42,25 +42,6 @@ def test_each_part_of_a_signal_is_found_and_named(tmp_path: Path, signal: Signal
     assert analysis.harmonics is not None
     expected = [PARTS.get(order * DRIVE, 0.0) for order in analysis.harmonics.orders]
     np.testing.assert_allclose(analysis.harmonics.amplitudes, expected, rtol=0, atol=1e-9)
-
-
-def test_the_output_of_a_play_has_the_harmonics_of_its_describing_functions() -> None:
-    """A friction-controlled play on a sine, by its rule sample by sample (Listing A.7 of the thesis)."""
-    amplitude, gap, samples = 1.5e-3, 4e-4, 40_000
-    pin = amplitude * np.sin(2 * np.pi * 110 * np.arange(samples) / 1e6)
-    bridge, outputs = 0.0, []
-    for position in pin.tolist():
-        bridge = min(max(bridge, position - gap / 2), position + gap / 2)
-        outputs.append(bridge)
-    steady = Signal(np.array(outputs[-(samples * 3) // 4 :]), 1e6)
-    fit = analyse_signal(steady, drive_frequency=110.0).harmonics
-    assert fit is not None
-    element = FrictionBacklash(gap)
-    for order in (1, 3, 5, 7):
-        expected = amplitude * abs(element.describing_function(amplitude, harmonic=order))
-        assert fit.amplitudes[order - 1] == pytest.approx(expected, rel=2e-3)
-    even = fit.amplitudes[1:10:2]  # above, harmonic 21 leaks in, which is not fitted
-    assert even.max() < 1e-6 * fit.amplitudes[2]
 
 
 def test_without_a_drive_there_are_no_harmonics(signal: Signal) -> None:
@@ -100,3 +81,35 @@ def test_of_a_converted_signal_only_peaks_within_its_band_are_told() -> None:
     assert frequencies(1, 2) == [150, 250]
     with pytest.raises(ValueError, match="limit"):
         frequencies(1, 0)
+
+
+def test_an_analysis_is_a_table_and_says_what_is_explained(signal: Signal) -> None:
+    analysis = analyse_signal(signal, DRIVE, MODES, CYCLES, closed_loop=True)
+    assert "6 peaks, 5 explained" in repr(analysis)
+    rows = analysis.to_dataframe()
+    for row, (frequency, size) in zip(
+        rows.itertuples(index=False), sorted(PARTS.items(), key=lambda part: -part[1]), strict=True
+    ):
+        assert row[:2] == pytest.approx((frequency, size), rel=1e-6)
+    assert rows.iloc[:, 5].tolist()[:2] == ["drive", "harmonic 3 (odd)"]
+
+
+def test_a_harmonic_fit_is_a_table_and_a_curve() -> None:
+    times = np.arange(300) / 2000.0
+    values = 0.5 + 2.0 * np.cos(2 * np.pi * 50.0 * times - 0.4) + 0.3 * np.sin(2 * np.pi * 100.0 * times)
+    fit = fit_harmonics(values, 2000.0, 50.0, 2)
+    assert fit.to_dataframe().to_numpy() == pytest.approx(
+        np.array([[1, 50, 2, -0.4], [2, 100, 0.3, -0.5 * np.pi]])
+    )
+    later = np.array([[0.0123], [7.7]])
+    expected = 0.5 + 2.0 * np.cos(100 * np.pi * later - 0.4) + 0.3 * np.sin(200 * np.pi * later)
+    assert fit.at(later) == pytest.approx(expected, abs=1e-10)
+    assert "2 of 50 Hz explain 100.0000% of the variance" in repr(fit)
+
+
+def test_what_is_no_signal_or_drive_is_refused(signal: Signal) -> None:
+    with pytest.raises(WrongTypeError, match="signal"):
+        analyse_signal(signal.values)  # type: ignore[arg-type]
+    for drive in (0.0, -1.0, np.inf):
+        with pytest.raises(SignalError, match="the frequency of the drive must be positive and finite"):
+            analyse_signal(signal, drive)

@@ -7,7 +7,6 @@ import pytest
 from scipy import signal as scipy_signal
 from scipy.stats import chi2, ncx2
 
-from trimmer.signals.band import Band
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.averaged import averaged_spectrum, line_interval
 from trimmer.spectra.window import Window
@@ -38,22 +37,6 @@ def test_density_is_that_of_segments_averaged_by_hand(window: Window) -> None:
     assert averaged.noise_bandwidth == pytest.approx(
         RATE * (weights @ weights) / weights.sum() ** 2, rel=1e-9
     )
-
-
-def test_density_adds_up_to_the_variance_and_scales_with_the_square() -> None:
-    averaged = averaged_spectrum(Signal(VALUES, RATE), 30)
-    assert averaged.density.sum() * averaged.bin_width == pytest.approx(VALUES.var(), rel=0.02)
-    scaled = averaged_spectrum(Signal(-1e4 * VALUES, RATE), 30)
-    np.testing.assert_allclose(scaled.density, 1e8 * averaged.density, rtol=1e-9)
-
-
-@pytest.mark.parametrize("averages", [1, 2, 5, 16])
-def test_segments_are_the_longest_that_give_as_many(averages: int) -> None:
-    averaged = averaged_spectrum(Signal(VALUES, RATE), averages)
-    assert averaged.averages >= averages
-    longer = averaged.segment + 1
-    assert (VALUES.size - longer) // (longer - longer // 2) + 1 < averages or longer > VALUES.size
-    assert averaged.resolution == pytest.approx(3 * RATE / averaged.segment)
 
 
 @pytest.mark.parametrize("window", Window)
@@ -140,9 +123,3 @@ def test_what_cannot_be_averaged_is_refused() -> None:
         averaged_spectrum(Signal(VALUES[:40], RATE), 9)
     with pytest.raises(SignalError, match="no signal to average"):
         averaged_spectrum([])
-
-
-def test_lines_are_looked_for_in_the_trusted_band_only() -> None:
-    signal = Signal(VALUES, RATE, trusted=Band(highest=90.0))
-    assert averaged_spectrum(signal, 8).lines(5) == ()
-    assert averaged_spectrum(Signal(np.zeros(400), RATE), 8).lines(5) == ()

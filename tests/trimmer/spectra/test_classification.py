@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trimmer.errors import WrongTypeError
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.classification import (
     ClassifiedPeak,
@@ -24,15 +23,6 @@ MODES = (222.35, 354.84, 549.59, 1139.5)
 def only(frequency: float, bin_width: float = 1.0, **options) -> ClassifiedPeak:
     (classified,) = classify([Peak(frequency, 1.0, 0.0)], bin_width, **options)
     return classified
-
-
-def test_a_harmonic_of_the_drive_has_its_order_and_parity() -> None:
-    for order in range(1, 30):
-        match = only(order * 109.845 + 0.2, drive_frequency=109.845).explanation
-        assert match is not None
-        assert isinstance(match.origin, Harmonic)
-        assert (match.origin.order, match.origin.odd) == (order, order % 2 == 1)
-        assert match.distance == pytest.approx(0.2)
 
 
 def test_words_for_what_a_peak_may_be() -> None:
@@ -67,16 +57,6 @@ def test_the_fifth_harmonic_of_110_hz_falls_on_the_third_mode() -> None:
     assert classified.second.distance == pytest.approx(0.409, abs=1e-3)
 
 
-def test_366_hz_is_neither_a_harmonic_of_110_hz_nor_near_a_mode() -> None:
-    """The peak that the thesis reads as a limit cycle (section 3.3), at a bin width of 1 Hz."""
-    classified = only(365.999, drive_frequency=110.0, natural_frequencies=MODES)
-    assert classified.explanation is None
-    assert classified.second is None
-    assert not classified.ambiguous
-    nearest = {type(match.origin): match.distance for match in classified.candidates}
-    assert nearest == {Harmonic: pytest.approx(35.999), NaturalMode: pytest.approx(11.159)}
-
-
 def test_a_mode_may_be_off_by_a_share_of_its_frequency_and_a_harmonic_may_not() -> None:
     assert only(354.84 * 1.0099, natural_frequencies=MODES).explanation is not None
     assert only(354.84 * 1.0101, natural_frequencies=MODES).explanation is None
@@ -84,12 +64,6 @@ def test_a_mode_may_be_off_by_a_share_of_its_frequency_and_a_harmonic_may_not() 
     assert only(111.01, drive_frequency=110.0).explanation is None
     assert only(111.01, bin_width=1.02, drive_frequency=110.0).explanation is not None
     assert only(111.01, drive_frequency=110.0, tolerance=Tolerance(bins=2.0)).explanation is not None
-
-
-def test_overdamped_modes_are_left_out_and_the_others_keep_their_numbers() -> None:
-    assert only(0.5, natural_frequencies=(0.0, 0.0)).candidates == ()
-    (match,) = only(222.0, natural_frequencies=(0.0, 222.35)).candidates
-    assert match.origin == NaturalMode(2, 222.35)
 
 
 @given(
@@ -168,35 +142,3 @@ def test_frequencies_and_tolerances_out_of_range_are_refused(bin_width, options,
 def test_tolerances_out_of_range_are_refused(values, message: str) -> None:
     with pytest.raises(SignalError, match=message):
         Tolerance(**values)
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"natural_frequencies": 222.0}, "natural_frequencies must be a sequence of frequencies"),
-        ({"natural_frequencies": "222"}, "natural_frequencies must be a sequence of frequencies"),
-        ({"natural_frequencies": [None]}, r"natural_frequencies\[0\] must be a real number"),
-        ({"limit_cycle_frequencies": 733.6}, "limit_cycle_frequencies must be a sequence"),
-        ({"drive_frequency": "110"}, "the frequency of the drive must be a real number, not '110'"),
-        ({"tolerance": 1.0}, "tolerance must be a trimmer.Tolerance, not 1.0"),
-    ],
-)
-def test_arguments_of_another_type_are_named(options, message: str) -> None:
-    with pytest.raises(WrongTypeError, match=message):
-        only(100.0, **options)
-
-
-def test_a_driven_open_loop_has_no_limit_cycle() -> None:
-    """Under a drive nothing feeds the output back to the pin."""
-    on_the_spot = {"drive_frequency": 110.0, "limit_cycle_frequencies": [733.6]}
-    assert only(733.6, **on_the_spot).explanation is None
-    assert {type(match.origin) for match in only(733.6, **on_the_spot).candidates} == {Harmonic}
-    closed = only(733.6, **on_the_spot, closed_loop=True).explanation
-    assert closed is not None
-    assert closed.origin == LimitCycleLine(1, 1, 733.6)
-    assert only(733.6, limit_cycle_frequencies=[733.6]).explanation is not None
-
-
-def test_what_are_no_peaks_is_named() -> None:
-    with pytest.raises(WrongTypeError, match=r"peaks\[0\]"):
-        classify([3.0], 1.0)

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import json
 import warnings
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.complaints import complaints
+from trimmer import Band
 from trimmer.command_line.main import main
 from trimmer.errors import SignalWarning
 from trimmer.signals.signal import Signal
 from trimmer.signals.write import write_signal
 from trimmer.spectra.analysis import analyse_signal
 from trimmer.spectra.doubts import aliasing_doubt
-from trimmer.spectra.window import Window
 
 RATE = 5000.0
 TIMES = np.arange(5000) / RATE
@@ -45,27 +46,6 @@ def test_simulate_notes_a_drive_that_its_file_cannot_show(tmp_path: Path, capsys
     assert "--csv or --wav" in capsys.readouterr().err  # without a file nothing is sampled
 
 
-def test_a_record_too_short_for_the_harmonics_or_the_candidates_is_told() -> None:
-    record = Signal(SINE[:125], RATE)  # 25 ms: bins 40 Hz apart
-    with pytest.warns(SignalWarning, match="holds 2.75 periods of the drive.*0.02732 s or more"):
-        told = analyse_signal(record, drive_frequency=109.8).doubts
-    assert len(told) == 1
-    with pytest.warns(
-        SignalWarning, match="natural mode 1 at 222 Hz and limit cycle 1 at 252 Hz are 0.75 bins"
-    ):
-        analyse_signal(record, natural_frequencies=(222.0,), limit_cycle_frequencies=(252.0,))
-
-
-@pytest.mark.parametrize("window", Window)
-def test_the_length_that_is_named_is_enough(window: Window) -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("error", SignalWarning)
-        duration = 1.001 * window.parted / 30.0
-        values = np.sin(2 * np.pi * 109.8 * np.arange(int(duration * RATE) + 1) / RATE)
-        options = {"natural_frequencies": (222.0,), "limit_cycle_frequencies": (252.0, 222.0)}
-        assert analyse_signal(Signal(values, RATE), window=window, **options).doubts == ()
-
-
 def test_the_command_notes_it_in_text_and_in_json(tmp_path: Path, capsys) -> None:
     file = tmp_path / "clipped.csv"
     write_signal(file, Signal(np.clip(SINE, -0.5, 0.5), RATE, "x", "m"))
@@ -78,16 +58,37 @@ def test_the_command_notes_it_in_text_and_in_json(tmp_path: Path, capsys) -> Non
     assert "clipped" in note
 
 
-def test_a_drive_that_the_record_cannot_show_is_an_error(tmp_path: Path, capsys) -> None:
-    file = tmp_path / "a.csv"
-    write_signal(file, Signal(SINE, RATE, "x", "m"))
-    assert main(["spectrum", str(file), "--drive", "2600"]) == 2
-    assert "not seen in samples" in capsys.readouterr().err
-
-
 def test_a_limit_cycle_that_is_left_out_is_not_to_be_parted_from_a_mode() -> None:
     signal = Signal(np.cos(2 * np.pi * 400.0 * np.arange(2000) / 2000.0), 2000.0, "x", "m")
     with pytest.warns(SignalWarning, match=r"limit cycle 1 at 100\.5 Hz are 0\.5 bins apart"):
         told = analyse_signal(signal, None, (100.0,), (100.5,))
     assert len(told.doubts) == 1
     assert analyse_signal(signal, 400.0, (100.0,), (100.5,)).doubts == ()
+
+
+def test_only_what_a_record_does_not_part_is_doubted() -> None:
+    record = Signal(np.cos(2 * np.pi * 400.0 * np.arange(200) / 2000.0), 2000.0, "x", "m")  # bins of 10 Hz
+
+    def doubts(drive: float | None, *modes: float) -> tuple[str, ...]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SignalWarning)
+            return analyse_signal(record, drive, modes).doubts
+
+    assert doubts(30.0) == doubts(None) == doubts(None, 100.0, 130.0) == doubts(None, 100.0, 100.0) == ()
+    (short,) = doubts(29.0)
+    assert "record of 0.1 s holds 2.9 periods" in short and "0.1034 s or more" in short
+    (near,) = doubts(None, 129.0, 100.0, 200.0)
+    assert "at 100 Hz and natural mode 1 at 129 Hz are 2.9 bins apart" in near and "0.1034 s or more" in near
+    assert len(doubts(29.0, 100.0, 110.0, 120.0)) == 3
+
+
+def test_peaks_outside_the_trusted_band_are_named_up_to_five() -> None:
+    places = (100.0, 150.0, 210.0, 270.0, 330.0, 390.0, 450.0)
+    values = sum(np.cos(2 * np.pi * place * np.arange(2000) / 2000.0) / place for place in places)
+    record = Signal(values, 2000.0, "x", "m")
+    for highest, told in ((460.0, None), (440.0, "at 450 Hz;"), (160.0, "at 210, 270, 330, 390, 450 Hz;"),
+                          (140.0, "at 150, 210, 270, 330, 390, ... Hz;")):  # fmt: skip
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SignalWarning)
+            doubts = analyse_signal(replace(record, trusted=Band(50.0, highest))).doubts
+        assert [told in doubt for doubt in doubts] == ([True] if told else [])

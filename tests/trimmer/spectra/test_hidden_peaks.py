@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.spectra.test_peaks import SAMPLES, sines
-from trimmer.spectra.peaks import Peak, peaks
+from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
 
@@ -50,7 +50,7 @@ def check(level: int, signals: int) -> None:
 
 @pytest.mark.parametrize("level", LEVELS)
 def test_a_small_line_beside_a_large_one_is_as_exact_as_it_says(level: int) -> None:
-    check(level, 60)
+    check(level, 40)
 
 
 @pytest.mark.slow
@@ -61,54 +61,37 @@ def test_a_thousand_small_lines_are_as_exact_as_they_say(level: int) -> None:
 
 @pytest.mark.parametrize("level", LEVELS)
 def test_without_noise_a_small_line_is_exact(level: int) -> None:
-    for seed in range(60):
+    for seed in range(30):
         off, _, more = errors(level, seed, noise=0.0)
         assert more == 0
         np.testing.assert_allclose(off, 0.0, atol=1e-8)
 
 
-@pytest.mark.parametrize("distance", [6.0, 10.0])
-def test_a_line_60_db_below_another_is_found(distance: float) -> None:
-    for offset in np.linspace(0.0, 0.9, 10):
-        places = [100.0 + offset, 100.0 + distance + 0.3]
-        found = peaks(amplitude_spectrum(sines(places, [1.0, 1e-3], [0.3, 2.0]), SAMPLES))
-        assert [peak.frequency for peak in found] == pytest.approx(places, abs=1e-8)
-        assert found[1].amplitude == pytest.approx(1e-3, rel=1e-8)
-
-
-@pytest.mark.parametrize("window", Window)
-def test_the_uncertainty_is_that_of_repeated_measurements(window: Window) -> None:
+@pytest.mark.parametrize(
+    ("window", "factor"),
+    [(Window.RECTANGULAR, 0.9), (Window.HANN, 1.5), (Window.BLACKMAN_HARRIS, 2.1), (Window.FLAT_TOP, 6.5)],
+)
+def test_the_uncertainty_is_that_of_repeated_measurements(window: Window, factor: float) -> None:
+    """In bins the scatter is the factor that ``peaks`` states over that of the samples and their root."""
     random = np.random.default_rng(2)
-    pulls = []
-    for _ in range(250):
+    errors, pulls, trials = [], [], 120
+    for _ in range(trials):
         place = random.uniform(100, 101)
         values = sines([place], [3.0], [random.uniform(-3, 3)]) + 0.2 * random.normal(size=SAMPLES)
         (peak,) = peaks(amplitude_spectrum(values, SAMPLES, window), limit=1)
-        pulls.append([
-            (peak.frequency - place) / peak.frequency_uncertainty,
-            (peak.amplitude - 3.0) / peak.amplitude_uncertainty,
-        ])  # fmt: skip
-    np.testing.assert_allclose(np.std(pulls, axis=0), 1.0, atol=0.2)
-
-
-def test_no_uncertainty_is_below_the_cramer_rao_bound() -> None:
-    """Rife and Boorstyn (1974): var(omega) >= 24 s²/(a² N³) in rad per sample, var(a) >= 2 s²/N."""
-    random = np.random.default_rng(4)
-    deviation, amplitude = 0.3, 2.0
-    values = sines([200.4], [amplitude], [0.3]) + deviation * random.normal(size=SAMPLES)
-    for window in Window:
-        peak: Peak
-        (peak,) = peaks(amplitude_spectrum(values, 1.0, window), limit=1)
-        bound = np.sqrt(24 / SAMPLES**3) * deviation / amplitude / (2 * np.pi)
-        assert 0.9 * bound < peak.frequency_uncertainty < 11 * bound
-        bound = deviation * np.sqrt(2 / SAMPLES)
-        assert 0.9 * bound < peak.amplitude_uncertainty < 2.2 * bound
+        off = np.array([peak.frequency - place, peak.amplitude - 3.0])
+        errors.append(off)
+        pulls.append(off / [peak.frequency_uncertainty, peak.amplitude_uncertainty])
+    np.testing.assert_allclose(np.std(pulls, axis=0), 1.0, atol=0.25)
+    scatter = np.std(errors, axis=0)[0]
+    assert scatter / (0.2 / 3.0 / np.sqrt(SAMPLES)) == pytest.approx(factor, rel=0.25)
+    assert np.abs(np.mean(pulls, axis=0)).max() < 4.0 / np.sqrt(trials)
 
 
 @pytest.mark.parametrize("window", Window)
 @pytest.mark.parametrize("decay", [1e-4, 1e-3, 1e-2])
 def test_beside_a_vibration_that_dies_out_nothing_hidden_is_claimed(window: Window, decay: float) -> None:
     times = np.arange(4000)
-    for frequency in np.linspace(0.11, 0.1108, 9):
+    for frequency in np.linspace(0.11, 0.1108, 3):
         values = np.exp(-decay * times) * np.cos(2 * np.pi * frequency * times)
         assert len(peaks(amplitude_spectrum(values, 1.0, window))) <= 2
