@@ -1,8 +1,15 @@
-"""Special points of published examples, rad/s. Digits: two independent computations."""
+"""Published examples: special points, rad/s, and branches. Digits: two independent computations."""
 
 from __future__ import annotations
 
-from trimmer.branches.special import SpecialKind
+import math
+from functools import cache
+
+from trimmer import FollowedBranch, FollowSettings, Mechanism, SpecialKind, follow
+from trimmer.mechanism.parts import Body, Force, Link, Play
+
+TURN = 2.0 * math.pi
+ALONE = FollowSettings(switches=0, quiet=True)
 
 OSCILLATOR_WITH_STOP = [
     (SpecialKind.GRAZING, 5.534678554),
@@ -20,3 +27,25 @@ DEAD_ZONE = [
     (SpecialKind.GRAZING, 1.4070884660),
 ]
 """A body in a dead zone, from 0.5 to 1.6 rad/s."""
+
+
+@cache
+def oscillator_with_a_stop() -> FollowedBranch:
+    mechanism = Mechanism.from_toml("examples/oscillator-stop.toml")
+    return follow(mechanism, "frequency", 5.0 / TURN, 12.0 / TURN, settings=ALONE)
+
+
+def dead_zone(omega: float) -> Mechanism:
+    return Mechanism(
+        bodies={"body": Body(1.0)},
+        frequency=omega / TURN,
+        links={"damper": Link(("ground", "body"), damping=0.1)},
+        plays={"zone": Play(("ground", "body"), 1.0, gap=2.0)},
+        forces={"drive": Force("body", constant=0.1, unbalance=0.05, phase=math.pi / 2.0)},
+        outputs={},
+    )
+
+
+@cache
+def in_a_dead_zone() -> FollowedBranch:
+    return follow(dead_zone(0.5), "frequency", 0.5 / TURN, 1.6 / TURN, settings=ALONE)

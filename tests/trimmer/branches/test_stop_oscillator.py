@@ -34,6 +34,7 @@ def test_derivatives_of_the_closed_form() -> None:
         assert passage.rate() == pytest.approx(by_omega, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_oscillator_with_a_stop() -> None:
     branch = followed(of_pyharm(), 5.0, 12.0, 60)
     assert branch.reason is BranchEnd.LEFT_AT_STOP

@@ -3,33 +3,46 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
-from tests.trimmer.branches.test_follow import dead_zone
-from trimmer.branches.follow import follow
-from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.loci.follow_special import follow_special
-from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges, LocusSettings
-from trimmer.branches.settings import FollowSettings
-from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import MechanismError
-from trimmer.mechanism.mechanism import Mechanism
+from tests.trimmer import results
+from tests.trimmer.branches.published import ALONE, TURN, in_a_dead_zone, oscillator_with_a_stop
+from tests.trimmer.maps.machines import linear_oscillator
+from trimmer import (
+    FollowedBranch,
+    FollowSettings,
+    Locus,
+    LocusEnd,
+    LocusRanges,
+    LocusSettings,
+    Mechanism,
+    SpecialKind,
+    SpecialPoint,
+    WrongTypeError,
+    follow,
+    follow_special,
+)
+from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.mechanism.parts import Force, Stop
 
 EXAMPLES = Path(__file__).parents[4] / "examples"
-TURN = 2.0 * math.pi
-ALONE = FollowSettings(switches=0)
+QUIET = LocusSettings(quiet=True)
+WIDE = LocusSettings(quiet=True, largest_step=0.08)
+LONG = LocusSettings(quiet=True, largest_step=0.5)
 GAP = "stops.stop.gap"
 RANGES = LocusRanges((0.6, 1.6), (5.0, 30.0))
 
 
 @pytest.fixture(scope="module")
 def branch() -> FollowedBranch:
-    mechanism = Mechanism.from_toml(EXAMPLES / "oscillator-stop.toml")
-    return follow(mechanism, "frequency", 5.0 / TURN, 9.5 / TURN, settings=ALONE)
+    return oscillator_with_a_stop()
 
 
 def of_kind(branch: FollowedBranch, kind: SpecialKind, number: int = 0) -> SpecialPoint:
@@ -51,14 +64,17 @@ def assert_one_number_agrees(branch: FollowedBranch, locus: Locus, at: int, rel:
     assert min(found, key=lambda value: abs(value - frequency)) == pytest.approx(frequency, rel=rel)
 
 
+@pytest.mark.slow
 def test_grazing_where_the_linear_amplitude_is_the_gap_around_the_resonance(branch: FollowedBranch) -> None:
-    locus = follow_special(branch, of_kind(branch, SpecialKind.GRAZING), GAP, 30.0, ranges=RANGES)
+    locus = follow_special(
+        branch, of_kind(branch, SpecialKind.GRAZING), GAP, 30.0, ranges=RANGES, settings=WIDE
+    )
     assert locus.reason is LocusEnd.LEFT
     assert locus.second == pytest.approx(amplitude(locus.first), rel=1e-10)
     assert locus.second[0] == 10.0
     assert locus.second[-1] == pytest.approx(5.0, rel=1e-12)
     # It turns at the resonance, where the amplitude is largest: a closed form.
-    assert locus.second.max() == pytest.approx(100.0 / (0.1 * 40.0 * math.sqrt(1.0 - 0.05**2)), rel=2e-3)
+    assert locus.second.max() == pytest.approx(100.0 / (0.1 * 40.0 * math.sqrt(1.0 - 0.05**2)), rel=5e-3)
     assert locus.first[0] < 0.9 < 1.2 < locus.first[-1]
     assert locus.residual.max() < 3e-12
     assert np.isnan(locus.distance).all()
@@ -100,16 +116,16 @@ def test_both_folds_lie_on_one_locus_through_a_cusp(branch: FollowedBranch) -> N
     )
 
 
-def test_both_grazings_of_the_dead_zone_lie_where_the_linear_motion_is_as_wide_as_the_zone() -> None:
+def test_the_grazing_of_the_dead_zone_lies_where_the_linear_motion_is_as_wide_as_the_zone() -> None:
     # The body leans on the upper side of the zone with the constant force, and moves around there with
     # 0.05 omega^2 / |1 - omega^2 + 0.1 i omega|, until it comes down to the side of the zone.
-    branch = follow(dead_zone(0.5), "frequency", 0.5 / TURN, 1.6 / TURN, settings=ALONE)
     ranges = LocusRanges((0.4 / TURN, 1.9 / TURN), (0.05, 0.12))
-    for point in (of_kind(branch, SpecialKind.GRAZING, number) for number in (0, 1)):
-        locus = follow_special(branch, point, "forces.drive.constant", 0.12, ranges=ranges)
-        assert locus.reason is LocusEnd.LEFT
-        omega = TURN * locus.first
-        assert locus.second == pytest.approx(0.05 * omega**2 / abs(1.0 - omega**2 + 0.1j * omega), rel=1e-9)
+    branch = in_a_dead_zone()
+    point = of_kind(branch, SpecialKind.GRAZING, 1)
+    locus = follow_special(branch, point, "forces.drive.constant", 0.12, ranges=ranges, settings=WIDE)
+    assert locus.reason is LocusEnd.LEFT
+    omega = TURN * locus.first
+    assert locus.second == pytest.approx(0.05 * omega**2 / abs(1.0 - omega**2 + 0.1j * omega), rel=1e-9)
 
 
 def onset_of_stick(ratio: np.ndarray) -> np.ndarray:
@@ -123,19 +139,20 @@ def onset_of_stick(ratio: np.ndarray) -> np.ndarray:
     return np.asarray(ratio**2 * abs(v) / np.sqrt(1.0 + ratio**4 * u**2))
 
 
-@pytest.mark.parametrize("stop", [0.75, 1.9])
+@pytest.mark.parametrize("stop", [0.85, 1.6])
 def test_stick_begins_where_den_hartogs_formula_says(stop: float) -> None:
     mechanism = Mechanism.from_toml(EXAMPLES / "den-hartog.toml").with_value("frequency", 1.2 / TURN)
     branch = follow(mechanism, "frictions.floor.force", 0.6, 0.8, settings=ALONE)
     (stick,) = branch.special
     assert (stick.kind, stick.parts) == (SpecialKind.STICK, ("floor",))
-    ranges = LocusRanges((0.2, 1.4), (0.75 / TURN, 1.9 / TURN))
-    locus = follow_special(branch, stick, "frequency", stop / TURN, ranges=ranges)
+    ranges = LocusRanges((0.2, 1.4), (0.85 / TURN, 1.6 / TURN))
+    locus = follow_special(branch, stick, "frequency", stop / TURN, ranges=ranges, settings=WIDE)
     assert locus.reason is LocusEnd.LEFT
     assert locus.second[-1] * TURN == pytest.approx(stop, rel=1e-12)
     assert locus.first == pytest.approx(onset_of_stick(TURN * locus.second), rel=1e-11)
 
 
+@pytest.mark.slow
 def test_a_doubling_at_which_a_branch_joins_is_followed_as_one_of_the_single_motion(
     branch: FollowedBranch,
 ) -> None:
@@ -144,34 +161,157 @@ def test_a_doubling_at_which_a_branch_joins_is_followed_as_one_of_the_single_mot
     assert joined.periods == 2
     (joint,) = [each for each in joined.special if each.kind is SpecialKind.PERIOD_DOUBLING]
     ranges = LocusRanges((0.85, 0.95), (9.95, 10.05))
-    locus = follow_special(joined, joint, GAP, 10.05, ranges=ranges)
+    locus = follow_special(joined, joint, GAP, 10.05, ranges=ranges, settings=WIDE)
     assert locus.periods == 1
-    single = follow_special(branch, of_kind(branch, SpecialKind.PERIOD_DOUBLING), GAP, 10.05, ranges=ranges)
+    doubling = of_kind(branch, SpecialKind.PERIOD_DOUBLING)
+    single = follow_special(branch, doubling, GAP, 10.05, ranges=ranges, settings=WIDE)
     assert locus.reason is single.reason is LocusEnd.LEFT
     assert locus.values[-1] == pytest.approx(single.values[-1], rel=1e-9)
 
 
+def test_a_grazing_locus_around_a_peak_of_the_amplitude_closes() -> None:
+    """Two forces of 50 N, one of them later by a phase, which both the drive and the phase bring down.
+
+    Below contact the motion is linear: its amplitude is the gap on a closed curve around the peak.
+    """
+    forces = {name: Force("mass", amplitude=50.0) for name in ("first", "second")}
+    wall = Stop(("ground", "mass"), 1000.0, gap=24.0)
+    machine = replace(linear_oscillator(), forces=forces, stops={"wall": wall}, frequency=0.85)
+    branch = follow(machine, "frequency", 0.85, 1.0, settings=ALONE)
+    ranges = LocusRanges((0.5, 1.5), (-3.0, 3.0))
+    point = next(each for each in branch.special if each.kind is SpecialKind.GRAZING)
+    locus = follow_special(branch, point, "forces.second.phase", 2.0, ranges=ranges, settings=WIDE)
+    assert locus.reason is LocusEnd.CLOSED
+    assert locus.success
+    assert locus.second.min() < -0.4 < 0.4 < locus.second.max()
+    both = 0.5 * abs(1.0 + np.exp(1j * locus.second)) * amplitude(locus.first)
+    assert both == pytest.approx(np.full(len(both), 24.0), rel=1e-10)
+    assert locus.units == ("Hz", "rad")
+
+
 def test_a_locus_ends_at_most_points_and_says_where(branch: FollowedBranch) -> None:
     point = of_kind(branch, SpecialKind.GRAZING)
-    locus = follow_special(branch, point, GAP, 30.0, ranges=RANGES, settings=LocusSettings(most_points=3))
+    few = LocusSettings(most_points=3, quiet=True)
+    locus = follow_special(branch, point, GAP, 30.0, ranges=RANGES, settings=few)
     assert locus.reason is LocusEnd.MOST_POINTS
     assert len(locus.values) == 3
     assert not locus.success
-    assert f"{GAP} = {locus.second[-1]:.10g}" in locus.message
+    assert f"at frequency = {locus.first[-1]:.10g} and {GAP} = {locus.second[-1]:.10g}" in locus.message
+    assert (locus.first[0], locus.second[0]) == (pytest.approx(point.value, rel=1e-10), 10.0)
+    assert (locus.kind, locus.parts, locus.name) == (SpecialKind.GRAZING, ("stop",), "grazing, stop")
 
 
-def test_wrong_use_is_told(branch: FollowedBranch) -> None:
-    point = branch.special[0]
-    with pytest.raises(MechanismError, match="a second number"):
-        follow_special(branch, point, "frequency", 2.0)
-    with pytest.raises(MechanismError, match="did you mean"):
-        follow_special(branch, point, "stops.stop.gapp", 2.0)
-    with pytest.raises(ValueError, match="is 10 already"):
-        follow_special(branch, point, GAP, 10.0)
-    with pytest.raises(ValueError, match="do not hold the point"):
-        follow_special(branch, point, GAP, 12.0, ranges=LocusRanges((1.0, 2.0), (10.0, 12.0)))
-    with pytest.raises(ValueError, match="lower and a higher"):
-        LocusRanges((1.0, 1.0), (0.0, 1.0))
-    lost = replace(point, kind=SpecialKind.TORUS)
-    hasty = LocusSettings(smallest_step=1e-3)
-    assert follow_special(branch, lost, GAP, 12.0, settings=hasty).reason is LocusEnd.CHANGED
+def test_without_ranges_a_locus_stays_within_the_branch_and_goes_to_stop(branch: FollowedBranch) -> None:
+    locus = follow_special(branch, of_kind(branch, SpecialKind.GRAZING), GAP, "9.8 m", settings=LONG)
+    assert locus.reason is LocusEnd.LEFT
+    assert (locus.second[0], locus.second[-1]) == (10.0, pytest.approx(9.8, rel=1e-12))
+    assert (np.diff(locus.second) < 0.0).all()
+
+
+def test_a_point_that_is_not_there_is_lost_and_what_lies_beside_it_is_named(branch: FollowedBranch) -> None:
+    grazing = of_kind(branch, SpecialKind.GRAZING)
+    torus = replace(grazing, kind=SpecialKind.TORUS, parts=())
+    hasty = LocusSettings(smallest_step=1e-3, quiet=True)
+    found = follow_special(branch, torus, GAP, 12.0, settings=hasty)
+    assert found.reason is LocusEnd.CHANGED
+    assert found.message.endswith("; beside it: grazing, period-doubling")
+
+
+Call = Callable[[FollowedBranch], object]
+REFUSED: dict[str, tuple[type[Exception], str, Call]] = {
+    "the same number": (
+        MechanismError,
+        "a second number",
+        lambda branch: follow_special(branch, branch.special[0], "frequency", 2.0),
+    ),
+    "an order": (
+        MechanismError,
+        "a second number",
+        lambda branch: follow_special(branch, branch.special[0], "forces.drive.order", 2),
+    ),
+    "no number": (
+        MechanismError,
+        "did you mean",
+        lambda branch: follow_special(branch, branch.special[0], "stops.stop.gapp", 2.0),
+    ),
+    "no way to go": (
+        ValueError,
+        "is 10 already",
+        lambda branch: follow_special(branch, branch.special[0], GAP, "10 m"),
+    ),
+    "ranges beside it": (
+        ValueError,
+        "do not hold the point",
+        lambda branch: follow_special(
+            branch, branch.special[0], GAP, 12.0, ranges=LocusRanges((1.0, 2.0), (10.0, 12.0))
+        ),
+    ),
+    "no branch": (
+        WrongTypeError,
+        "branch",
+        lambda branch: follow_special(branch.map, branch.special[0], GAP, 11.0),  # type: ignore[arg-type]
+    ),
+    "no special point": (WrongTypeError, "special", lambda branch: follow_special(branch, 1.25, GAP, 11.0)),  # type: ignore[arg-type]
+    "no drive": (
+        UnsupportedMotionError,
+        "driven motions only",
+        lambda branch: follow_special(
+            follow(
+                Mechanism.from_toml(EXAMPLES / "block-on-belt.toml"),
+                "pins.belt.velocity",
+                0.1,
+                0.2,
+                settings=FollowSettings(most_points=2, quiet=True),
+            ),
+            branch.special[0],
+            "links.spring.stiffness",
+            1.3,
+        ),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_wrong_use_is_told(branch: FollowedBranch, name: str) -> None:
+    error, told, call = REFUSED[name]
+    with pytest.raises(error, match=told):
+        call(branch)
+
+
+@pytest.mark.parametrize(
+    ("made", "name", "value"),
+    [
+        (LocusSettings, "most_points", 1),
+        (LocusSettings, "largest_step", 1.5),
+        (LocusSettings, "smallest_step", 0.04),
+        (LocusSettings, "smallest_step", 0.0),
+        (
+            lambda **given: LocusRanges(**{"first": (0.0, 1.0), "second": (0.0, 1.0), **given}),
+            "first",
+            (1.0, 1.0),
+        ),
+        (
+            lambda **given: LocusRanges(**{"first": (0.0, 1.0), "second": (0.0, 1.0), **given}),
+            "second",
+            (2.0, 1.0),
+        ),
+    ],
+)
+def test_settings_and_ranges_out_of_bounds_are_refused(
+    made: Callable[..., object], name: str, value: Any
+) -> None:
+    with pytest.raises(ValueError, match=name):
+        made(**{name: value})
+    assert LocusSettings(2, 1.0, 1.0).smallest_step == 1.0
+
+
+def test_a_locus_tells_its_points() -> None:
+    locus = results.locus()
+    assert "fold over frequency and stops.wall.gap, 3 points" in repr(locus)
+    frame = locus.to_dataframe()
+    assert frame.to_numpy().tolist() == [[*row, 0.0, 0.0] for row in locus.values.tolist()]
+    assert frame.attrs["units"] == {"frequency": "Hz", "stops.wall.gap": "m", "residual": "", "distance": ""}
+    both = replace(locus, kind=SpecialKind.STICK, parts=("a", "b"), units=("", ""))
+    assert both.name == "stick, a and b"
+    assert both.plot(Figure().add_subplot()).get_xlabel() == "frequency"
+    assert {each for each in LocusEnd if each.is_success} == {LocusEnd.LEFT, LocusEnd.CLOSED}
