@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 
 import control
+import numpy as np
 import pytest
 
 from trimmer import (
@@ -15,6 +16,7 @@ from trimmer import (
     CoulombFriction,
     Displacement,
     Drive,
+    EnergyBalance,
     FrictionBacklash,
     InertiaBacklash,
     InputChannels,
@@ -118,3 +120,46 @@ def test_any_other_loop_is_refused() -> None:
     motion = simulate(ClosedLoop(control.tf([1], [1, 1]), FrictionBacklash(1.0)), 1.0)
     with pytest.raises(UnsupportedMotionError, match="TrimmerLoop"):
         energy_balance(motion)
+
+
+def test_what_is_missing_is_compared_with_the_largest_term() -> None:
+    balance = EnergyBalance(1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
+    # 2 - 1 + 8 - 4 - 16 + 32 + 64 = 85.
+    assert (balance.bridge_energy, balance.residual) == (0.0, 85 / 64)
+    assert replace(balance, bridge_energy=170.0).residual == 0.5
+    assert replace(balance, pin_work=-202.0).residual == 303 / 202
+    assert EnergyBalance(*[0.0] * 7).residual == 0.0
+
+
+def test_a_factor_of_a_friction_counts_in_its_loss_and_the_bridge_at_its_farthest() -> None:
+    drive, balances = Drive(1.5e-3, frequency=110.0), []
+    for law in (2.0 * CoulombFriction(1.5), CoulombFriction(3.0)):
+        loop = TrimmerLoop(THESIS, None, drive, frictions=(BodyFriction("q2-q4", law),))
+        balances.append(energy_balance(simulate(loop, 0.02)))
+        assert balances[-1].residual < 1e-11
+    assert balances[0].friction_loss == pytest.approx(balances[1].friction_loss, rel=1e-9)
+    assert balances[0].friction_loss > 1e-3
+    assert balances[0].bridge_energy == pytest.approx(0.5 * THESIS.k2 * 1.5e-3**2, rel=1e-4)
+    # What the element takes does not reach the bridge.
+    half = energy_balance(simulate(TrimmerLoop(THESIS, 0.5 * FrictionBacklash(2e-4), drive), 0.02))
+    assert half.bridge_energy == pytest.approx(0.5 * THESIS.k2 * (0.5 * 1.4e-3) ** 2, rel=1e-3)
+    assert half.residual < 1e-11
+
+
+def test_losses_are_those_of_sampled_velocities() -> None:
+    """By the trapezium rule over fine samples: dampers from -c v^2, friction from force times velocity."""
+    loop = LOOPS["driven, friction, one channel"]
+    motion = simulate(loop, 0.02)
+    times = np.linspace(0.0, 0.02, 400_001)
+    v = motion.state(times)[4:]
+    p = SOFT
+    dampers = [(p.c1, v[0]), (p.c2, v[0] - v[1]), (p.c3, v[2]), (p.c4, v[2] - v[3])]
+    forces = motion.component_outputs(times)[1:]
+    rubbed = forces[0] * (v[1] - v[3]) + forces[1:].sum(axis=0) * v[3]
+    u = motion.element_output(times)
+    pushed = p.k2 * u * (v[1] - v[0]) if loop.channels is ONE_CHANNEL else None
+    balance = energy_balance(motion)
+    lost = np.trapezoid(sum(c * each**2 for c, each in dampers), times)
+    assert balance.damping_loss == pytest.approx(lost, rel=1e-6)
+    assert balance.friction_loss == pytest.approx(np.trapezoid(rubbed, times), rel=1e-5)
+    assert balance.pin_work == pytest.approx(np.trapezoid(pushed, times), rel=1e-5)

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trimmer.motion.compilation import kept, sources
-from trimmer.motion.first_event import DEEPEST, NOWHERE, first_root, sign_variations
+from trimmer.motion.first_event import DEEPEST, NOWHERE, first_root
 from trimmer.motion.taylor import DEGREE, bernstein_from_taylor
 
 COUNT = DEGREE + 1
@@ -99,9 +99,3 @@ def test_the_zero_is_as_exact_as_the_coefficients() -> None:
             if abs(root.imag) < 1e-20 and 0 < root.real < 1
         )
     assert search(taylor)[0] == pytest.approx(float(exact), rel=2e-16)
-
-
-def test_zeros_do_not_count_as_signs() -> None:
-    assert sign_variations.py_func(np.array([1.0, 0.0, 2.0, 0.0, -1.0, 0.0]), 6) == (1, False)
-    assert sign_variations.py_func(np.array([0.0, -1.0, 0.0, 1.0, -1.0]), 5) == (2, True)
-    assert sign_variations.py_func(np.array([0.0, 0.0]), 2) == (0, False)
