@@ -1,4 +1,4 @@
-"""Slips that die away, each with a smaller one to follow: friction holds what is left, at one of many places."""
+"""Slips that die away, each with a smaller one to follow, until friction holds all."""
 
 from __future__ import annotations
 
