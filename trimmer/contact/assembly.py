@@ -58,6 +58,7 @@ class EventFunction:
     row: Reals
     signs: tuple[int, ...] = ()
 
+
 ROUNDING = 16 * float(np.finfo(float).eps)
 """Rounding of a sum of products as a share of the moduli of its terms."""
 

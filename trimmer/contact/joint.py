@@ -2,7 +2,7 @@
 
 The relative accelerations follow from a linear complementarity problem,
 ``trimmer.motion.frictions.dry_friction``. A friction whose static force is greater than its kinetic one
-slides against the latter once it slides; then the others are decided again.
+resists with the latter once it breaks away; then all are decided again.
 """
 
 from __future__ import annotations
@@ -52,50 +52,66 @@ def after_event(
         after = decide(machine, statuses, state, at_rest)
         if function.action == ARRIVED or after != statuses:
             return after, 1
-    contacts, decided = len(machine.stiffness), list(statuses)
     sliding = [friction for friction, sign in enumerate(function.signs) if sign]
+    drops = bool((machine.static[sliding] > machine.kinetic[sliding]).any())
+    if drops:
+        after = decide(machine, statuses, state, at_rest, np.array(sliding, dtype=np.intp))
+        if after != statuses:
+            return after, 1
+    # Without a drop accelerations begin at zero; and where the drop is rounding, the limit decides.
+    contacts, decided = len(machine.stiffness), list(statuses)
     for friction in sliding:
         decided[contacts + friction] = FORWARD if function.signs[friction] > 0 else BACKWARD
-    if not (machine.static[sliding] > machine.kinetic[sliding]).any():
-        return tuple(decided), 2
-    return decide(machine, tuple(decided), state, np.setdiff1d(at_rest, sliding)), 1
+    return tuple(decided), 1 if drops else 2
 
 
-def decide(machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places) -> tuple[int, ...]:
+def decide(
+    machine: Machine,
+    statuses: tuple[int, ...],
+    state: Reals,
+    at_rest: Places,
+    broken: Places | None = None,
+) -> tuple[int, ...]:
     """Return the statuses of all parts once the frictions at rest have stuck or begun to slide.
+
+    What breaks away resists with its kinetic force from then on, and all is decided again: it may stick after
+    all, where others that broke away with it push it back. So it ends, and all forces fit what moves.
 
     Args:
         machine: The mechanism.
         statuses: Of all parts; those of the frictions at rest do not count.
         state: The extended state, (N,).
         at_rest: Numbers of the frictions whose velocity is zero, those that stick among them.
+        broken: Those of them that are beyond their static force; none if not given.
 
     Raises:
         ArithmeticError: if rounding keeps the problem from being solved.
     """
-    contacts, decided = len(machine.stiffness), list(statuses)
-    left = at_rest
-    while len(left):
-        directions = _accelerations(machine, tuple(decided), state, left)
-        for friction, acceleration in zip(left, directions, strict=True):
-            status = STICK if acceleration == 0 else FORWARD if acceleration > 0 else BACKWARD
-            decided[contacts + friction] = status
-        drops = machine.static[left] > machine.kinetic[left]
-        if not (drops & (directions != 0)).any():
+    contacts, decided, limits = len(machine.stiffness), list(statuses), machine.static.copy()
+    if broken is not None:
+        limits[broken] = machine.kinetic[broken]
+    while True:
+        accelerations = _accelerations(machine, statuses, state, at_rest, limits[at_rest])
+        breaking = at_rest[(accelerations != 0) & (limits[at_rest] > machine.kinetic[at_rest])]
+        if not len(breaking):
             break
-        left = left[~(drops & (directions != 0))]
+        limits[breaking] = machine.kinetic[breaking]
+    for friction, acceleration in zip(at_rest, accelerations, strict=True):
+        status = STICK if acceleration == 0 else FORWARD if acceleration > 0 else BACKWARD
+        decided[contacts + friction] = status
     return tuple(decided)
 
 
-def _accelerations(machine: Machine, statuses: tuple[int, ...], state: Reals, left: Places) -> Reals:
-    """Return the relative accelerations of frictions at rest, zero where they stick."""
+def _accelerations(
+    machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places, limits: Reals
+) -> Reals:
+    """Return the relative accelerations of frictions at rest, zero where they stick within their limits."""
     bodies = machine.contact_push.shape[1]
     contacts = len(machine.stiffness)
     sliding = tuple(FORWARD if each == STICK else each for each in statuses[contacts:])
-    flow = flow_without_stick(machine, statuses[:contacts] + sliding, left)
-    rates, push = machine.friction_rate[left], machine.friction_push[left]
+    flow = flow_without_stick(machine, statuses[:contacts] + sliding, at_rest)
+    rates, push = machine.friction_rate[at_rest], machine.friction_push[at_rest]
     noise = NOISE * (abs(rates) @ (abs(flow) @ abs(state)))
-    limits = machine.static[left]
     _, accelerations = complementary_forces(
         rates[:, bodies : 2 * bodies] @ push.T, rates @ (flow @ state), -limits, limits, noise
     )
