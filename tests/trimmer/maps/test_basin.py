@@ -1,3 +1,5 @@
+"""Basins: which motion each start leads to."""
+
 from __future__ import annotations
 
 import numpy as np
@@ -35,6 +37,17 @@ def test_each_cell_is_where_its_start_leads_to(found, cell) -> None:
     end = flow.strobe(flow.rest({"mass": start}), 400).states[-1]
     reached = np.array(found.motions[found.number[cell]].states[0])
     np.testing.assert_allclose(end, reached, atol=1e-6 * abs(reached).max())
+
+
+def test_each_start_has_a_row(found) -> None:
+    frame = found.to_dataframe()
+    assert frame["motion"].tolist() == (found.number.ravel() + 1).tolist()
+    assert frame["period_count"].tolist() == [1] * 25
+    assert frame.iloc[7, :2].tolist() == [SLICE["mass.displacement"][2], SLICE["mass.velocity"][1]]
+    shares = np.bincount(found.number.ravel()) / 25
+    assert found.shares == pytest.approx(shares, rel=1e-12)
+    assert found.names == ("1: period 1", "2: period 1")
+    assert f"1: period 1, {shares[0]:.0%}" in repr(found)
 
 
 def test_places_may_be_written_as_in_the_file(found) -> None:

@@ -1,3 +1,5 @@
+"""Files of maps: interrupted, gone on with, damaged, and of others."""
+
 from __future__ import annotations
 
 import hashlib
@@ -74,6 +76,13 @@ def test_the_file_says_all_that_it_depends_on(file: Path) -> None:
 def test_an_interrupted_map_goes_on_to_the_same_numbers(file: Path, whole, cells: int) -> None:
     interrupted(file, cells)
     assert len(file.read_text("utf-8").splitlines()) == 1 + cells
+    assert resume(file).cells == whole.cells
+
+
+def test_a_map_may_be_interrupted_again(file: Path, whole) -> None:
+    interrupted(file, 1)
+    with pytest.raises(MapInterruptedError, match=r"after 3 of 6 cells"):
+        motion_map(impact_oscillator(), PLACES, runner=Stopping(2), file=file, resume=True)
     assert resume(file).cells == whole.cells
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.trimmer.maps.machines import SQUARE_ROOT_OF_40, linear_oscillator
+from tests.trimmer.maps.machines import SQUARE_ROOT_OF_40, impact_oscillator, linear_oscillator
 from trimmer.contact.flow import ExactFlow
 from trimmer.maps.measures import of_orbit, of_window
 from trimmer.maps.settle import settle
@@ -29,12 +29,14 @@ def test_measures_of_the_first_reference_case() -> None:
     assert found.events == 14
 
 
-def test_a_linear_oscillator_is_that_of_the_textbook() -> None:
+@pytest.mark.parametrize(("measures", "rel"), [(of_orbit, 1e-10), (of_window, 1e-7)])
+def test_a_linear_oscillator_is_that_of_the_textbook(measures, rel: float) -> None:
+    """Even samples of a harmonic give its mean square exactly; between them swings are cubics."""
     mechanism, omega = linear_oscillator(), 7.5
     amplitude = 100 / abs(40 - omega**2 + 0.1j * SQUARE_ROOT_OF_40 * omega)
-    found = measures_of(mechanism)
-    assert found.peak_to_peak["x"] == pytest.approx(2 * amplitude, rel=1e-10)
-    assert found.rms_acceleration["mass"] == pytest.approx(omega**2 * amplitude / np.sqrt(2), rel=1e-10)
+    found = measures_of(mechanism, measures)
+    assert found.peak_to_peak["x"] == pytest.approx(2 * amplitude, rel=rel)
+    assert found.rms_acceleration["mass"] == pytest.approx(omega**2 * amplitude / np.sqrt(2), rel=rel)
     assert (found.events, found.impacts, found.impact_speed) == (0, 0, 0)
     assert found.wear_power == {}
 
@@ -75,3 +77,37 @@ def test_impacts_and_their_speed_are_those_of_the_events() -> None:
     found = of_orbit(flow, orbit.course, 1)
     assert found.impacts == len(made)
     assert found.impact_speed == pytest.approx(speeds.max(), rel=1e-9)
+
+
+def test_events_of_a_window_are_counted_for_each_drive_period() -> None:
+    flow = ExactFlow(impact_oscillator())
+    course = flow.course(flow.rest({"mass": (-25.0, 0.0)}), 7)
+    made = [time for time, _, kind in course.events if kind == 1]
+    speeds = [abs(course.states(np.array([time]))[0, 1]) for time in made]
+    found = of_window(flow, course, 7)
+    assert len(made) > 2
+    assert found.events == pytest.approx(len(course.events) / 7, rel=1e-15)
+    assert found.impacts == pytest.approx(len(made) / 7, rel=1e-15)
+    assert found.impact_speed == pytest.approx(max(speeds), rel=1e-9)
+    dense = course.states(np.linspace(0.0, course.duration, 40_001))
+    assert found.peak_to_peak["x"] == pytest.approx(np.ptp(dense[:, 0]), rel=1e-6)
+
+
+@pytest.mark.parametrize("measures", [of_orbit, of_window])
+def test_what_sticks_or_has_no_force_wears_nothing(measures) -> None:
+    """A brake that holds the whole time, one of no force, and one that slips the whole time."""
+    mechanism = Mechanism(
+        {"block": Body(1.0), "held": Body(1.0)},
+        frequency=10.0,
+        pins={"belt": Pin("ground", velocity=0.7), "shaker": Pin("ground", amplitude=1e-4)},
+        links={"spring": Link(("shaker", "block"), 1e3, 20.0), "weak": Link(("block", "held"), 1e-3, 1.0)},
+        frictions={
+            "brake": Friction(("ground", "held"), force=50.0),
+            "nothing": Friction(("ground", "block"), force=0.0),
+            "rub": Friction(("belt", "block"), force=2.0),
+        },
+        outputs={},
+    )
+    found = measures_of(mechanism, measures)
+    assert found.peak_to_peak == {}
+    assert found.wear_power == {"brake": 0.0, "nothing": 0.0, "rub": pytest.approx(2.0 * 0.7, rel=1e-9)}

@@ -1,6 +1,9 @@
+"""Maps over one number or two: cells, runners, starts, and what is refused."""
+
 from __future__ import annotations
 
 import multiprocessing
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,11 +11,12 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from trimmer.contact.flow import ExactFlow
 from trimmer.errors import MapError, MechanismError, TrimmerError
-from trimmer.maps.cells import CellWork
+from trimmer.maps.cells import CellWork, start_scales
 from trimmer.maps.inputs import Settings, checked_inputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map
-from trimmer.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, Pin, Play, Stop
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind
 from trimmer.runners.processes import ProcessRunner
@@ -150,20 +154,73 @@ def test_a_mechanism_without_a_drive_has_no_map() -> None:
         motion_map(free, {"bodies.mass.mass": [1.0]})
 
 
-@pytest.mark.parametrize("name", ["most_periods", "starts", "seed"])
-def test_settings_are_whole_numbers(name: str) -> None:
+@pytest.mark.parametrize(("name", "least"), [("most_periods", 2), ("starts", 1), ("seed", 0)])
+def test_settings_are_whole_numbers_from_the_least_on(name: str, least: int) -> None:
     with pytest.raises(ValueError, match=f"{name} must be a whole number"):
-        motion_map(TWIN, PLACES, **{name: -1})
+        motion_map(TWIN, PLACES, **{name: least - 1})
+    found = motion_map(linear_oscillator(), {"frequency": [1.0]}, runner=SERIAL, **{name: least})
+    assert vars(found.inputs.settings) == {"most_periods": 300, "starts": 1, "seed": 0, name: least}
 
 
-def test_resume_without_a_file_is_refused() -> None:
-    with pytest.raises(MapError, match="resume is of a file"):
-        motion_map(TWIN, PLACES, resume=True)
+@pytest.mark.parametrize("name", ["resume", "overwrite"])
+def test_resume_and_overwrite_are_of_a_file(name: str) -> None:
+    with pytest.raises(MapError, match=f"^{name} is of a file"):
+        motion_map(TWIN, PLACES, **{name: True})
+
+
+def test_values_are_set_in_whatever_order_they_fit() -> None:
+    """The force alone cannot rise above the static one, nor that fall below the force."""
+    static = TWIN.with_value("frictions.blade.static", 1.0)
+    for force, most in ((2.0, 3.0), (0.25, 0.5)):
+        pairs = {"frictions.blade.force": [force], "frictions.blade.static": [most]}
+        for values in (pairs, dict(reversed(pairs.items()))):
+            assert not motion_map(static, values, most_periods=2, runner=SERIAL).failures
+    with pytest.raises(MechanismError):
+        motion_map(static, {"frictions.blade.force": [0.5, 1.5]})
+
+
+@pytest.mark.parametrize(
+    ("settings", "begin", "told"),
+    [
+        ({}, None, "2 cells, each from rest, for at most 300 drive periods; other motions were not looked"),
+        ({"starts": 2}, None, "each from rest and from 1 random state"),
+        ({"starts": 3, "seed": 5}, None, "each from rest and from 2 random states (seed 5)"),
+        ({"most_periods": 44}, 1.0, "each from the mechanism's own start, for at most 44"),
+    ],
+)
+def test_it_is_said_what_was_searched(settings: dict[str, int], begin: float | None, told: str) -> None:
+    mechanism = linear_oscillator()
+    if begin is not None:
+        mechanism = mechanism.with_value("start.mass.velocity", begin)
+    found = motion_map(mechanism, {"frequency": [1.0, 1.5]}, runner=SERIAL, **settings)
+    assert told in found.searched
+
+
+def test_several_motions_of_cells_are_counted_by_their_starts() -> None:
+    """Between grazing and fold random starts lead to both motions."""
+    found = motion_map(impact_oscillator(), {"frequency": [1.19, 1.2]}, starts=8, seed=1, runner=SERIAL)
+    assert found.motion_count.tolist() == [[2, 2]]
+    assert [sum(each.starts for each in cell.motions) for cell in found.cells] == [8, 8]
+    assert "; 2 of them have several motions" in found.searched
+    first = [cell.motions[0].measures.peak_to_peak["x"] for cell in found.cells]
+    assert found.stroke[0].tolist() == first
+
+
+@pytest.mark.parametrize(
+    ("parts", "length"),
+    [
+        ({}, 1e-3),
+        ({"pins": {"pin": Pin("ground", amplitude=-0.2)}}, 0.2),
+        ({"plays": {"play": Play(("ground", "mass"), 10.0, gap=0.3)}}, 0.3),
+        ({"stops": {"stop": Stop(("ground", "mass"), 10.0, gap=-0.5)}}, 0.5),
+    ],
+)
+def test_random_starts_go_as_far_as_the_largest_amplitude_or_gap(parts, length: float) -> None:
+    flow = ExactFlow(replace(linear_oscillator(), **parts))
+    assert start_scales(flow)[:2] == pytest.approx([length, length * 7.5], rel=1e-12)
 
 
 def test_no_stroke_without_an_output() -> None:
-    from dataclasses import replace
-
     found = motion_map(replace(linear_oscillator(), outputs={}), {"frequency": [1.0]}, runner=SERIAL)
     with pytest.raises(MapError, match="no output"):
         _ = found.stroke
