@@ -1,4 +1,4 @@
-"""The exact engine's motion in the words of the brute force."""
+"""Exact motions in the words of the brute force."""
 
 from __future__ import annotations
 
@@ -7,38 +7,31 @@ from dataclasses import dataclass
 import numpy as np
 
 from tests.mechanisms.brute_force import Event, EventKind
-from trimmer.contact.flow import Course, ExactFlow
-from trimmer.contact.statuses import CONTACT_BROKEN, CONTACT_MADE, REVERSED, STICK_BEGUN, STICK_ENDED
-from trimmer.mechanism.mechanism import Mechanism
-
-KINDS = {
-    CONTACT_MADE: EventKind.CONTACT_MADE,
-    CONTACT_BROKEN: EventKind.CONTACT_BROKEN,
-    REVERSED: EventKind.SLIDING_REVERSED,
-    STICK_BEGUN: EventKind.STICK_BEGUN,
-    STICK_ENDED: EventKind.STICK_ENDED,
-}
+from trimmer import Mechanism, MechanismMotion, simulate
 
 
 @dataclass(frozen=True)
 class ExactMotion:
-    """A motion from the mechanism's own start."""
+    """A motion as ``simulate`` gives it."""
 
-    flow: ExactFlow
-    course: Course
+    motion: MechanismMotion
 
     @property
     def events(self) -> list[Event]:
-        layout = self.flow.modes.layout
-        names = (*layout.contacts, *layout.frictions)
-        return [Event(time, names[part], KINDS[kind]) for time, part, kind in self.course.events]
+        return [Event(each.time, each.part, EventKind(each.kind.value)) for each in self.motion.events]
 
     def states(self, times: np.ndarray) -> np.ndarray:
         """Displacements, velocities and z, one row per time."""
-        return self.course.states(np.asarray(times, dtype=float))[:, : self.flow.size]
+        return self.motion.states(times).T
 
 
-def exact_motion(mechanism: Mechanism, duration: float) -> ExactMotion:
-    """Return the motion over a duration, s."""
-    flow = ExactFlow(mechanism)
-    return ExactMotion(flow, flow.timed(flow.rest(), duration))
+def exact_motion(mechanism: Mechanism, duration: float, state: np.ndarray | None = None) -> ExactMotion:
+    """Return the motion over a duration, s, from the mechanism's own start or a state."""
+    motion = simulate(mechanism, duration, state=state)
+    assert motion.success
+    return ExactMotion(motion)
+
+
+def derivative(mechanism: Mechanism, duration: float, state: np.ndarray | None = None) -> np.ndarray:
+    """Return the derivative of the state after a duration, s, by that at the start."""
+    return simulate(mechanism, duration, state=state).course.monodromy

@@ -1,0 +1,219 @@
+"""Motions that follow on paper, event by event, and where motions end."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+from tests.mechanisms import cases, closed_forms
+from tests.mechanisms.oscillator_events import Oscillator, with_friction, with_stop
+from trimmer import ContactLaw, Mechanism, MechanismMotion, simulate
+from trimmer.contact.advance import Ending
+from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
+
+BETWEEN = ("ground", "body")
+
+
+def times_of(motion: MechanismMotion, word: str) -> list[float]:
+    return [event.time for event in motion.events if event.kind.value == word]
+
+
+@pytest.mark.parametrize("law", list(ContactLaw))
+def test_event_times_of_a_stop(law: ContactLaw) -> None:
+    stop = Stop(BETWEEN, 50.0, 2.0, 0.25, law)
+    motion = simulate(cases.driven_oscillator({"wall": stop}, {}), 7.0)
+    with mp.workdps(30):
+        oscillator = Oscillator(1.0, 0.25, 4.0, 3.0, mpf(3.0))
+        exact = with_stop(oscillator, (50.0, 2.0, 0.25), law, (0, 0), mpf(7))
+    for word, expected in (("contact made", exact.made), ("contact broken", exact.broken)):
+        np.testing.assert_allclose(
+            times_of(motion, word), np.array(expected, dtype=float), rtol=0, atol=1e-13
+        )
+    wanted = [float(exact.displacement), float(exact.velocity)]
+    np.testing.assert_allclose(motion.states(7.0)[:2], wanted, rtol=0, atol=1e-13)
+
+
+def test_event_times_of_a_friction_that_sticks() -> None:
+    rub = Friction(BETWEEN, 1.0, 1.25)
+    mechanism = cases.driven_oscillator({}, {"rub": rub}, omega=0.75, amplitude=2.0, velocity=0.5)
+    motion = simulate(mechanism, 20.0)
+    with mp.workdps(30):
+        oscillator = Oscillator(1.0, 0.25, 4.0, 2.0, mpf(0.75))
+        exact = with_friction(oscillator, 1.0, 1.25, (0, 0.5), mpf(20))
+    for word, expected in (("stick begun", exact.begun), ("stick ended", exact.ended)):
+        assert len(expected) > 3
+        np.testing.assert_allclose(
+            times_of(motion, word), np.array(expected, dtype=float), rtol=0, atol=1e-12
+        )
+
+
+@pytest.mark.parametrize("zeta", [0.1, 0.3, 0.6])
+def test_a_wall_that_cannot_pull_throws_back_by_the_closed_form(zeta: float) -> None:
+    motion = simulate(cases.thrown(zeta, ContactLaw.TRUNCATED), 9.0)
+    assert motion.velocity("body", 9.0) == pytest.approx(-float(closed_forms.rebound_ratio(zeta)), rel=1e-12)
+
+
+def bouncing(**changes: object) -> Mechanism:
+    """A body of 1 kg that bounces on springs of 100 N/m at +-0.5 m; it is driven by nothing, at 2 Hz."""
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=2.0,
+        plays={"slot": Play(BETWEEN, 100.0, 0.0, 1.0)},
+        forces={"nothing": Force("body", amplitude=1e-300)},
+        start={"body": (0.0, 1.0)},
+    )
+    return replace(mechanism, **changes)
+
+
+@pytest.mark.parametrize("changes", [{}, {"frequency": 1e-3}, {"frequency": None, "forces": {}}])
+def test_a_motion_keeps_all_its_events_however_many(changes: dict[str, object]) -> None:
+    motion = simulate(bouncing(**changes), 400.0)
+    # It meets a wall every second of flight and a contact of pi / 10 s.
+    count = int((400.0 - 0.5) / (1.0 + math.pi / 10)) + 1
+    made = 0.5 + np.arange(count) * (1.0 + math.pi / 10)
+    assert times_of(motion, "contact made") == pytest.approx(made, rel=1e-11)
+    assert {event.part for event in motion.events} == {"slot"}
+    # Flight, turn, flight back: place and speed at any time.
+    times = np.sort(np.random.default_rng(1).uniform(0.0, 400.0, 50))
+    lap, since = np.divmod(times - 0.5, 1.0 + math.pi / 10)
+    side, away = (-1.0) ** lap, since - math.pi / 10
+    place = np.where(away > 0, 0.5 - away, 0.5 + 0.1 * np.sin(10 * since))
+    place, side = np.where(lap < 0, times, place), np.where(lap < 0, 1.0, side)
+    assert motion.displacement("body", times) == pytest.approx(side * place, abs=1e-10)
+
+
+def test_a_motion_that_takes_too_many_steps_ends_where_they_end() -> None:
+    whole = simulate(bouncing(), 2.2)
+    cut = simulate(bouncing(), 2.2, step_limit=1)
+    assert (whole.outcome, cut.outcome) == (Ending.REACHED_END, Ending.STEP_LIMIT)
+    assert (cut.success, cut.message) == (False, "it took more steps than allowed")
+    assert 0.0 < cut.duration < 0.5
+    assert cut.states(cut.duration) == pytest.approx(whole.states(cut.duration), rel=1e-12)
+    beyond = simulate(bouncing(start={"body": (1e160, 0.0)}), 1.0)
+    assert (beyond.success, beyond.outcome) == (False, Ending.DIVERGED)
+
+
+def test_a_spring_on_a_belt_pulls_ever_more_over_the_periods() -> None:
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=2.0,
+        pins={"belt": Pin("ground", velocity=0.25)},
+        links={"spring": Link(("belt", "body"), 1.0, 2.0)},
+    )
+    times = np.linspace(0.0, 4.3, 12)
+    # x'' + 2 x' + x = t / 4 + 1 / 2 from rest.
+    expected = 0.25 * (times - times * np.exp(-times))
+    assert simulate(mechanism, 4.3).displacement("body", times) == pytest.approx(expected, rel=1e-11)
+
+
+def test_a_body_that_a_belt_drags_slides_behind_it_by_what_its_friction_needs() -> None:
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        pins={"belt": Pin("ground", velocity=0.25)},
+        links={"spring": Link(("belt", "body"), 40.0, 3.0)},
+        frictions={"floor": Friction(("ground", "body"), 1.0)},
+    )
+    place, speed = simulate(mechanism, 40.0).states(40.0)
+    assert (place, speed) == (pytest.approx(0.25 * 40 - 1 / 40, abs=1e-9), pytest.approx(0.25))
+
+
+@pytest.mark.parametrize(("phase", "slides"), [(0.0, False), (1e-13, True), (-1e-13, True)])
+@pytest.mark.parametrize("turn", [math.pi / 2, -math.pi / 2])
+def test_a_table_that_turns_back_is_at_rest(turn: float, phase: float, slides: bool) -> None:
+    """Its velocity is 6e-17 of its greatest one there, not zero."""
+    mechanism = Mechanism(
+        {"body": Body(1.0)},
+        frequency=2.0,
+        pins={"table": Pin("ground", 3.0, turn + phase)},
+        frictions={"rub": Friction(("body", "table"), 1e9)},
+    )
+    assert bool(simulate(mechanism, 0.01).events) is slides
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "slides"),
+    [
+        (-0.3, -0.3, False),
+        (-0.3, np.nextafter(-0.3, -1.0), False),
+        (-0.3, np.nextafter(-0.3, 0.0), False),
+        (-0.3, -0.3 + 1e-13, True),
+        (-1e-3, -1e-3 - 1e-14, True),
+        (0.0, 0.0, False),
+        (0.0, -1e-100, True),
+    ],
+)
+def test_bodies_whose_velocities_differ_by_rounding_are_at_rest(first, second, slides) -> None:
+    frictions = {"rub": Friction(("one", "two"), 1.0)}
+    start = {"one": (0.0, first), "two": (0.0, second)}
+    motion = simulate(Mechanism({"one": Body(1.0), "two": Body(1.0)}, frictions=frictions, start=start), 1.0)
+    assert times_of(motion, "stick begun") == ([pytest.approx(0.0, abs=1e-12)] if slides else [])
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize(
+    ("law", "place", "speed", "stretch", "force"),
+    [
+        (ContactLaw.RELAXING, 0.04, 0.1, 0.01, 0.4 + 0.3),
+        (ContactLaw.RELAXING, 0.04, -1.0, 0.01, 0.0),  # the damper pulls more than 40 N/m 1 cm push
+        (ContactLaw.RELAXING, 0.01, 0.0, 0.005, 0.0),  # the end of the spring is inside the slot
+        (ContactLaw.RELAXING, 0.01, 1.0, -0.025, 3.0 - 0.8),  # its end is at the wall, and the damper pushes
+        (ContactLaw.RELAXING, 0.01, 0.0, -0.025, 0.0),
+        (ContactLaw.TRUNCATED, 0.04, -1.0, None, 0.0),
+        (ContactLaw.TRUNCATED, 0.04, 0.1, None, 0.4 + 0.3),
+        (ContactLaw.PULLING, 0.04, -1.0, None, 0.4 - 3.0),
+        (ContactLaw.PULLING, 0.02, 9.0, None, 0.0),
+    ],
+)
+def test_a_motion_begins_in_contact_if_its_state_says_so(law, place, speed, stretch, force, side) -> None:
+    """A body of 1 kg between walls at +-3 cm."""
+    mechanism = Mechanism({"body": Body(1.0)}, plays={"slot": Play(BETWEEN, 40.0, 3.0, 0.06, law)})
+    state = side * np.array([place, speed, *([] if stretch is None else [stretch])])
+    motion = simulate(mechanism, 1e-6, state=state)
+    assert motion.contact_force("slot", 0.0) == pytest.approx(side * force, rel=1e-12, abs=1e-12)
+    assert motion.states(0.0)[:2] == pytest.approx(state[:2])
+    if stretch == 0.01 or stretch is None:  # as short as can be, if only the body is given
+        named = simulate(mechanism, 1e-6, state={"body": side * np.array([place, speed])})
+        assert named.states(0.0) == pytest.approx(state)
+
+
+@pytest.mark.parametrize(("side", "there"), [(1.0, 1), (-1.0, -1)])
+def test_what_a_static_force_moves_stays_once_that_is_gone(side: float, there: int) -> None:
+    """One body of 1 kg is pushed, and rubs on another of 2 kg with 0.6 N, or 0.9 N from rest."""
+
+    def pushed(force: float):
+        mechanism = Mechanism(
+            {"one": Body(1.0), "two": Body(2.0)},
+            frictions={
+                "between": Friction(("two", "one"), 0.6, 0.9),
+                "one on ground": Friction(("ground", "one"), 1.0),
+                "two on ground": Friction(("ground", "two"), 0.8),
+            },
+            forces={"push": Force("one", side * force)},
+        )
+        return simulate(mechanism, 0.5).states(0.5)
+
+    # The static 0.9 N would move the second body against its 0.8 N, the kinetic 0.6 N do not.
+    assert pushed(3.0) == pytest.approx([there * 1.4 / 8, 0.0, there * 1.4 / 2, 0.0], rel=1e-12)
+    # 1.7 N hold the first body: 0.9 N of the second and 0.8 N, or 1 N and 0.7 N.
+    assert pushed(1.7) == pytest.approx(np.zeros(4))
+
+
+def test_three_bodies_that_rub_on_each_other_and_on_the_ground_come_to_rest() -> None:
+    """All six frictions stick in the end, as brute force says too; energy is lost to them alone."""
+    ends = ["ground", "a", "b", "c"]
+    pairs = [(start, end) for place, end in enumerate(ends) for start in ends[:place]]
+    mechanism = Mechanism(
+        {name: Body(1.0) for name in "abc"},
+        frictions={f"{start} {end}": Friction((start, end), 0.1) for start, end in pairs},
+        start={"a": (0.0, 0.1), "b": (0.0, 0.2), "c": (0.0, 0.4)},
+    )
+    motion = simulate(mechanism, 9.0)
+    assert not motion.states(9.0)[3:].any()
+    assert sum(motion.energy.frictions.values()) == pytest.approx(0.5 * (0.01 + 0.04 + 0.16), rel=1e-12)
+    assert {event.kind.value for event in motion.events} == {"stick begun"}
+    assert {event.part for event in motion.events} == set(mechanism.frictions)
