@@ -8,8 +8,7 @@ import control
 import numpy as np
 import pytest
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.control_element import ControlElement, _drawn, adopted, is_element
+from trimmer.elements.control_element import ControlElement
 from trimmer.elements.own_element import OwnElement, StaticElement
 from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
@@ -101,20 +100,6 @@ def test_the_mean_slope_of_a_cube_and_bounds_in_any_shape() -> None:
     assert (element.amplitude_scale, StaticElement(np.sin).amplitude_scale) == (0.5, 1.0)
 
 
-def test_kinks_are_passed_four_times_where_the_input_reaches_them() -> None:
-    element = StaticElement(np.sin, kinks=(0.5, -0.2, 3.0, 1.0))
-    rises = [math.asin(0.5), math.asin(0.2)]
-    expected = [phase for rise in rises for phase in (rise, math.pi - rise)]
-    assert element._breaks(1.0, 691.0) == pytest.approx(expected, rel=1e-15)
-    assert len(element._breaks(0.2, 1.0)) == 0
-    near = StaticElement(np.sin, kinks=(1.0 - 2.0**-52,))._breaks(1.0, 1.0)
-    assert 0.5 * math.pi - near[0] == pytest.approx(math.sqrt(2.0**-51), rel=1e-7)
-    assert StaticElement(np.sin, kinks=[1, 2]).kinks == (1.0, 2.0)  # type: ignore[arg-type]
-    phases = np.array([0.3, 4.0])
-    assert StaticElement(np.exp)._halves(phases, 2.0, 1.0)[1] == pytest.approx(np.exp(-2 * np.sin(phases)))
-    assert element._period(phases, 2.0, 1.0) == pytest.approx(np.sin(2 * np.sin(phases)))
-
-
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [((int,), WrongTypeError), ((np.sin, 0.0), ValueError), ((np.sin, 1.0, 0.3), WrongTypeError)],
@@ -137,13 +122,6 @@ def test_an_output_gets_phases_of_one_period_and_its_own_breaks() -> None:
     )
     assert seen == [(pytest.approx(7.0 - 2 * math.pi), pytest.approx(2 * math.pi - 1.0), 2.0, 691.0)]
 
-    class Broken(Late):
-        def breaks(self, amplitude, omega):
-            return (amplitude, omega)
-
-    assert Broken()._breaks(2.0, 691.0) == (2.0, 691.0)
-    assert (tuple(Late().breaks(2.0, 1.0)), tuple(Late()._breaks(2.0, 1.0))) == ((), ())
-
 
 @pytest.mark.parametrize("phases", [[0.3], [4.0, 0.3, 2.0], [2.0, 2.0, -1.0, 5.0]])
 def test_one_with_memory_runs_through_both_peaks_whatever_is_asked(phases: list[float]) -> None:
@@ -155,21 +133,6 @@ def test_one_with_memory_runs_through_both_peaks_whatever_is_asked(phases: list[
         assert value == pytest.approx(expected, abs=1e-12)
     relay = ControlElement(LOOP).waveform(phases, 0.9)
     assert relay.tolist() == Relay(2.0, 0.3).waveform(phases, 0.9).tolist()
-
-
-@pytest.mark.filterwarnings("error")
-def test_the_scale_is_where_the_gain_bends_most() -> None:
-    """Amplitudes are probed eight times a decade from 1e-12 on: the gain bends next to the threshold."""
-    amplitudes = np.array([10.0 ** (exponent / 8.0) for exponent in range(-96, 97)])
-    for peer, ours in ((CLIPPED, Saturation(0.5)), (PLAY, FrictionBacklash(0.4))):
-        sizes = np.log(np.abs(ours.describing_function(amplitudes)))
-        bends = np.abs(sizes[2:] - 2.0 * sizes[1:-1] + sizes[:-2])
-        expected = amplitudes[1 + int(np.nanargmax(bends))]
-        assert ControlElement(peer).amplitude_scale == pytest.approx(expected, rel=1e-12)
-        assert 0.2 < expected < 0.9
-    # |N| of a relay is 4 L/(π A) wherever it switches, and that of what is not clipped is a number.
-    for peer in (LOOP, control.saturation_nonlinearity(1e13)):
-        assert ControlElement(peer).amplitude_scale == 1.0
 
 
 def test_only_one_without_memory_passes_the_mean_in_a_known_way() -> None:
@@ -228,19 +191,3 @@ def test_an_output_may_be_even_by_a_millionth(share: float, odd: bool) -> None:
 def test_what_is_even_at_tiny_or_huge_inputs_only_is_refused_too(least: float, most: float) -> None:
     with pytest.raises(UnsupportedElementError, match="is not odd, at the input"):
         ControlElement(of(lambda x: x + 0.1 * abs(x) * (least < abs(x) < most)))
-
-
-def test_what_is_taken_for_an_element() -> None:
-    relay = Relay(1.0)
-    assert [is_element(each) for each in (relay, CLIPPED, 3.0, Relay)] == [True, True, False, False]
-    assert adopted("element", relay) is relay
-    assert isinstance(adopted("element", CLIPPED), ControlElement)
-    with pytest.raises(WrongTypeError, match="terms must be an element"):
-        adopted("terms", 3.0)
-
-
-def test_inputs_are_drawn_over_decades_on_either_side_of_one() -> None:
-    exponents = np.log10(_drawn(np.random.default_rng(1), 12, 400))
-    assert exponents.size == 400
-    assert (exponents.min(), exponents.max()) == pytest.approx((-12.0, 12.0), abs=0.2)
-    assert exponents.mean() == pytest.approx(0.0, abs=1.0)
