@@ -166,3 +166,68 @@ def test_an_uncertainty_out_of_range_is_told(uncertainty: float) -> None:
 def test_arguments_of_another_type_are_named(arguments, message: str) -> None:
     with pytest.raises((WrongTypeError, UnsupportedSystemError), match=message):
         identify_time_constant(*arguments)
+
+
+def test_an_identification_holds_what_was_given() -> None:
+    (*_, given) = limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 2e-4))
+    result = identify_time_constant(THESIS_LOOP, GAP, given.frequency, frequency_uncertainty=0.5)
+    assert (result.frequency, result.frequency_uncertainty, result.gap) == (given.frequency, 0.5, GAP)
+    for found in result.time_constants:
+        cycle = found.limit_cycle
+        assert cycle.frequency == pytest.approx(given.frequency)
+        gain = complex(
+            ViscousBacklash(GAP, found.time_constant).describing_function(cycle.amplitude, cycle.omega)
+        )
+        assert 1.0 + gain * complex(THESIS_LOOP(1j * cycle.omega)) == pytest.approx(0.0, abs=1e-9)
+        again = result.limit_cycles_with(found.time_constant)
+        assert any(each.amplitude == pytest.approx(cycle.amplitude) for each in again)
+    constants = [found.time_constant for found in result.time_constants]
+    assert constants == sorted(constants)
+    assert any(each == pytest.approx(2e-4, rel=1e-8) for each in constants)
+    (interval,) = result.intervals
+    assert interval.lowest < 2e-4 < interval.highest
+    assert interval.frequencies == pytest.approx((given.frequency - 0.5, given.frequency + 0.5))
+    assert "amplitude" in repr(result.time_constants[0])
+
+
+def test_the_time_constant_is_that_of_a_loop_made_for_it() -> None:
+    """-1/G at 691 rad/s is made to be N of gap 1 and omega M/D = 0.7 at the amplitude 1.5."""
+    omega, gamma, amplitude = 691.0, 0.7, 1.5
+    wanted = -1.0 / complex(ViscousBacklash(1.0, gamma).describing_function(amplitude, 1.0))
+    # (a s + b)/(s + omega)**2 has any value at j omega: its denominator is 2j omega**2.
+    value = wanted * 2j * omega**2
+    found = identify_time_constant(
+        control.tf([value.imag / omega, value.real], [1.0, 2 * omega, omega**2]), 1.0, omega / (2 * math.pi)
+    ).time_constants
+    nearest = min(found, key=lambda each: abs(each.time_constant * omega - gamma))
+    assert nearest.time_constant == pytest.approx(gamma / omega, rel=1e-9)
+    assert nearest.amplitude == pytest.approx(amplitude, rel=1e-9)
+
+
+def test_a_band_holds_its_ends() -> None:
+    (*_, band) = identify_time_constant(THESIS_LOOP, GAP, 700.0).bands
+    low, high = band.frequencies
+    inside = [band.holds(each) for each in (0.999 * low, low, 0.5 * (low + high), high, 1.001 * high)]
+    assert inside == [False, True, True, True, False]
+    # It ends where friction or inertia alone oscillates.
+    ends = [
+        limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, time_constant))[-1].frequency
+        for time_constant in (0.0, math.inf)
+    ]
+    assert (low, high) == pytest.approx(ends, rel=1e-12)
+    assert (band.lower.time_constant, band.upper.time_constant) == (0.0, math.inf)
+
+
+@pytest.mark.parametrize(("sign", "count"), [(1.0, 1), (-1.0, 0)])
+def test_a_band_may_end_where_the_pin_only_just_touches(sign: float, count: int) -> None:
+    """1/G = ± size (s + 0.3 (s² + 1)) is imaginary at 1 rad/s alone, and of the size of N for gamma 0.8."""
+    element = ViscousBacklash(1.0, 0.8)
+    size = -element.describing_function(1.0 / (float(element.domain(1.0)) * (1 - 1e-12)), 1.0).imag
+    G = control.tf([sign / size], [0.3, 1.0, 0.3])
+    bands = identify_time_constant(G, GAP, 1.0).bands
+    ends = [end for band in bands for end in (band.lower, band.upper)]
+    touching = [end for end in ends if end.frequency == pytest.approx(1.0 / (2 * math.pi), rel=1e-6)]
+    assert len(touching) == count
+    for end in touching:
+        assert end.time_constant == pytest.approx(0.8, rel=1e-5)
+        assert end.limit_cycle is None

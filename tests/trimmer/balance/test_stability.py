@@ -9,7 +9,6 @@ import pytest
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, s, simulate_play
 from trimmer import InertiaBacklash, LimitCycle, PeriodicOrbit, Relay, StaticElement, periodic_orbits
 from trimmer.balance.solve import limit_cycles
-from trimmer.balance.stability import sine_of_crossing
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.element import Element
 
@@ -47,23 +46,6 @@ def test_at_one_frequency_the_smaller_limit_cycle_comes_first_in_any_unit_of_tim
         assert [each.omega for each in found] == pytest.approx([unit * np.sqrt(2.0)] * 2, rel=1e-12)
 
 
-def test_sign_of_loebs_criterion_against_the_shift_of_a_pole() -> None:
-    """G = 1/(s(s+1)^2) is unstable beyond N = 2; with an N that falls with amplitude the cycle is stable."""
-    step = 1e-6
-
-    def real_part(gain: float) -> float:
-        return float(np.roots([1, 2, 1, gain]).real.max())
-
-    rises_with_gain = real_part(2 + step) > real_part(2 - step)
-    omega = 1.0
-    response = 1 / (1j * omega * (1j * omega + 1) ** 2)
-    by_omega = 2 * (1 / (1j * (omega + step) * (1j * (omega + step) + 1) ** 2) - response) / step
-    by_amplitude = -1.0 * response
-    assert rises_with_gain
-    assert sine_of_crossing(by_amplitude, by_omega) > 0
-    assert sine_of_crossing(-by_amplitude, by_omega) < 0
-
-
 def both(system: control.TransferFunction, element: Element) -> tuple[LimitCycle, PeriodicOrbit]:
     (cycle,) = limit_cycles(system, element)
     (orbit,) = (each for each in periodic_orbits(system, element) if each.prediction is not None)
@@ -84,3 +66,21 @@ def test_a_mean_that_runs_away_makes_a_cycle_with_play_unstable() -> None:
     cycle, orbit = both(control.tf(numerator, denominator), InertiaBacklash(1.0))
     assert abs(orbit.multipliers).max() == pytest.approx(np.exp(root * orbit.period), rel=1e-3)
     assert (cycle.stable, orbit.stable) == (False, False)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_other_unstable_poles_are_those_of_the_closed_loop(seed: int) -> None:
+    """Of 1 + N G at the limit cycle, but for those at +-j omega; a relay passes the mean with N/2."""
+    random = np.random.default_rng(seed)
+    poles = [-0.3, *(complex(random.uniform(-1.0, 0.3), w) for w in random.uniform(0.5, 4.0, 2))]
+    denominator = np.real(np.poly([*poles, *np.conj(poles[1:])]))
+    system = control.tf([random.choice([-1.0, 1.0])], denominator)
+    for cycle in limit_cycles(system, Relay(1.0)):
+        gain = Relay(1.0).describing_function(cycle.amplitude).real
+        swinging = np.roots(np.polyadd(denominator, gain * system.num[0][0]))
+        beside = swinging[abs(swinging - 1j * np.sign(swinging.imag) * cycle.omega) > 1e-6 * cycle.omega]
+        mean = np.roots(np.polyadd(denominator, 0.5 * gain * system.num[0][0]))
+        growing = beside[(beside.real > 1e-9) & (beside.imag > 0)].size
+        drifting = mean[(mean.real > 1e-9) & (abs(mean.imag) < 1e-9)].size
+        assert cycle.other_unstable_poles == growing + drifting
+        assert cycle.stable == (cycle.index == 1 and growing + drifting == 0)
