@@ -18,7 +18,7 @@ from trimmer.contact.tabulated_change import AT_REST
 from trimmer.motion.taylor import DEGREE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from trimmer.arrays import Reals
     from trimmer.contact.assembly import EventFunction
@@ -85,7 +85,8 @@ def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> No
     if not fired:
         return
     count, state = len(distances), log.state[last]
-    for before, gradient, after in _changes(modes, log, first, last, fired[0]):
+    for before, function, after in changes(modes, log, first, last, fired[0]):
+        gradient = function.row
         rates = modes[before].flow @ (log.state[first] if before == log.mode[first - 1] else state)
         slope = gradient @ rates
         if slope:
@@ -94,24 +95,32 @@ def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> No
         distances[:] = _fitted(modes, after, distances)
 
 
-def _changes(modes: Modes, log: Log, first: int, last: int, fired: int) -> Iterator[tuple[int, Reals, int]]:
-    """Yield the changes of mode at one instant: the mode before, what fell to zero, the mode after.
+def changes(
+    modes: Modes, log: Log, first: int, last: int, fired: int
+) -> Iterator[tuple[int, EventFunction, int]]:
+    """Yield the changes of mode at one instant: the mode before, what fell to zero in it, the mode after.
 
     Where several event functions of the mode before fall to zero together, a neighbouring motion meets them
     one after the other, and so do the distances. The first one has fired. What else changes at the instant
     follows from one of them and takes place with the last.
+
+    Args:
+        modes: The modes of the mechanism.
+        log: The segments of the motion.
+        first: Row of the first segment that begins at the instant.
+        last: Row of the last one.
+        fired: Number of the event function that fired first.
     """
     before, after = int(log.mode[first - 1]), int(log.mode[last])
     falling = _falling(modes, before, fired, log.state[first])
     statuses = list(modes[before].statuses)
     for number, function in enumerate(falling, start=1):
-        here = (each for each in modes[before].functions if _is_one(each, function))
-        gradient = next(here, function).row
+        here = counterpart(function, modes[before].functions)
         following = after
         if number < len(falling):
             statuses[function.owner] = modes[after].statuses[function.owner]
             following = modes.number(tuple(statuses))
-        yield before, gradient, following
+        yield before, here, following
         before = following
 
 
@@ -144,5 +153,7 @@ def _are_one(row: Reals, other: Reals) -> bool:
     return bool(abs(away).max() <= AT_REST * abs(row).max())
 
 
-def _is_one(function: EventFunction, other: EventFunction) -> bool:
-    return (function.owner, function.action) == (other.owner, other.action)
+def counterpart(function: EventFunction, functions: Sequence[EventFunction]) -> EventFunction:
+    """Return the same event function of another mode or machine; itself if that has it no more."""
+    same = (each for each in functions if (each.owner, each.action) == (function.owner, function.action))
+    return next(same, function)

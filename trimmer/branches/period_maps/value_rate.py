@@ -18,6 +18,7 @@ from trimmer.contact.assembly import Mode, assemble
 from trimmer.contact.compilation import sources
 from trimmer.contact.flow import Course
 from trimmer.contact.machine import Machine, free_springs
+from trimmer.contact.variation import changes, counterpart
 from trimmer.motion.compilation import kept
 from trimmer.motion.linear_combination import copy
 from trimmer.motion.taylor import DEGREE
@@ -127,18 +128,19 @@ class ValueChange:
         return state, tangent
 
     def _jumped(self, first: int, last: int, tangent: Reals) -> Reals:
-        """Return the derivative after an event, or after several at one instant."""
+        """Return the derivative after an event, or after several at one instant, one after the other."""
         log, modes = self.course.log, self.course.modes
         events = [row for row in range(first, last + 1) if log.function[row] >= 0]
         if not events:
             return tangent
-        before, number = modes[int(log.mode[first - 1])], int(log.function[events[0]])
-        gradient = before.functions[number].row
-        changed = self._other(int(log.mode[first - 1])).functions[number].row
-        state, after = log.state[first], modes[int(log.mode[last])]
-        rates = before.flow @ state
-        slope = gradient @ rates
-        if slope != 0.0:
-            later = -(gradient @ tangent + (changed - gradient) @ state / self.step) / slope
-            tangent = tangent + (rates - after.flow @ log.state[last]) * later
-        return self._held(int(log.mode[last]), log.state[last], tangent)
+        state = log.state[last]
+        for before, function, after in changes(modes, log, first, last, int(log.function[events[0]])):
+            here = log.state[first] if before == log.mode[first - 1] else state
+            gradient, rates = function.row, modes[before].flow @ here
+            changed = counterpart(function, self._other(before).functions).row
+            slope = gradient @ rates
+            if slope != 0.0:
+                later = -(gradient @ tangent + (changed - gradient) @ here / self.step) / slope
+                tangent = tangent + (rates - modes[after].flow @ state) * later
+            tangent = self._held(after, state, tangent)
+        return tangent
