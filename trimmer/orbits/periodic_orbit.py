@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.motion.loop_signal import LoopSignal, row_in_modes
+from trimmer.orbits.edge import TOLD, one_sided
 from trimmer.orbits.measures import harmonics
 from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
 from trimmer.orbits.return_map import arcs
@@ -122,6 +123,11 @@ class PeriodicOrbit(Tabular):
         """Largest modulus of the multipliers but the trivial one: what one period leaves of a disturbance."""
         return float(abs(self.nontrivial_multipliers).max(initial=0.0))
 
+    @cached_property
+    def one_sided(self) -> bool:
+        """Whether its multipliers hold for disturbances to one side only, as where events coincide."""
+        return self.success and one_sided(self.motion)
+
     @property
     def success(self) -> bool:
         """Whether the state returns to rounding, as that of every orbit does that a search gives."""
@@ -131,7 +137,8 @@ class PeriodicOrbit(Tabular):
     def message(self) -> str:
         """What came out, in words."""
         returns = f"returns after {self.period:.6g} s" if self.success else "does not return"
-        return f"the state {returns}, with a miss of {self.residual:.1e} of its size; {self.steadiness}"
+        told = f"the state {returns}, with a miss of {self.residual:.1e} of its size; {self.steadiness}"
+        return f"{told}; {TOLD}" if self.one_sided else told
 
     @property
     def switching_times(self) -> Reals:

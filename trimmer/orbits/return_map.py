@@ -1,4 +1,4 @@
-"""The state after a time as a function of the state before, and its derivative (saltation matrices)."""
+"""The state after a time as a function of the state before, and its derivative."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import REACHED_END
 from trimmer.motion.tables import TOGETHER
 from trimmer.motion.taylor import DEGREE
+from trimmer.orbits.saltation import jump
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -34,6 +35,7 @@ class Arc:
         event_function: Number of the event function that ends it; -1 if the time is over.
         reset: Matrix that gives the state after all events at its end from the state before, n x n.
         following: Number of the mode afterwards.
+        events: All events at its end, in their order: the mode before, and the event function.
     """
 
     duration: float
@@ -42,6 +44,7 @@ class Arc:
     event_function: int
     reset: Reals
     following: int
+    events: tuple[tuple[int, int], ...] = ()
 
 
 def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log | None:
@@ -63,10 +66,11 @@ def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
     lasting = [each for each in range(len(stops)) if stops[each] > log.start[each]]
     chain = []
     for segment, following in zip(lasting, [*lasting[1:], None], strict=True):
-        reset = np.eye(modes.layout.size)
+        reset, events = np.eye(modes.layout.size), []
         for event in range(segment + 1, (len(stops) if following is None else following + 1)):
             if log.event_function[event] != TOGETHER:
-                reset = modes.tables.reset[log.mode[event - 1], log.event_function[event]].T @ reset
+                events.append((int(log.mode[event - 1]), int(log.event_function[event])))
+                reset = modes.tables.reset[events[-1]].T @ reset
         chain.append(
             Arc(
                 duration=float(stops[segment] - log.start[segment]),
@@ -75,6 +79,7 @@ def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
                 event_function=-1 if following is None else int(log.event_function[segment + 1]),
                 reset=reset,
                 following=int(log.mode[segment if following is None else following]),
+                events=tuple(events),
             )
         )
     return chain
@@ -92,21 +97,12 @@ def flow(modes: ModeTables, mode: int, duration: float) -> Reals:
 
 
 def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
-    """Return the derivative, n x n, of the state at the end of a chain by that at its start, and the former.
-
-    An event that comes later by dt lets the old flow act for dt longer and the new one shorter, which is the
-    saltation matrix R + (f_after - R f_before) g / (g f_before) with the reset R, the event function g
-    and the flows f (Leine and Nijmeijer 2004, section 7).
-    """
+    """Return the derivative, n x n, of the state at the end of a chain by that at its start, and that end."""
     total = np.eye(modes.layout.size)
     for arc in chain:
         transition = flow(modes, arc.mode, arc.duration)
         before = transition @ arc.state
         total = transition @ total
         if arc.event_function >= 0:
-            row = modes.tables.event_rows[arc.mode, arc.event_function]
-            rate = modes.mode(arc.mode).matrix @ before
-            rate_after = modes.mode(arc.following).matrix @ (arc.reset @ before)
-            jump = np.outer(rate_after - arc.reset @ rate, row) / (row @ rate)
-            total = (arc.reset + jump) @ total
+            total = jump(modes, arc, before) @ total
     return total, before

@@ -6,7 +6,7 @@ of the return (``trimmer.contact.variation``), and its eigenvalues, the multipli
 Whether what jumps between sides dies out, they do not say: two sides that are stable by themselves may be
 unstable together (di Bernardo, Budd, Champneys and Kowalczyk, Piecewise-smooth Dynamical Systems, 2008).
 
-The motion itself is asked: it is followed from a little to each side.
+The motion itself is asked (``trimmer.sides``): it is followed from a little to each side.
 """
 
 from __future__ import annotations
@@ -18,18 +18,12 @@ import numpy as np
 
 from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
+from trimmer.sides import DIFFERENT, DISTANCES, Sides
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
-
-DISTANCES = (1e-7, 1e-9)
-"""How far from an orbit neighbours begin, as shares of the sizes; what differs at both is no curvature."""
-DIFFERENT = 1e-3
-"""Difference of the growth of distances to either side, relative to it, that no rounding makes."""
-SEED = 5
-"""Of the direction in which a neighbour is tried first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,10 +61,8 @@ def edge_of(flow: ExactFlow, course: Course, sizes: Reals) -> Edge | None:
         sizes: Scale of each state, (n,).
     """
     course = _from_the_middle(flow, course)
-    beside = _Beside(flow, course, sizes)
-    direction = np.random.default_rng(SEED).uniform(0.5, 1.0, len(sizes))
-    tried = [beside.grown(direction, distance) for distance in DISTANCES]
-    if not all(_differ(*each) for each in tried):
+    beside = Sides(_Beside(flow, course, sizes).end, len(sizes))
+    if not beside.differ:
         return None
     every = [beside.grown(each, DISTANCES[-1]) for each in np.eye(len(sizes))]
     if any(one is None or other is None for one, other in every):
@@ -93,27 +85,11 @@ def _from_the_middle(flow: ExactFlow, course: Course) -> Course:
     return flow.timed(flow.timed(course.begin, middle).end, course.duration)
 
 
-def _differ(one: Reals | None, other: Reals | None) -> bool:
-    """Return whether distances to either side grow to different ones; what cannot be followed does not."""
-    if one is None or other is None:
-        return False
-    return bool(abs(one - other).max() > DIFFERENT * max(float(abs(one).max()), float(abs(other).max()), 1.0))
-
-
 @dataclass(frozen=True, eq=False)
 class _Beside:
     flow: ExactFlow
     course: Course
     sizes: Reals
-
-    def grown(self, direction: Reals, distance: float) -> tuple[Reals | None, Reals | None]:
-        """Return what becomes of a distance to one side and to the other, over it, as shares of the sizes."""
-        ahead = self._end(distance * direction)
-        behind = self._end(-distance * direction)
-        before = self._end(np.zeros(len(self.sizes)))
-        if ahead is None or behind is None or before is None:
-            return None, None
-        return (ahead - before) / distance, (before - behind) / distance
 
     def _set_free(self, change: Reals) -> Instant:
         """Return the start of the orbit, with what a change of velocities tears out of stick sliding."""
@@ -129,7 +105,7 @@ class _Beside:
                 statuses[contacts + friction] = FORWARD if speeds[friction] > 0 else BACKWARD
         return replace(begin, statuses=tuple(statuses))
 
-    def _end(self, step: Reals) -> Reals | None:
+    def end(self, step: Reals) -> Reals | None:
         """Return where a motion ends that begins beside the orbit, as shares of the sizes."""
         begin, flow = self.course.begin, self.flow
         start = flow.at(begin.state + step * self.sizes, begin.phase, like=self._set_free(step * self.sizes))

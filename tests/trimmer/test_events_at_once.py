@@ -1,0 +1,111 @@
+"""Events at one instant: multipliers of loops and derivatives along branches, asked from outside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from trimmer import (
+    BodyFriction,
+    CoulombFriction,
+    Drive,
+    Mechanism,
+    TrimmerLoop,
+    TrimmerParameters,
+    forced_orbit,
+    respond,
+    simulate,
+)
+from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.mechanism import Body, Force, Friction, Link, Play, Stop
+
+HALVES = TrimmerParameters(
+    **{"m1": 1.0, "m2": 1.0, "m3": 1.0, "m4": 1.0},
+    **{"k1": 0.0, "k2": 4.0, "k3": 3.0, "k4": 5.0, "k5": 0.0},
+    **{"c1": 0.0, "c2": 0.4, "c3": 0.7, "c4": 0.9},
+)
+"""Motor and cutter are mirror images: between them is the bridge alone, with the drive in it."""
+
+
+def loop(omega: float, **limits: float) -> TrimmerLoop:
+    laws = {name.replace("_", "-"): CoulombFriction(limit) for name, limit in limits.items()}
+    frictions = tuple(BodyFriction(name, law) for name, law in laws.items())
+    return TrimmerLoop(HALVES, None, Drive(1.0, omega=omega), frictions=frictions)
+
+
+def differences(of: TrimmerLoop, period: float, state: np.ndarray, step: float) -> np.ndarray:
+    """Return the derivative of the state after a period by that before it, by differences to one side."""
+    ends = [
+        simulate(of, period, initial_state=each).state(period)
+        for each in (state, *(state + step * np.eye(len(state))))
+    ]
+    return (np.array(ends[1:]) - ends[0]).T / step
+
+
+@pytest.mark.parametrize(
+    ("omega", "limit"),
+    [
+        pytest.param(2.0, 0.5, id="both turn round"),
+        pytest.param(3.0, 0.5, id="faster"),
+        pytest.param(1.0, 0.2, id="slower"),
+        pytest.param(3.0, 2.0, id="both stick and slip"),
+    ],
+)
+def test_two_frictions_that_switch_at_once_have_the_multipliers_of_differences(
+    omega: float, limit: float
+) -> None:
+    both = loop(omega, q1=limit, q2=limit)
+    orbit = forced_orbit(both)
+    state = orbit.motion.state(0.0)
+    forwards, backwards = (differences(both, orbit.period, state, step) for step in (1e-7, -1e-7))
+    np.testing.assert_allclose(forwards, backwards, atol=1e-5)
+    expected = np.poly(0.5 * (forwards + backwards))
+    np.testing.assert_allclose(np.poly(orbit.multipliers), expected, atol=1e-6)
+    assert not orbit.one_sided
+
+
+def test_three_frictions_at_once_make_multipliers_one_sided_and_it_is_said() -> None:
+    three = loop(2.0, q1=0.3, q2=0.3, q1_q2=0.2)
+    orbit = forced_orbit(three)
+    state = orbit.motion.state(0.0)
+    forwards, backwards = (differences(three, orbit.period, state, step) for step in (1e-7, -1e-7))
+    assert abs(forwards - backwards).max() > 1e-3
+    assert orbit.one_sided
+    assert "one side only" in orbit.message
+    alone = forced_orbit(loop(2.0, q1=0.3, q2=0.4))
+    assert not alone.one_sided
+    assert "one side" not in alone.message
+
+
+def spring(body: str) -> Link:
+    return Link(("ground", body), stiffness=1.0, damping=0.2)
+
+
+PARTS: dict[str, dict[str, Callable[[str], object]]] = {
+    "stops": {"stops": lambda body: Stop(("ground", body), stiffness=20.0, damping=0.5, gap=0.5)},
+    "frictions": {"frictions": lambda body: Friction(("ground", body), force=0.4)},
+    "plays and frictions": {
+        "plays": lambda body: Play(("ground", body), stiffness=9.0, damping=0.3, gap=0.6),
+        "frictions": lambda body: Friction(("ground", body), force=0.2),
+    },
+}
+
+
+@pytest.mark.parametrize("place", ['bodies."first".mass', 'forces."of first".amplitude'])
+@pytest.mark.parametrize("parts", PARTS.values(), ids=PARTS)
+def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(
+    parts: dict[str, Callable[[str], object]], place: str
+) -> None:
+    """All events of the two come in pairs; what changes in the first is no concern of the second."""
+    bodies = ("first", "second")
+    every = {"links": spring, "forces": lambda body: Force(body, amplitude=1.0), **parts}
+    made = {section: {f"of {body}": part(body) for body in bodies} for section, part in every.items()}
+    machine = Mechanism({body: Body(1.0) for body in bodies}, frequency=0.1, **made)
+    orbit = respond(machine).motion.orbit
+    assert orbit is not None
+    value = machine.value(place)
+    rate = MechanismMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate()
+    assert abs(rate[0::2]).max() > 0.1
+    np.testing.assert_allclose(rate[1::2], 0.0, atol=1e-9)

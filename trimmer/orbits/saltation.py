@@ -1,0 +1,143 @@
+"""What an event, or several at one instant, make of small distances from a motion (saltation matrices)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.motion.mode import ModeEventFunction
+    from trimmer.motion.mode_tables import ModeTables
+    from trimmer.orbits.return_map import Arc
+
+AT_ZERO = 2.0**-44
+"""Share of the moduli of its terms, and of its change over a step, below which an event function is zero."""
+
+
+def jump(modes: ModeTables, arc: Arc, before: Reals) -> Reals:
+    """Return the matrix, n x n, by which the events at the end of a segment multiply small distances.
+
+    An event that comes later by dt lets the old flow act for dt longer and the new one shorter, which is the
+    saltation matrix R + (f_after - R f_before) g / (g f_before) with the reset R, the event function g
+    and the flows f (Leine and Nijmeijer 2004, section 7). Where several event functions fall to zero
+    together, a neighbouring motion meets them one after the other, and so do the distances. What else changes
+    at the instant follows from one of them and takes place with the last.
+
+    Args:
+        modes: The modes.
+        arc: The segment; an event ends it.
+        before: Extended state at its end, shape (n,).
+    """
+    falling = _falling(modes, arc, before)
+    if len(falling) == 1:
+        row = modes.tables.event_rows[arc.mode, arc.event_function]
+        return _saltation(modes, (arc.mode, arc.following), row, arc.reset, before)
+    total, state, mode = np.eye(len(before)), before, arc.mode
+    for number, event in enumerate(falling, start=1):
+        place = _place(modes, mode, event)
+        last = number == len(falling)
+        reset = np.eye(len(before)) if place is None else _reset(modes, mode, place)
+        if last:
+            reset = _of_those_that_follow(modes, arc, falling) @ reset
+        following = arc.following if last else _changed(modes, mode, event, arc.following)
+        row = event.row if place is None else modes.mode(mode).event_functions[place].row
+        rate = modes.mode(mode).matrix @ state
+        # What the events before it have stopped falls no more.
+        falls = row @ rate < -AT_ZERO * (abs(row) @ abs(rate))
+        total = (_saltation(modes, (mode, following), row, reset, state) if falls else reset) @ total
+        state, mode = reset @ state, following
+    return total
+
+
+def _saltation(modes: ModeTables, both: tuple[int, int], row: Reals, reset: Reals, state: Reals) -> Reals:
+    """Return the saltation matrix of a change from one mode to another, n x n."""
+    rate, rate_after = modes.mode(both[0]).matrix @ state, modes.mode(both[1]).matrix @ (reset @ state)
+    saltation: Reals = reset + np.outer(rate_after - reset @ rate, row) / (row @ rate)
+    return saltation
+
+
+def _falling(modes: ModeTables, arc: Arc, before: Reals) -> list[ModeEventFunction]:
+    """Return what falls to zero at the end of a segment: what has fired, then others that have an effect.
+
+    What is the same as one of them for all motions of the mode falls to zero with it in a neighbour too.
+    """
+    mode, tables = modes.mode(arc.mode), modes.tables
+    falling = [mode.event_functions[arc.event_function]]
+    count = len(mode.event_functions)
+    if count == 1:
+        return falling
+    held = _held(modes, arc.mode)
+    after = modes.component_modes(arc.following)
+    sizes = tables.sizes[arc.mode, :count, :, :2].sum(axis=2) @ abs(before)
+    for number, event in enumerate(mode.event_functions):
+        at_zero = abs(event.row @ before) <= AT_ZERO * sizes[number]
+        changes = any(after[each.component] != mode.component_modes[each.component] for each in event.reached)
+        falls = event.row @ mode.matrix @ before < 0.0
+        if at_zero and changes and falls and not any(_are_one(event.row, each.row, held) for each in falling):
+            falling.append(event)
+    return falling
+
+
+def _held(modes: ModeTables, number: int) -> Reals:
+    """Return the matrix, n x n, that takes what a mode holds at zero out of a functional."""
+    mode = modes.mode(number)
+    held = [k for k in range(len(mode.component_modes)) if modes.tables.held[number, k]]
+    rows = [modes.system.components[k].switching_function(mode.signals[k]) for k in held]
+    size = modes.layout.size
+    return np.eye(size) - (np.linalg.pinv(np.array(rows)) @ np.array(rows) if rows else 0.0)
+
+
+def _are_one(row: Reals, other: Reals, held: Reals) -> bool:
+    """Say whether one functional is a multiple of another."""
+    one, another = row @ held, other @ held
+    size = another @ another
+    away = one - another * (one @ another) / size if size else one
+    return bool(abs(away).max() <= AT_ZERO * abs(row).max())
+
+
+def _is_one(event: ModeEventFunction, other: ModeEventFunction) -> bool:
+    """Say whether an event function of one mode is that of another mode."""
+    if (event.owner, event.number) != (other.owner, other.number):
+        return False
+    changed, theirs = (
+        {(each.component, each.transition.target) for each in one.reached} for one in (event, other)
+    )
+    return bool(changed & theirs)
+
+
+def _place(modes: ModeTables, mode: int, event: ModeEventFunction) -> int | None:
+    """Return the place of an event function among those of another mode; None if it is not there any more."""
+    here = enumerate(modes.mode(mode).event_functions)
+    return next((place for place, each in here if _is_one(each, event)), None)
+
+
+def _reset(modes: ModeTables, mode: int, place: int) -> Reals:
+    """Return what an event makes of the states of its components, n x n.
+
+    What comes to rest is not projected to zero here: a neighbour may come to rest later, or go on.
+    """
+    reset, first_states = np.eye(modes.layout.size), modes.layout.first_states
+    for change in modes.mode(mode).event_functions[place].reached:
+        first = first_states[change.component]
+        for each, row in enumerate(change.transition.resets):
+            reset[first + each] = row
+    return reset
+
+
+def _of_those_that_follow(modes: ModeTables, arc: Arc, falling: list[ModeEventFunction]) -> Reals:
+    """Return the resets, n x n, of all that happens at the end of a segment beside what falls to zero."""
+    total = np.eye(modes.layout.size)
+    for mode, place in arc.events:
+        if not any(_is_one(modes.mode(mode).event_functions[place], each) for each in falling):
+            total = _reset(modes, mode, place) @ total
+    return total
+
+
+def _changed(modes: ModeTables, mode: int, event: ModeEventFunction, final: int) -> int:
+    """Return the mode after an event alone: its components do already what they will do."""
+    changed, after = list(modes.component_modes(mode)), modes.component_modes(final)
+    for each in event.reached:
+        changed[each.component] = after[each.component]
+    return modes.number(tuple(changed))
