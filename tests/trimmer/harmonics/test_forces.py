@@ -11,7 +11,7 @@ from trimmer.harmonics.contact import Contact
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
-from trimmer.harmonics.waveform import Waveform
+from trimmer.harmonics.waveform import Decay, Waveform
 from trimmer.mechanism.parts import ContactLaw, Play, Stop
 
 OMEGA = 2.0
@@ -127,3 +127,51 @@ def test_crossings_that_nearly_meet() -> None:
         half = np.arccos(1.0 - depth) / OMEGA
         assert found == pytest.approx([touching.period - half, touching.period + half], rel=1e-9)
     assert len(crossings(Waveform(np.array([-1.0 - 1e-9, 1.0 + 0.0j]), OMEGA), 0.5, 0.5 + np.pi)) == 0
+
+
+def test_all_zeros_between_two_times_are_found() -> None:
+    sine = Waveform(np.array([0.0, 0.0, 0.0, -1j]), 691.0)  # sin(3 omega t)
+    step = np.pi / (3.0 * 691.0)
+    found = crossings(sine, 0.4 * step, 7.3 * step)
+    assert found == pytest.approx(step * np.arange(1, 8), rel=1e-14)
+    assert crossings(sine, 1.1 * step, 1.9 * step).size == 0
+    fading = Waveform(np.array([0.5, 0.0]), 691.0, Decay(1.0, 100.0, 0.0))
+    assert crossings(fading, 0.0, 0.05) == pytest.approx([np.log(2.0) / 100.0], rel=1e-13)
+    steep = Waveform(np.array([1e-3, 0.0]), 691.0, Decay(1.0, 1e5, 0.0))
+    assert crossings(steep, 0.0, 0.05) == pytest.approx([np.log(1e3) / 1e5], rel=1e-12)
+
+
+@pytest.mark.parametrize("law", list(ContactLaw))
+def test_a_stop_that_is_always_in_contact_is_a_spring_and_one_that_never_is_nothing(law: ContactLaw) -> None:
+    wave = Waveform(np.array([5.0, 1.0 + 0.5j]), 2.0)
+    always = Contact(Stop(BETWEEN, 3.0, 0.1, 0.5, law), wave).harmonics()
+    assert always.coefficients == pytest.approx([13.5, (3.0 + 0.2j) * (1.0 + 0.5j)], abs=1e-12)
+    assert always.direct[1, 1] == pytest.approx(3.0 + 0.2j)
+    inside = Waveform(np.array([0.5, 1.0 + 0.5j]), 2.0)
+    for part in (Stop(BETWEEN, 3.0, 0.1, 9.0, law), Play(BETWEEN, 3.0, 0.1, 9.0, law)):
+        assert not any(each.any() for each in vars(Contact(part, inside).harmonics()).values())
+
+
+def test_a_contact_made_where_the_distance_turns_has_a_force_and_no_end_that_jumps() -> None:
+    """Of cos 2t, with a stop at 1: nothing but a touch, of which rounding decides."""
+    part = Stop(BETWEEN, 0.3, 0.4, 1.0, ContactLaw.PULLING)
+    for size in (1.0, 1.0 + 1e-15, 1.0 - 1e-15):
+        harmonics = Contact(part, Waveform(np.array([0.0, size + 0j]), 2.0)).harmonics()
+        assert abs(harmonics.coefficients).max() < 1e-7
+        assert np.isfinite(harmonics.direct).all() and np.isfinite(harmonics.conjugate).all()
+
+
+@pytest.mark.parametrize(
+    ("drift", "expected"),
+    [
+        # 2 sign(cos); beyond the largest velocity a constant; half of it is passed for 2/3 of the period.
+        (0.0, [0.0, 8.0 / np.pi, 0.0, -8.0 / (3.0 * np.pi)]),
+        (1.1, [2.0, 0.0, 0.0, 0.0]),
+        (-1.1, [-2.0, 0.0, 0.0, 0.0]),
+        (0.5, [2.0 / 3.0, 8.0 / np.pi * np.sin(2.0 * np.pi / 3.0)]),
+    ],
+)
+def test_friction_of_a_sine_is_a_square_wave(drift: float, expected: list[float]) -> None:
+    distance = Waveform(np.array([0.0, -1e-3j, 0.0, 0.0]), 691.0)
+    found = friction_harmonics(distance, drift * 0.691, 2.0).coefficients
+    assert found[: len(expected)] == pytest.approx(expected, abs=1e-12)
