@@ -1,0 +1,92 @@
+"""Motions that do not repeat: what is said of them is what an own look at the same motion says."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from tests.trimmer.response.mechanisms import example
+from trimmer import Mechanism, MotionKind, Response, respond, simulate
+from trimmer.mechanism import Body, Force, Link, Output, Stop
+from trimmer.response.response_json import response_json
+
+SAMPLES = 400
+"""In each drive period."""
+
+
+@pytest.fixture(scope="module")
+def torus() -> Response:
+    return respond(example("second-play"), most_periods=100)
+
+
+def test_a_torus_has_the_numbers_of_samples_of_the_same_motion(torus: Response) -> None:
+    mechanism, motion = torus.mechanism, torus.motion
+    content = response_json(torus)
+    assert (content["kind"], content["period_count"], content["multipliers"]) == ("torus", None, [])
+    periods, watched = content["drive_periods"], content["window_periods"]
+    assert periods == 100 + watched
+    exact = simulate(mechanism, periods / mechanism.frequency)
+    steps = np.arange(watched * SAMPLES) + 0.5
+    times = (100 + steps / SAMPLES) / mechanism.frequency
+    for name in mechanism.outputs:
+        values, found = exact.output(name, times), content["outputs"][name]
+        assert found["mean"] == pytest.approx(values.mean(), abs=1e-4 * values.std())
+        assert found["rms"] == pytest.approx(values.std(), rel=1e-4)
+        assert found["peak_to_peak"] == pytest.approx(np.ptp(values), rel=1e-4)
+        wave = np.exp(-2j * np.pi * np.outer([1, 3], steps) / SAMPLES)
+        lines = abs(2 * wave @ (values - values.mean())) / len(steps)
+        assert [found["harmonics"][0], found["harmonics"][2]] == pytest.approx(lines, rel=1e-2)
+        frequencies = np.array(content["spectrum"]["frequencies"])
+        density = np.array(content["spectrum"]["densities"][name])
+        assert density.sum() * frequencies[1] == pytest.approx(values.var(), rel=0.05)
+        assert frequencies[np.argmax(density)] == pytest.approx(mechanism.frequency, rel=1e-9)
+        low, high = found["rms_interval"]
+        assert low < values.std() < high
+    for body in mechanism.bodies:
+        edges = (100 + np.arange(watched * SAMPLES + 1) / SAMPLES) / mechanism.frequency
+        rates = np.diff(exact.velocity(body, edges)) * SAMPLES * mechanism.frequency
+        found = content["bodies"][body]["rms_acceleration"]
+        assert found == pytest.approx(math.sqrt(np.mean(rates**2)), rel=0.02)
+    events = sum(event.time > 100 / mechanism.frequency for event in exact.events)
+    assert motion.events_per_period == pytest.approx(events / watched, abs=2 / watched)
+    assert "stays near it" in torus.message
+    assert abs(content["lyapunov"]["value"]) < 3 * content["lyapunov"]["uncertainty"]
+    json.dumps(content, allow_nan=False)
+
+
+def bouncing(amplitude: float = 1.0) -> Mechanism:
+    """A driven body with a damper, before a stop without one, so that all volumes shrink evenly."""
+    return Mechanism(
+        {"body": Body(1.0)},
+        frequency=0.5 / (2 * math.pi),
+        links={"spring": Link(("ground", "body"), 1.0, 0.1)},
+        stops={"wall": Stop(("ground", "body"), 30.0, 0.0, 0.1)},
+        forces={"push": Force("body", amplitude=amplitude)},
+        outputs={"x": Output({"body": 1.0})},
+    )
+
+
+@pytest.fixture(scope="module")
+def chaos() -> Response:
+    return respond(bouncing(), most_periods=60)
+
+
+def test_exponents_of_chaos_add_up_to_the_divergence_of_the_flow(chaos: Response) -> None:
+    largest, smallest = chaos.motion.window.exponents
+    assert chaos.kind is MotionKind.CHAOTIC
+    assert largest.value + smallest.value == pytest.approx(-0.1 * 2 * math.pi / 0.5, rel=1e-7)
+    assert chaos.motion.lyapunov == largest
+    assert largest.value > 3 * largest.uncertainty > 0
+    assert "a neighbouring motion leaves it" in chaos.message
+    assert "Chaos over 572 drive periods may still be a transient" in chaos.message
+
+
+def test_chaos_is_scaled_with_forces_and_gaps(chaos: Response) -> None:
+    """By powers of two, which round nothing."""
+    scaled, first = bouncing(4.0).with_value("stops.wall.gap", 0.4), chaos.motion
+    second = respond(scaled, most_periods=60).motion
+    assert second.rms["x"].value == pytest.approx(4.0 * first.rms["x"].value, rel=1e-9)
+    assert second.peak_to_peak["x"] == pytest.approx(4.0 * first.peak_to_peak["x"], rel=1e-9)
+    assert second.lyapunov.value == pytest.approx(first.lyapunov.value, rel=1e-9)
+    assert second.events_per_period == first.events_per_period
