@@ -1,3 +1,5 @@
+"""Distributions, and points that are turned into values of them."""
+
 from __future__ import annotations
 
 import numpy as np
@@ -5,7 +7,7 @@ import pytest
 from scipy import stats
 
 from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty, Uniform
-from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.points import Plan, within_cube
 
 SHARES = np.array([1e-6, 0.1, 0.5, 0.9, 1 - 1e-6])
 
@@ -68,3 +70,37 @@ def test_sobol_goes_on_with_the_same_points() -> None:
     assert Plan.SOBOL.count(100) == 128
     few, many = Plan.SOBOL.points(16, 3, 5), Plan.SOBOL.points(64, 3, 5)
     np.testing.assert_array_equal(many[:16], few)
+
+
+def test_points_are_those_of_scipy_and_lie_on_no_face() -> None:
+    np.testing.assert_array_equal(Plan.SOBOL.points(4, 3, 1), stats.qmc.Sobol(3, rng=1).random(4))
+    np.testing.assert_array_equal(
+        Plan.LATIN_HYPERCUBE.points(4, 3, 1), stats.qmc.LatinHypercube(3, rng=1).random(4)
+    )
+    faces = within_cube(np.array([0.0, 0.3, 1.0]))
+    assert faces.tolist() == [2.0**-40, 0.3, 1.0 - 2.0**-40]
+    assert np.isfinite(Normal(0.0, 1.0).quantile(faces)).all()
+    assert [Plan.SOBOL.count(wanted) for wanted in (1, 2, 3, 64, 65)] == [1, 2, 4, 64, 128]
+    assert Plan.LATIN_HYPERCUBE.count(65) == 65
+
+
+def test_a_uniform_distribution_ends() -> None:
+    found = [Uniform(2e-5, 6e-5).share_below(each) for each in (1e-5, 3e-5, 7e-5)]
+    assert found == pytest.approx([0, 0.25, 1])
+
+
+def test_values_are_placed_by_column_each_with_its_own_mean() -> None:
+    """Those that scatter together are drawn by a root of their covariance, whatever their order."""
+    covariance = np.array([[0.25, 0.0, 0.3], [0.0, 4.0, 1.2], [0.3, 1.2, 1.0]])
+    joint = Joint(("c", "a", "b"), tuple(map(tuple, covariance.tolist())))
+    scatters = tuple(
+        Scatter(name, "m", each)
+        for name, each in zip(
+            "pabc", (Uniform(1.0, 3.0), Normal(1.0, 2.0), Normal(3.5, 1.0), Normal(-3.0, 0.5)), strict=True
+        )
+    )
+    np.testing.assert_allclose(joint.root @ joint.root.T, covariance, atol=1e-12)
+    found = Uncertainty(scatters, (joint,)).values(np.array([[0.25, 0.2, 0.6, 0.9]]))[0]
+    together = np.array([-3.0, 1.0, 3.5]) + joint.root @ stats.norm.ppf([0.9, 0.2, 0.6])
+    assert found == pytest.approx([1.5, together[1], together[2], together[0]])
+    assert Uncertainty(()).values(np.zeros((3, 0))).shape == (3, 0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 import pytest
 
@@ -42,6 +44,26 @@ def test_what_is_the_same_everywhere_has_none() -> None:
     found = indices_of(np.ones(4 * 16), ("a", "b"), 0)
     assert found.indices == ()
     assert "nothing has an influence" in found.message
+
+
+@pytest.mark.parametrize(("size", "spread", "count"), [(-1.0, 1e-13, 0), (1e-3, 5e-15, 2), (1e-3, 5e-16, 0)])
+def test_what_hardly_differs_has_none(size: float, spread: float, count: int) -> None:
+    x = saltelli_points(2, 2, 5)
+    found = indices_of(size + spread * x.sum(axis=1), ("a", "b"), 0)
+    assert (len(found.indices), found.used, found.blocks) == (count, 2, 2)
+
+
+@pytest.mark.parametrize("blocks", [3, 6, 12])
+def test_blocks_are_a_power_of_two(blocks: int) -> None:
+    with pytest.raises(UncertaintyError, match=f"{blocks} blocks of samples"):
+        saltelli_points(2, blocks, 5)
+    assert saltelli_points(2, 1, 5).shape == (4, 2)
+
+
+def test_without_salib_it_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "SALib.sample.sobol", None)
+    with pytest.raises(UncertaintyError, match=r"pip install 'trimmer\[sensitivity\]'"):
+        saltelli_points(2, 8, 0)
 
 
 def test_dependent_numbers_are_refused() -> None:

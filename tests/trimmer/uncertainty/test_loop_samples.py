@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from trimmer.ensembles.limit_cycles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
 from trimmer.parameter_files import parameters_as_toml
 from trimmer.parameters import ParameterError
-from trimmer.uncertainty.loop_samples import _largest, read_loop_file, sample_loop
+from trimmer.uncertainty.loop_samples import LoopSamples, read_loop_file, sample_loop
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.samples import SampleSettings
 
@@ -51,14 +52,27 @@ def test_each_sample_has_its_own_limit_cycles(path) -> None:
         assert frequency[row] == pytest.approx(largest.frequency, rel=1e-8)
 
 
-def test_the_largest_is_sought_among_the_stable_ones() -> None:
+def test_the_largest_is_sought_among_the_stable_ones(path) -> None:
     amplitude, omega = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, np.nan]]), 2.0 * np.pi * np.ones((2, 3))
-    stable = np.array([[True, True, False], [False, False, False]])
-    nothing = np.zeros(2, dtype=bool)
+    stable, nothing = np.array([[True, True, False], [False, False, False]]), np.zeros(2, dtype=bool)
     found = SampledLimitCycles(amplitude, omega, stable, np.array([3, 2]), nothing, nothing)
-    sizes, frequencies = _largest(found)
+    made = sample_loop(read_loop_file(path, GAP), SampleSettings(count=2))
+    sizes, frequencies = replace(made, found=found).largest
     np.testing.assert_array_equal(sizes, [2.0, np.nan])
     np.testing.assert_array_equal(frequencies, [1.0, np.nan])
+
+
+def test_what_no_trimmer_can_have_is_left_out_and_told(tmp_path) -> None:
+    """A mass must be positive; at most 1 % of the samples may have none."""
+    file = read_loop_file(written(tmp_path / "series.toml", 'm2 = { normal = "39 %" }'), GAP)
+    samples: LoopSamples = sample_loop(file, SampleSettings(count=300, seed=3))
+    left = int((samples.values <= 0.0).sum())
+    assert 1 <= left <= 3
+    np.testing.assert_array_equal(samples.possible, samples.values[:, 0] > 0.0)
+    assert len(samples.largest[0]) == 300 - left
+    told = f"300 samples (latin-hypercube, seed 3). {left} samples that no trimmer can have were left out. "
+    assert samples.message.startswith(told)
+    assert samples.per_second > 0.0
 
 
 def test_existence_and_size_have_indices_apart(path) -> None:

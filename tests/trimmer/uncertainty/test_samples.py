@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from trimmer import respond
+from trimmer import MotionKind, respond
 from trimmer.command_line.main import main
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked
+from trimmer.design.trial import Asked, Trial
 from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty.kept import Keeping
+from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.sample_file import sample_file_of_text
 from trimmer.uncertainty.samples import SampleSettings, sample_mechanism
 from trimmer.uncertainty.study import study_samples
@@ -88,6 +91,95 @@ def test_a_file_of_others_is_kept(tmp_path) -> None:
         sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(tmp_path / "none", resume=True))
 
 
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"number": 17}, "number is 17"),
+        ({"number": "a"}, ""),
+        ({"kind": "nonsense"}, ""),
+        ({"measures": [1.0]}, "measures has 1 entries"),
+        ({"measures": 3}, ""),
+        ({"period_count": "one"}, ""),
+    ],
+)
+def test_a_damaged_line_is_named(tmp_path, change: dict[str, object], told: str) -> None:
+    path, few = tmp_path / "samples.jsonl", SampleSettings(count=3, most_periods=60)
+    sample_mechanism(FILE, few, runner=SerialRunner(), keeping=Keeping(path))
+    header, first, *others = path.read_text().splitlines()
+    path.write_text("\n".join([header, json.dumps(json.loads(first) | change), *others]) + "\n")
+    with pytest.raises(MapFileError, match=f"line 2.*{told}"):
+        sample_mechanism(FILE, few, runner=SerialRunner(), keeping=Keeping(path, resume=True))
+
+
+def test_the_header_says_all_that_samples_depend_on(tmp_path) -> None:
+    path = tmp_path / "samples.jsonl"
+    found = sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path))
+    header = json.loads(path.read_text().splitlines()[0])
+    assert header["places"] == ["stops.stop.gap", "links.spring.stiffness"]
+    assert header["settings"] == {"count": 10, "plan": "latin-hypercube", "seed": 4, "most_periods": 60}
+    content = {key: header[key] for key in ("mechanism", "places", "settings", "asked")}
+    told = json.dumps(content, sort_keys=True).encode() + found.inputs.values.tobytes()
+    assert header["inputs"] == hashlib.sha256(told).hexdigest()
+    np.testing.assert_array_equal(
+        found.inputs.values, FILE.uncertainty.values(Plan.LATIN_HYPERCUBE.points(10, 2, 4))
+    )
+
+
+class Once:
+    """A runner that does the last sample first, and counts."""
+
+    def __init__(self) -> None:
+        self.done = 0
+
+    def results(self, work, samples):
+        for sample in reversed(list(samples)):
+            self.done += 1
+            yield work(sample)
+
+
+def test_what_is_kept_is_not_done_again_unless_it_is_replaced(samples, tmp_path) -> None:
+    path = tmp_path / "samples.jsonl"
+    for keeping, done in (
+        (Keeping(path), 10),
+        (Keeping(path, resume=True), 0),
+        (Keeping(path, overwrite=True), 10),
+    ):
+        runner = Once()
+        assert sample_mechanism(FILE, SETTINGS, runner=runner, keeping=keeping).trials == samples.trials
+        assert runner.done == done
+
+
+def test_what_was_drawn_and_found_is_told(samples) -> None:
+    assert samples.message.startswith("10 samples (latin-hypercube, seed 4), each from rest")
+    assert "for at most 60 drive periods" in samples.message
+    assert "no mechanism can have" not in samples.message
+    counts = list(samples.kinds.values())
+    assert counts == sorted(counts, reverse=True)
+    chaotic = Trial((0.4, 4.0), MotionKind.CHAOTIC, None, samples.trials[0].measures)
+    failed = Trial((0.4, 4.0), None, None, ((STROKE, np.nan),))
+    mixed = replace(samples, trials=(failed, chaotic, *samples.trials[:1], chaotic))
+    assert next(iter(mixed.kinds.items())) == (MotionKind.CHAOTIC.word, 2)
+    assert (mixed.failed, mixed.kinds["failed"]) == (1, 1)
+    assert mixed.message.endswith(" 1 motions could not be followed to their end.")
+    np.testing.assert_array_equal(mixed.measured(STROKE)[0], np.nan)
+    assert mixed.met.tolist()[0] is False
+
+
+def test_what_the_file_only_gives_a_range_of_is_named() -> None:
+    text = TEXT.replace("stiffness = 4.0", 'stiffness = "3.9 N/m..4.1 N/m"')
+    ranged = sample_file_of_text("\n".join(text.splitlines()[:-1]), "stop.toml")
+    found = sample_mechanism(ranged, SampleSettings(count=1, most_periods=20), runner=SerialRunner())
+    assert "Of links.spring.stiffness the file only gives a range" in found.message
+
+
+def test_numbers_that_scatter_together_have_no_indices() -> None:
+    places = '["stops.stop.gap", "links.spring.stiffness"]'
+    text = TEXT.split("[uncertainty]")[0]
+    text += f"[uncertainty]\ncovariance = {{ places = {places}, matrix = [[1e-4, 1e-4], [1e-4, 1e-2]] }}\n"
+    with pytest.raises(UncertaintyError, match="independent numbers"):
+        study_samples(sample_file_of_text(text, "stop.toml"), SampleSettings(count=4), indices=True)
+
+
 def test_impossible_samples_are_refused_or_told() -> None:
     wide = sample_file_of_text(TEXT.replace('"5 %"', '"60 %"'), "stop.toml")
     with pytest.raises(UncertaintyError, match=r"% of the samples are impossible.*must be zero or greater"):
@@ -120,6 +212,8 @@ def test_balance_is_near_the_exact_orbits() -> None:
     study = study_samples(FILE, SampleSettings(count=3, most_periods=60), balanced=2, runner=SerialRunner())
     assert len(study.balanced.numbers) == 2
     assert study.balanced.converged.all()
+    assert (study.balanced.numbers, study.balanced.harmonics, study.indices) == ((0, 1), 15, {})
+    assert study.per_second > 0.0
     assert (study.balanced.distances < 1e-2).all()
 
 

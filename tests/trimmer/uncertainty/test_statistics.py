@@ -1,9 +1,12 @@
+"""Shares and quantiles with their intervals."""
+
 from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy import stats
 
-from trimmer.uncertainty.statistics import distribution_of, share_of
+from trimmer.uncertainty.statistics import Share, distribution_of, share_of
 
 
 def test_wilsons_interval_is_that_of_a_textbook() -> None:
@@ -43,6 +46,34 @@ def test_too_few_samples_leave_an_end_open() -> None:
     assert found.quantiles[2].highest == np.inf
 
 
-def test_what_is_no_number_is_left_out() -> None:
+def test_quantiles_lie_between_samples_in_order_and_the_rest_is_that_of_the_textbook() -> None:
+    values = np.random.default_rng(2).permutation(np.arange(1.0, 201.0))
+    found = distribution_of(np.array([*values, np.nan, np.inf]))
+    assert found is not None
+    assert (found.count, found.mean) == (200, pytest.approx(100.5, rel=1e-13))
+    assert found.deviation == pytest.approx(np.sqrt((200**2 - 1) / 12 * 200 / 199))
+    for each, share in zip(found.quantiles, (0.05, 0.5, 0.95), strict=True):
+        low, high = (int(stats.binom.ppf(part, 200, share)) for part in (0.025, 0.975))
+        assert (each.share, each.lowest, each.highest) == (share, low, high + 1)
+        assert each.value == pytest.approx(1 + 199 * share)
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e306])
+def test_sizes_do_not_matter(scale: float) -> None:
+    found, usual = (distribution_of(factor * np.arange(1.0, 101.0)) for factor in (scale, 1.0))
+    assert found.mean == pytest.approx(scale * usual.mean, rel=1e-12)
+    assert found.deviation == pytest.approx(scale * usual.deviation, rel=1e-12)
+
+
+def test_a_share_of_nothing_may_be_anything_and_one_sample_scatters_by_nothing() -> None:
+    assert share_of(0, 0) == Share(0, 0, 0.0, 1.0)
+    assert share_of(3, 12).value == 0.25
+    one = distribution_of(np.array([np.nan, 3.0, np.inf]))
+    assert (one.count, one.mean, one.deviation) == (1, 3.0, 0.0)
+    assert (one.quantiles[1].value, one.quantiles[1].lowest, one.quantiles[1].highest) == (
+        3.0,
+        -np.inf,
+        np.inf,
+    )
+    assert distribution_of(np.array([3.0, 5.0])).deviation == pytest.approx(np.sqrt(2))
     assert distribution_of(np.array([np.nan, np.inf])) is None
-    assert distribution_of(np.array([np.nan, 2.0])).count == 1

@@ -1,3 +1,5 @@
+"""The table [uncertainty] of a file: what scatters, and what cannot be used."""
+
 from __future__ import annotations
 
 import pytest
@@ -33,6 +35,7 @@ def read(lines: str, mechanism: str = MECHANISM):
         ('"plays.bridge.gap" = { uniform = "10 %" }', Uniform(36e-6, 44e-6)),
         ('"plays.bridge.gap" = { normal = "10 %", mean = "50 um" }', Normal(50e-6, 5e-6)),
         ('"plays.bridge.gap" = { normal = 2e-6, mean = 3e-5 }', Normal(3e-5, 2e-6)),
+        ('"plays.bridge.gap" = { normal = " 10 % ", mean = "-60 um" }', Normal(-6e-5, 6e-6)),
     ],
 )
 def test_forms(line: str, distribution) -> None:
@@ -82,6 +85,8 @@ def test_what_nobody_knows_scatters_evenly_and_is_called_assumed() -> None:
         ('"plays.bridge.gap" = { uniform = "10 um" }', "give both ends"),
         ('"plays.bridge.gap" = { uniform = "much %" }', "uncertainty"),
         ('"plays bridge" = { uniform = "10 %" }', "uncertainty"),
+        ('"plays..gap" = { normal = 1.0 }', "is no place: write"),
+        ('"plays.bridge.gap" = { normal = "5 %", abc = 1 }', "unknown key; write"),
         ("covariance = { places = [], matrix = [] }", "write { places ="),
         ('covariance = { places = ["plays.bridge.gab"], matrix = [[1]] }', "did you mean plays.bridge.gap"),
         ('covariance = { places = ["plays.bridge.gap"], matrix = [[true]] }', "products of SI units"),
@@ -109,6 +114,40 @@ def test_what_nobody_knows_scatters_evenly_and_is_called_assumed() -> None:
 def test_what_cannot_be_used_is_named(lines: str, told: str) -> None:
     with pytest.raises(MechanismError, match=told):
         read(lines)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "told"),
+    [
+        ("[[1.0, 0.5], [0.5, 1.0]]", ""),
+        ("[[1.0, 1.0], [1.0, 1.0]]", ""),
+        ("[[4.0, -6.0], [-6.0, 9.0]]", ""),
+        ("[[4.0, 6.00001], [6.00001, 9.0]]", "a correlation would exceed 1"),
+        ("[[1e-12, -2e-6], [-2e-6, 1.0]]", "a correlation would exceed 1"),
+        ("[[1.0, 0.5], [0.500001, 1.0]]", "is symmetric"),
+        ("[[1.0, 0.0], [0.0, 0.0]]", "variances"),
+        ("[[1.0, 0.0], [0.0, nan]]", "products of SI units"),
+        ('[[1.0, "a"], [0.0, 1.0]]', "products of SI units"),
+        ("[[1.0, 0.5], [0.5]]", "give 2 rows of 2 numbers"),
+        ("[[1.0, 0.5], 3.0]", "give 2 rows of 2 numbers"),
+    ],
+)
+def test_what_is_no_covariance_of_two_numbers_is_told(matrix: str, told: str) -> None:
+    places = '["bodies.motor.mass", "plays.bridge.gap"]'
+    lines = f"covariance = {{ places = {places}, matrix = {matrix} }}"
+    if told:
+        with pytest.raises(MechanismError, match=told):
+            read(lines)
+    else:
+        assert len(read(lines).joints) == 1
+
+
+def test_each_of_several_problems_is_told_once() -> None:
+    lines = '"plays.bridge.gap" = 5\n"bodies.motor.mass" = { normal = 0 }\n"plays.bridge.gab" = 1'
+    with pytest.raises(MechanismError) as told:
+        read(lines)
+    for words in ("say how it scatters", "a standard deviation is positive", "did you mean plays.bridge.gap"):
+        assert str(told.value).count(words) == 1
 
 
 def test_shares_of_a_negative_number_are_of_its_size() -> None:
