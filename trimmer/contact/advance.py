@@ -13,6 +13,7 @@ from trimmer.contact.integration import (
     DIVERGED,
     LOG_FULL,
     LONGEST_CASCADE,
+    PERIOD_BEGUN,
     REACHED_END,
     STEP_LIMIT,
     TO_DECIDE,
@@ -93,9 +94,10 @@ class Stretch:
     Attributes:
         end: The instant at which it ends.
         ending: Why.
-        log: Its segments, if they were to be kept; else those of the end.
+        log: Its segments, timed from its start, if they were to be kept; else those of the end.
         states: State at the start and after each period, (periods done + 1, n).
         counts: Events of each period by kind, (periods begun, kinds).
+        steps: Number of steps that it took.
     """
 
     end: Instant
@@ -103,10 +105,17 @@ class Stretch:
     log: Log
     states: Reals
     counts: Integers
+    steps: int
 
 
 def advance(
-    modes: Modes, instant: Instant, periods: int, length: float, keeps: bool, most_steps: int = MOST_STEPS
+    modes: Modes,
+    instant: Instant,
+    periods: int,
+    length: float,
+    keeps: bool,
+    most_steps: int = MOST_STEPS,
+    before: int = 0,
 ) -> Stretch:
     """Go on for some periods of one length, s.
 
@@ -117,20 +126,23 @@ def advance(
         length: Their length, s, that of the drive's period if there are several; of a part of it otherwise.
         keeps: Whether all segments are logged.
         most_steps: Largest number of steps.
+        before: Periods of the same length that the times of the log count too.
 
     Raises:
         ValueError: if there is no period.
     """
     if periods < 1:
         raise ValueError(f"the number of periods must be at least 1, not {periods}")
-    return _Progress(modes, instant, periods, length, keeps).run(most_steps)
+    return _Progress(modes, instant, periods, length, keeps, before).run(most_steps)
 
 
 class _Progress:
     """The state of an integration between calls of the compiled code."""
 
-    def __init__(self, modes: Modes, instant: Instant, periods: int, length: float, keeps: bool) -> None:
-        self.modes, self.instant, self.keeps = modes, instant, keeps
+    def __init__(
+        self, modes: Modes, instant: Instant, periods: int, length: float, keeps: bool, before: int
+    ) -> None:
+        self.modes, self.instant, self.keeps, self.before = modes, instant, keeps, before
         self.begin = instant.phase
         self.length = length
         self.mode = modes.number(instant.statuses)
@@ -142,6 +154,7 @@ class _Progress:
         self.counts = np.zeros((periods, KINDS), dtype=np.int64)
         self.cascade: int
         self.cascade_at: tuple[int, float] | None = None
+        self.continued: list[int] = []
 
     def _take(self, instant: Instant) -> None:
         free = self.modes.layout.state_count
@@ -168,13 +181,13 @@ class _Progress:
                 self.log = self.log.doubled()
                 continue
             if reason != TO_DECIDE:
-                return self._stretch(_ENDINGS[reason], place)
+                return self._stretch(_ENDINGS[reason], place, most_steps)
             if not self._is_finite(place):
-                return self._stretch(Ending.CHATTERING, place)
+                return self._stretch(Ending.CHATTERING, place, most_steps)
             try:
                 place = self._decided(place)
             except ArithmeticError:
-                return self._stretch(Ending.UNDECIDED, place)
+                return self._stretch(Ending.UNDECIDED, place, most_steps)
 
     def _is_finite(self, place: Place) -> bool:
         now = place.done, place.time
@@ -234,9 +247,11 @@ class _Progress:
             log.part[row], log.kind[row] = part, kind
             log.function[row] = place.fired if row == place.row else NO_EVENT
             self.counts[place.done, kind] += 1
-        return place.row + len(changed)
+        row = place.row + len(changed)
+        self.continued.append(row)
+        return row
 
-    def _stretch(self, ending: Ending, place: Place) -> Stretch:
+    def _stretch(self, ending: Ending, place: Place, most_steps: int) -> Stretch:
         free, work, done = self.modes.layout.state_count, self.work, place.done
         periods, phase = self._reached(done, 0.0 if done == len(self.counts) else place.time)
         end = replace(
@@ -252,10 +267,21 @@ class _Progress:
         return Stretch(
             end,
             ending,
-            self.log.first(place.row),
+            self._timed(self.log.first(place.row)),
             self.states[: done + 1],
             self.counts[: done + 1],
+            most_steps - place.steps_left,
         )
+
+    def _timed(self, log: Log) -> Log:
+        """Return a log with times since the start of all; before, each is since that of its period."""
+        begun = log.function == PERIOD_BEGUN
+        log.function[begun] = NO_EVENT
+        if self.keeps:
+            # What was decided together at the start of a period goes on in it.
+            begun[[row for row in self.continued if row < len(begun)]] = False
+            log.start[:] += (np.cumsum(begun) - 1 + self.before) * self.length
+        return log
 
     def _reached(self, done: int, time: float) -> tuple[int, float]:
         """Return the drive periods that are over since the start, and the time in the next one, s."""

@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
 
+BLOCK = 100_000
+"""Steps that drive periods followed in one call of the compiled code may take: no interrupt ends it."""
 NEGLIGIBLE = 1e-9
 """Share of the largest velocity of a motion below which the mean velocity is rounding."""
 
@@ -288,15 +290,8 @@ class ExactFlow:
 
     def course(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Course:
         """Go on for a number of drive periods, and keep the motion."""
-        parts, begin, steps = [], instant, most_steps
-        for period in range(periods):
-            stretch = advance(self.modes, begin, 1, self.period, True, steps)
-            log = stretch.log
-            parts.append(log._replace(start=log.start + period * self.period))
-            begin = stretch.end
-            if stretch.ending is not Ending.REACHED_END:
-                break
-        return self._joined(instant, begin, stretch.ending, parts)
+        parts, end, ending = self._periods(instant, periods, most_steps)
+        return self._joined(instant, end, ending, parts)
 
     def timed(self, instant: Instant, duration: float, most_steps: int = MOST_STEPS) -> Course:
         """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
@@ -304,17 +299,26 @@ class ExactFlow:
             stretch = advance(self.modes, instant, 1, duration, True, most_steps)
             return self._joined(instant, stretch.end, stretch.ending, [stretch.log], duration)
         whole = int(duration / self.period)
-        parts, begin, ending = [], instant, Ending.REACHED_END
-        for period in range(whole + 1):
-            length = self.period if period < whole else duration - whole * self.period
-            if length <= 0:
-                break
-            stretch = advance(self.modes, begin, 1, length, True, most_steps)
-            parts.append(stretch.log._replace(start=stretch.log.start + period * self.period))
-            begin, ending = stretch.end, stretch.ending
-            if ending is not Ending.REACHED_END:
-                break
-        return self._joined(instant, begin, ending, parts, duration)
+        parts, end, ending = self._periods(instant, whole, most_steps)
+        rest = duration - whole * self.period
+        if ending is Ending.REACHED_END and rest > 0:
+            stretch = advance(self.modes, end, 1, rest, True, most_steps)
+            parts.append(stretch.log._replace(start=stretch.log.start + whole * self.period))
+            end, ending = stretch.end, stretch.ending
+        return self._joined(instant, end, ending, parts, duration)
+
+    def _periods(self, instant: Instant, periods: int, most_steps: int) -> tuple[list[Log], Instant, Ending]:
+        """Go on for whole periods; returns the logs of the motion, its end, and why it ends."""
+        logs, end, ending = list[Log](), instant, Ending.REACHED_END
+        done, count = 0, 1
+        while done < periods and ending is Ending.REACHED_END:
+            # What moves on for ever forces each period in a way of its own.
+            count = 1 if self.modes.layout.ramp else min(count, periods - done)
+            stretch = advance(self.modes, end, count, self.period, True, most_steps, done)
+            logs.append(stretch.log)
+            end, ending, done = stretch.end, stretch.ending, done + count
+            count = max(min(2 * count, count * BLOCK // max(stretch.steps, 1)), 1)
+        return logs, end, ending
 
     def travelling(self, course: Course) -> tuple[ExactFlow, Course]:
         """Return a motion in the frame that moves evenly, at its leaders' mean velocities, and its flow.

@@ -18,6 +18,8 @@ from trimmer.motion.linear_combination import combine, copy
 
 REACHED_END, LOG_FULL, TO_DECIDE, CYCLING, DIVERGED, STEP_LIMIT, GOES_ON = range(7)
 """Why the integration stopped, or that it goes on."""
+PERIOD_BEGUN = -2
+"""In place of the event function that began a segment: a period."""
 NOBODY = -2
 """In place of the part that had the last event; ``JOINTLY`` is another."""
 LONGEST_CASCADE = 60
@@ -72,7 +74,8 @@ _Reached = tuple[int, int, int, float, int, int, bool]
 def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
     """Begin a segment that no event begins."""
     log.start[row], log.mode[row] = time, mode
-    log.part[row], log.kind[row], log.function[row] = -1, NOTHING, -1
+    log.part[row], log.kind[row] = -1, NOTHING
+    log.function[row] = PERIOD_BEGUN if time == 0.0 else NO_EVENT
     copy(state, state.size, log.state[row])
 
 
