@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
 from scipy.stats import binom
 
 from tests.trimmer.fitting.made import exact, record, trimmer
-from trimmer import Fit, FitSettings, Mechanism, Signal, fit_mechanism
+from trimmer import Fit, FitSettings, Mechanism, Signal, SignalError, fit_mechanism
 from trimmer.errors import FitError, WrongTypeError
-from trimmer.mechanism import Body, Force, Friction, Link, Output
+from trimmer.mechanism import Friction, Output
 
 GAP, DAMPING, FORCE = "plays.bridge.gap", "plays.bridge.damping", "frictions.blade.force"
 TRUE = {GAP: 40e-6, "plays.bridge.stiffness": 30e3, DAMPING: 0.4, FORCE: 1.0}
@@ -139,14 +140,6 @@ def test_a_motion_of_another_period_is_no_start() -> None:
         fit_mechanism(true, {"mass": signal}, ["stops.stop.gap"], settings=ONCE)
 
 
-def test_a_drive_that_differs_from_that_of_the_file_is_told() -> None:
-    fit = fit_mechanism(trimmer(), {"stroke": record(trimmer(frequency=110.8), 2e-6)}, [FORCE], settings=ONCE)
-    assert fit.measured.frequency == pytest.approx(110.8, rel=1e-5)
-    assert fit.mechanism.frequency == fit.measured.frequency
-    assert any("+0.727 % off that of the file" in note for note in fit.notes)
-    assert fit.judgement.explained and holds(fit, FORCE, 1.0)
-
-
 def test_friction_that_holds_all_the_time_is_not_known() -> None:
     held = dataclasses.replace(
         trimmer(), frictions={**trimmer().frictions, "brake": Friction(("ground", "housing"), 80.0)}
@@ -156,61 +149,6 @@ def test_friction_that_holds_all_the_time_is_not_known() -> None:
     assert brake.upper is None and "upper end is open" in brake.upper_note
     assert any(each.places == ("frictions.brake.force",) for each in fit.weak)
     assert any("says little of the force of brake" in each.message for each in fit.weak)
-
-
-def test_springs_side_by_side_cannot_be_told_apart() -> None:
-    both = Mechanism(
-        bodies={"block": Body(1.0)},
-        frequency=20.0,
-        links={name: Link(("ground", "block"), 1e4, 5.0) for name in "ab"},
-        forces={f"shaker {order}": Force("block", amplitude=50.0, order=order) for order in (1, 2)},
-        outputs={"position": Output({"block": 1})},
-    )
-    signal = record(both, 1e-5, output="position", samples=2000, sample_rate=1000.0)
-    fit = fit_mechanism(both, {"position": signal}, ["links.a.stiffness", "links.b.stiffness"], settings=ONCE)
-    (weak,) = fit.weak
-    assert set(weak.places) == {"links.a.stiffness", "links.b.stiffness"}
-    assert weak.changes[0] == pytest.approx(-weak.changes[1], rel=0.1)
-    assert "cannot be told apart: raising the" in weak.message and "and lowering the" in weak.message
-    for number in fit.numbers:
-        # Either may vanish, and the other one takes all of the 20 N/mm.
-        assert number.lower is None
-        assert number.upper == pytest.approx(2e4, rel=0.01)
-
-
-def test_a_mechanism_that_lacks_something_is_told() -> None:
-    signal = record(trimmer(), 2e-6)
-    third = 3e-6 * np.cos(2 * np.pi * 330 * signal.times)
-    hum = 2e-5 * np.cos(2 * np.pi * 50 * signal.times)
-    half = 4e-6 * np.cos(2 * np.pi * 55 * 3 * signal.times)
-    more = Signal(signal.values + third + hum + half, signal.sample_rate, "stroke", "m")
-    fit = fit_mechanism(trimmer(), {"stroke": more}, [FORCE], settings=ONCE)
-    told = " ".join(fit.judgement.sentences)
-    assert not fit.judgement.explained and fit.judgement.reduced > 20
-    assert fit.judgement.excesses and any(each.order == (6, 2) for each in fit.judgement.excesses)
-    assert "3/2" in told and "at 49.99 Hz, which are no fraction of the drive" in told
-
-
-def test_a_line_of_low_frequency_is_no_noise() -> None:
-    signal = record(trimmer(), 2e-6)
-    hum = Signal(
-        signal.values + 1e-4 * np.cos(2 * np.pi * 50 * signal.times), signal.sample_rate, "stroke", "m"
-    )
-    fit, clean = (
-        fit_mechanism(trimmer(), {"stroke": each}, [FORCE], settings=ONCE) for each in (hum, signal)
-    )
-    assert fit.judgement.explained
-    assert fit.numbers[0].value == pytest.approx(clean.numbers[0].value, rel=1e-3)
-    assert fit.numbers[0].upper == pytest.approx(clean.numbers[0].upper, rel=2e-3)
-
-
-def test_starts_that_agree_are_counted() -> None:
-    fit = fit_mechanism(
-        begun(**{GAP: 1.3}), {"stroke": record(trimmer(), 2e-5)}, [GAP, FORCE], settings=FitSettings(starts=3)
-    )
-    searched = fit.searched
-    assert searched.agreeing + len(searched.elsewhere) + searched.lost == searched.starts == 3
-    assert f"{searched.agreeing} of 3 starts came to this fit" in fit.agreement
 
 
 @pytest.mark.parametrize(
@@ -247,8 +185,30 @@ def test_a_mechanism_without_drive_or_output_is_refused() -> None:
         fit_mechanism(trimmer(), {"strok": signal})
     with pytest.raises(FitError, match="has no drive"):
         fit_mechanism(Mechanism.from_toml("examples/block-on-belt.toml"), {"block": signal})
-    with pytest.raises(FitError, match="spread is 1"):
-        FitSettings(spread=1)
+    with pytest.raises(FitError, match="nothing was measured"):
+        fit_mechanism(trimmer(), {})
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "error"),
+    [
+        *(("spread", each, FitError) for each in (1.0, 101.0)),
+        *(("confidence", each, FitError) for each in (0.0, 1.0)),
+        ("starts", 0, ValueError),
+        ("seed", -1, ValueError),
+    ],
+)
+def test_settings_are_checked(name: str, value: float, error: type[Exception]) -> None:
+    with pytest.raises(error, match=name):
+        FitSettings(**{name: value})  # type: ignore[arg-type]
+    assert FitSettings(starts=1, spread=100.0, seed=0, confidence=0.5).spread == 100.0
+
+
+@pytest.mark.parametrize("frequency", [0.0, -1.0, math.inf])
+def test_a_drive_that_is_given_must_be_positive_and_finite(frequency: float) -> None:
+    signal = Signal(np.ones(100), 1e3, "stroke", "m")
+    with pytest.raises(SignalError, match="must be positive and finite"):
+        fit_mechanism(trimmer(), {"stroke": signal}, drive_frequency=frequency)
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ import pytest
 from scipy.stats import f
 
 from tests.trimmer.fitting.known import measured
-from trimmer.fitting.judgement import Excess, Judgement, _first, _shared, _where, judge
+from trimmer.fitting.judgement import Judgement, judge
 from trimmer.fitting.stray import StrayLine
 
 LINES = np.array([[3.0, 0.5], [1.0, 4.0j], [0.2, 1.0]]) * (1 + 0j)
@@ -18,14 +18,6 @@ LINES = np.array([[3.0, 0.5], [1.0, 4.0j], [0.2, 1.0]]) * (1 + 0j)
 
 def fitted(lines: np.ndarray, chi_square: float) -> Any:
     return SimpleNamespace(lines=lines, chi_square=chi_square)
-
-
-@pytest.mark.parametrize(
-    ("freedom", "periods", "shared"), [(50.0, 12.0, 50 * 0.972 / 12), (50.0, 100.0, 1.0), (50.0, 0.5, 48.6)]
-)
-def test_lines_share_the_noise_between_them(freedom: float, periods: float, shared: float) -> None:
-    # Two parts of 1.944 bins that scatter as one; a drive period's worth of bins lies between two lines.
-    assert _shared(measured(LINES, freedom=freedom, periods=periods)) == pytest.approx(shared)
 
 
 def test_the_probability_is_that_of_fishers_distribution() -> None:
@@ -107,19 +99,15 @@ def test_lines_between_the_harmonics_are_told_apart() -> None:
     assert "lines at 71.3 Hz, which are no fraction" in other
 
 
-def excess(order: tuple[int, int], output: str = "a") -> Excess:
-    return Excess(output, order, 7.0, 1.0, 1.0)
-
-
 def test_six_lines_are_named_and_the_others_counted() -> None:
-    assert _first(["a", "b"]) == "a and b"
-    assert _first("abcdef") == "a, b, c, d, e and f"
-    assert _first("abcdefgh") == "a, b, c, d, e, f and 2 more places"
-    one = Judgement(1.0, 1, 1.0, (excess((3, 1)),), ())
-    assert _where(one) == "at harmonic 3 (7 deviations)"
-    many = Judgement(1.0, 1, 1.0, tuple(excess((order, 2)) for order in range(1, 9)), ())
-    assert _where(many).startswith("at harmonics 1/2 (7 deviations), 1 (7 deviations), ")
-    assert _where(many).endswith("3 (7 deviations), and 2 more")
+    lines = np.ones((8, 1), complex)
+    (_, where, period) = judge(measured(lines, period_count=2), fitted(lines + 7.0, 400.0), 1).sentences
+    assert where.startswith("more than noise is left at harmonics 1/2 of s0") or "1/2 (7 deviations)" in where
+    assert where.endswith("3 (7 deviations), and 2 more")
+    assert "repeats after 2 drive periods" in period
+    strays = tuple(StrayLine("s0", 61.1 + 3.0 * number, 1e-3, 90.0, None) for number in range(8))
+    told = judge(measured(LINES, strays=strays), fitted(LINES, 1.0), 1).sentences[-1]
+    assert "and 2 more places" in told
 
 
 def test_noise_may_do_what_happens_once_in_a_thousand() -> None:

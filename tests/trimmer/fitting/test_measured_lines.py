@@ -8,7 +8,6 @@ import pytest
 from trimmer import Signal, SignalError
 from trimmer.fitting.doubted_drive import doubts_of
 from trimmer.fitting.measured import MeasuredLines, measure_lines
-from trimmer.fitting.stray import fraction_of
 from trimmer.fitting.unknowns import Unknown
 from trimmer.fitting.weak import weak_directions
 
@@ -104,10 +103,44 @@ def test_lines_between_the_harmonics_are_named() -> None:
     assert found.deviations[0, 0] == pytest.approx(0.01 * np.sqrt(3 / COUNT), rel=0.3)
 
 
-def test_fractions_have_the_smallest_denominator() -> None:
-    assert fraction_of(75.01, 50.0, 0.1) == (3, 2)
-    assert fraction_of(50.0 / 3, 50.0, 0.1) == (1, 3)
-    assert fraction_of(71.3, 50.0, 0.1) is None
+def tone(order: float, size: complex = 1.0) -> np.ndarray:
+    return np.asarray((size * np.exp(2j * np.pi * order * DRIVE * TIMES)).real)
+
+
+def of(*values: np.ndarray, unit: str = "m", noise: float = 1e-3, samples: int = COUNT) -> MeasuredLines:
+    """Lines of tones in noise."""
+    rng = np.random.default_rng(3)
+    signals = {
+        f"s{i}": Signal((each + noise * rng.normal(size=COUNT))[:samples], RATE, f"s{i}", unit)
+        for i, each in enumerate(values)
+    }
+    return measure_lines(signals, DRIVE, DRIVE)
+
+
+def test_lines_up_to_a_quarter_beyond_the_last_that_is_seen_are_kept() -> None:
+    found = of(tone(1), tone(1, 0.3j) + tone(9, 0.5))
+    assert len(found.lines) == 12 + 2
+    np.testing.assert_allclose(found.lines[[0, 8]], [[1.0, 0.3j], [0.0, 0.5]], atol=3e-4)
+    assert (found.found, found.noiseless) == (False, False)
+    assert (found.outputs, found.derivatives) == (("s0", "s1"), (0, 0))
+    assert len(of(tone(1)).lines) == 4
+    assert of(tone(1), noise=0.0).noiseless
+
+
+def test_lines_at_fractions_make_a_longer_period_where_the_record_has_enough() -> None:
+    half = tone(1) + tone(1.5, 0.2j)
+    found = of(half)
+    assert (found.period_count, found.strays) == (2, ())
+    assert found.lines[2, 0] == pytest.approx(0.2j, abs=3e-4)
+    assert found.frequencies[:3] == pytest.approx([25.0, 50.0, 75.0])
+    short = of(half, samples=920)
+    assert (short.period_count, [each.fraction for each in short.strays]) == (1, [(3, 2)])
+
+
+def test_units_are_those_of_the_system() -> None:
+    found, micro = of(tone(1)), of(tone(1), unit="um")
+    np.testing.assert_allclose(micro.lines, 1e-6 * found.lines, rtol=1e-9)
+    assert micro.deviations == pytest.approx(1e-6 * found.deviations, rel=1e-6, abs=0.0)
 
 
 @pytest.mark.parametrize(

@@ -139,20 +139,3 @@ def test_numbers_that_make_up_for_each_other_are_named_together() -> None:
     assert weak.changes == pytest.approx((TOLD, -TOLD / 2), rel=1e-4)
     assert "gap of p and offset of pin cannot be told apart" in weak.message
     assert "lowering the offset of pin by 9.5e-05 m" in weak.message
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_a_direction_is_scaled_by_its_largest_change_and_that_rises(
-    monkeypatch: pytest.MonkeyPatch, sign: float
-) -> None:
-    direction = sign * np.array([0.48, -0.8, 0.36])
-    monkeypatch.setattr(
-        np.linalg,
-        "svd",
-        lambda *_, **__: (None, np.array([900.0, 2.0]), np.array([[1.0, 0.0, 0.0], direction])),
-    )
-    (weak,) = weak_directions(UNKNOWNS, np.zeros((4, 3)), 3.84)
-    assert weak.places == ("pins.pin.offset", "plays.p.gap", "plays.p.damping")
-    assert weak.changes == pytest.approx((TOLD, -0.6 * TOLD, -0.45 * TOLD), rel=1e-12)
-    assert weak.chi_square == pytest.approx((2.0 * TOLD / 0.8) ** 2, rel=1e-12)
-    assert weak_directions(UNKNOWNS, np.zeros((4, 3)), weak.chi_square) == ()
