@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from trimmer import Mechanism, TrimmerParameters, linear_matrices, modes
+from trimmer import TrimmerParameters, linear_matrices, modes
 from trimmer.design.design_file import DesignFile
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import Contacts, linear_states
@@ -44,29 +44,3 @@ def test_the_transfer_function_is_what_the_exact_motion_does(
     stroke = linear_motion.outputs["stroke"].harmonics[0]
     assert transfer.at_drive is not None
     assert 1.5e-3 * abs(transfer.at_drive) == pytest.approx(stroke, rel=1e-9)
-
-
-def test_a_force_is_passed_on_by_the_dynamic_stiffness() -> None:
-    mechanism = Mechanism.from_toml_text("""
-        frequency = 2.0
-        bodies.block = { mass = 2.0 }
-        links.spring = { between = ["ground", "block"], stiffness = 50.0, damping = 0.3 }
-        forces.push = { on = "block", amplitude = 1.0 }
-        outputs.block = { block = 3 }
-    """)
-    (state,) = linear_states(mechanism)
-    (transfer,) = state.transfer
-    omega = 4 * np.pi
-    assert transfer.at_drive == pytest.approx(3 / (50 - 2 * omega**2 + 0.3j * omega))
-    assert (state.rigid, state.decaying) == (0, 0)
-
-
-def test_what_no_spring_holds_is_counted_apart() -> None:
-    mechanism = Mechanism.from_toml_text("""
-        bodies.one = { mass = 1.0 }
-        bodies.two = { mass = 1.0 }
-        links.damper = { between = ["one", "two"], damping = 1.0 }
-        outputs.one = { one = 1 }
-    """)
-    (state,) = linear_states(mechanism)
-    assert (state.modes, state.rigid, state.decaying) == ((), 2, 1)

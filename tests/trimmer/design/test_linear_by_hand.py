@@ -100,18 +100,6 @@ def test_transfer_functions_are_those_of_the_written_equations() -> None:
                 assert each.response[place] == pytest.approx(expected, rel=1e-9)
 
 
-def test_without_a_drive_only_the_modes_bound_the_frequencies() -> None:
-    mechanism = Mechanism.from_toml_text("""
-        bodies.block = { mass = 2.0 }
-        links.spring = { between = ["ground", "block"], stiffness = 50.0 }
-        outputs.block = { block = 1 }
-    """)
-    (state,) = linear_states(mechanism)
-    assert state.transfer == ()
-    assert state.modes[0].frequency == pytest.approx(5 / (2 * np.pi))
-    assert state.modes[0].damping_ratio == pytest.approx(0.0, abs=1e-12)
-
-
 def one(links: str, frequency: str = "") -> Mechanism:
     return Mechanism.from_toml_text(f"""
         {frequency}

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer.branches.branch import BranchEnd
-from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.design import paths
-from trimmer.design.paths import Side, Special, _side, path_through
+from trimmer.branches.special import SpecialKind
+from trimmer.design.paths import Side, Special, path_through
 from trimmer.design.varied_places import Role, Varied
 
 
@@ -56,11 +53,6 @@ def test_a_special_point_at_either_orbit_counts_downwards_too(value: float) -> N
     assert lost.losing is SpecialKind.TORUS
 
 
-def test_a_special_point_at_the_first_unstable_orbit_counts_upwards() -> None:
-    lost = side([1.0, 1.2, 1.4], "ssu", special(SpecialKind.FOLD, 1.4))
-    assert (lost.reaches, lost.losing) == (1.4, SpecialKind.FOLD)
-
-
 def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
     points = [special(SpecialKind.GRAZING, each) for each in (0.9, 0.8, 0.75, 0.85)]
     lost = side([1.0, 0.8, 0.6], "ssu", *points)
@@ -68,10 +60,6 @@ def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
     assert lost.first_special == tuple(points[:2])
     beyond = [points[0], points[2], points[3]]
     assert side([1.0, 0.8, 0.6], "ssu", *beyond).first_special == tuple(points[:1])
-
-
-def test_a_side_that_begins_unstable_reaches_nothing() -> None:
-    assert side([1.0, 1.2, 1.4], "usu", special(SpecialKind.FOLD, 1.3)).reaches == 1.0
 
 
 def over_frequency(lowest: float, highest: float) -> Varied:
@@ -106,52 +94,3 @@ def test_a_range_that_ends_at_the_working_point_has_one_side(
     found = getattr(path, there)
     assert found.end == (highest if there == "up" else lowest)
     assert (len(found.values), found.reason) == (4, BranchEnd.MOST_POINTS)
-
-
-def test_a_motion_of_several_periods_is_followed_as_such() -> None:
-    path = path_through(
-        oscillator(), over_frequency(20.0, 20.1), motion(period_count=3, state=np.zeros(2)), 2
-    )
-    assert path.periods == 3
-    alone = motion(period_count=None, state=np.zeros(2))
-    assert path_through(oscillator(), over_frequency(19.9, 20.1), alone, 2).periods == 1
-
-
-def test_each_side_is_followed_silently_within_its_range(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked = []
-
-    def followed(*given: object, **keywords: object) -> str:
-        asked.append((given, keywords))
-        return "branch"
-
-    monkeypatch.setattr(paths, "follow", followed)
-    monkeypatch.setattr(paths, "_side", lambda branch, end: (branch, end))
-    begun, varied = motion(period_count=3, state=np.zeros(2)), over_frequency(19.0, 20.5)
-    path = path_through(oscillator(), varied, begun, 77)
-    assert (path.down, path.up) == (("branch", 19.0), ("branch", 20.5))
-    for (given, keywords), end in zip(asked, (19.0, 20.5), strict=True):
-        assert given[1:] == ("frequency", 20.0, end)
-        settings = keywords["settings"]
-        assert (keywords["periods"], keywords["state"]) == (3, begun.state)
-        assert (settings.most_points, settings.switches, settings.quiet) == (77, 0, True)
-        assert settings.bounds == (min(20.0, end), max(20.0, end))
-        assert settings.largest_step == paths.LARGEST_STEP
-
-
-def test_special_points_keep_what_the_outputs_do_there() -> None:
-    points = [SpecialPoint(SpecialKind.GRAZING, 4.5e-5, np.zeros(2), ("bridge",))]
-    branch = SimpleNamespace(
-        map=SimpleNamespace(mechanism=SimpleNamespace(outputs={"a": None, "b": None})),
-        points=[],
-        special=points,
-        outputs_at=lambda each: {
-            name: SimpleNamespace(peak_to_peak=each.value * factor) for name, factor in (("a", 2), ("b", 3))
-        },
-        reason=BranchEnd.TORN,
-        message="told",
-    )
-    found = _side(branch, 5e-5)  # type: ignore[arg-type]
-    (only,) = found.special
-    assert (only.kind, only.value, only.parts) == (SpecialKind.GRAZING, 4.5e-5, ("bridge",))
-    assert only.stroke == {"a": 9e-5, "b": pytest.approx(1.35e-4)}
-    assert (found.end, found.reason, found.message) == (5e-5, BranchEnd.TORN, "told")

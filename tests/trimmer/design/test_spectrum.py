@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from tests.trimmer.design.made import motion, output
 from trimmer.design.linear import Contacts, LinearMode, LinearState
-from trimmer.design.spectrum import LineKind, OutputSpectrum, _mode_beside, spectra
+from trimmer.design.spectrum import LineKind, OutputSpectrum, spectra
 
 
 def state(contacts: Contacts, *modes: tuple[float, float]) -> LinearState:
@@ -59,12 +57,6 @@ def test_an_output_at_rest_has_no_lines() -> None:
     assert (found.lines, found.left_out, found.floor, found.share) == ((), 0, 0.0, 1.0)
 
 
-def test_a_share_never_exceeds_all() -> None:
-    measures = replace(output(0.0, 1.0, [1.0]), rms=0.7)
-    (found,) = spectra(motion(outputs={"x": measures}), 110.0, ()).values()
-    assert found.share == 1.0
-
-
 def test_the_nearest_mode_is_named_with_its_state() -> None:
     opened = state(Contacts.OPEN, (0.0, 0.0), (111.0, 0.01), (224.0, 0.0))
     closed = state(Contacts.CLOSED, (108.0, 0.0), (400.0, 0.25))
@@ -89,14 +81,14 @@ def test_a_motion_by_itself_has_the_lines_of_its_own_period() -> None:
 
 
 def test_of_several_modes_the_nearest_is_named() -> None:
-    far, near = (105.0, 0.5), (98.0, 0.5)
-    found = [
-        _mode_beside(100.0, (state(Contacts.CLOSED, *first), state(Contacts.OPEN, *second)))
-        for first, second in (([far, near], []), ([near], [far]), ([far], [near]))
-    ]
-    assert [(mode.frequency, contacts) for mode, contacts in found if mode is not None] == [
-        (98.0, Contacts.CLOSED),
-        (98.0, Contacts.CLOSED),
-        (98.0, Contacts.OPEN),
-    ]
-    assert _mode_beside(100.0, (state(Contacts.OPEN, (0.0, 0.5), (90.0, 0.1)),)) == (None, None)
+    far, near = (115.0, 0.5), (108.0, 0.5)
+    for closed, opened, contacts in (
+        ([far, near], [], Contacts.CLOSED),
+        ([near], [far], Contacts.CLOSED),
+        ([far], [near], Contacts.OPEN),
+    ):
+        (line,) = of([1.0], state(Contacts.CLOSED, *closed), state(Contacts.OPEN, *opened)).lines
+        assert line.mode is not None
+        assert (line.mode.frequency, line.contacts) == (108.0, contacts)
+    (line,) = of([1.0], state(Contacts.OPEN, (0.0, 0.5), (99.0, 0.09))).lines
+    assert (line.mode, line.contacts) == (None, None)

@@ -37,12 +37,6 @@ def test_targets_that_are_met_alone_are_sure() -> None:
     assert (verdict.otherwise, verdict.others_agree, verdict.missed) == (0.0, True, ())
 
 
-def test_one_target_that_is_missed_is_enough() -> None:
-    verdict = verdict_on(BOTH, found(SMALL), None)
-    assert (verdict.outcome, verdict.sureness) == (Outcome.MISSED, Sureness.SURE)
-    assert verdict.missed == (STROKE,)
-
-
 def test_another_motion_that_is_judged_otherwise_leaves_it_open() -> None:
     other, alike = replace(SMALL, starts=1), replace(GOOD, starts=2)
     verdict = verdict_on(BOTH, found(GOOD, SMALL, alike, other), None)

@@ -1,0 +1,241 @@
+"""Slopes, remedies, neighbours and stages of an oscillator whose motion is known in closed form."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from tests.trimmer.design.made import motion, oscillator, output
+from trimmer import Mechanism, MotionKind, SerialRunner
+from trimmer.design.design import Stage, Study
+from trimmer.design.design_file import DesignFile, OpenRange
+from trimmer.design.found_motion import FoundMotion
+from trimmer.design.keeping import Keeper
+from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
+from trimmer.design.remedies import remedies
+from trimmer.design.sensitivity import Elasticity, Sensitivities, Sensitivity, designable, sensitivities
+from trimmer.design.settings import DesignSettings
+from trimmer.design.targets import Measure, Target
+from trimmer.design.trial import Asked
+from trimmer.design.varied_places import Role, Varied, varied_places
+from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
+
+ENDS = ("ground", "block")
+STROKE, DOUBLE = Asked(Measure.STROKE, "block"), Asked(Measure.STROKE, "double")
+NUMBERS = {
+    "frequency": 20.0,
+    "bodies.block.mass": 0.5,
+    "links.spring.stiffness": 9e3,
+    "links.spring.damping": 4.0,
+    "forces.shaker.amplitude": 7.0,
+}
+TARGET = Target("stroke_at_least", Measure.STROKE, "block", 0.02)
+FEW = DesignSettings(
+    starts=2, seed=5, most_periods=300, cell_periods=200, trials=16, most_points=4, neighbours=3
+)
+
+
+def stroke(**changes: float) -> float:
+    """Return 2 F / |k - m w^2 + i c w|, m."""
+    frequency, m, k, c, force = (NUMBERS | changes).values()
+    omega = 2 * np.pi * frequency
+    return float(2 * force / abs(k - m * omega**2 + 1j * c * omega))
+
+
+@pytest.mark.parametrize("asked", [STROKE, DOUBLE])
+def test_slopes_are_central_differences_of_the_formula(asked: Asked) -> None:
+    found = sensitivities(oscillator(), motion(state=np.zeros(2), period_count=1))
+    assert (found.step, found.failed) == (1e-3, ())
+    assert [each.place for each in found.entries] == list(NUMBERS)
+    for each in found.entries:
+        below, above = (stroke(**{each.place: each.value * (1 + sign * 5e-4)}) for sign in (-1, 1))
+        slope = each.of(asked)
+        assert slope is not None
+        assert slope.value == pytest.approx((above - below) / (5e-4 * (above + below)), rel=1e-6)
+        assert slope.smooth
+    sizes = [abs(each.of(asked).value) for each in found.ranked(asked)]  # type: ignore[union-attr]
+    assert sizes == sorted(sizes, reverse=True)
+
+
+def test_numbers_that_are_zero_or_no_sizes_are_not_changed() -> None:
+    made = Mechanism(
+        bodies={"block": Body(0.5)},
+        frequency=110.0,
+        pins={"pin": Pin("ground", 1e-3, 0.3, 0.2, -0.1, 2)},
+        links={"spring": Link(("pin", "block"), 2e3)},
+        plays={"play": Play(ENDS, 3e3, 0.0, 4e-5)},
+        frictions={"blade": Friction(ENDS, 0.5, 0.7)},
+        forces={"push": Force("block", 0.0, 2.0, 0.1, 3)},
+    )
+    assert list(designable(made)) == [
+        ("frequency", "Hz", 110.0),
+        ("bodies.block.mass", "kg", 0.5),
+        ("pins.pin.amplitude", "m", 1e-3),
+        ("pins.pin.velocity", "m/s", -0.1),
+        ("links.spring.stiffness", "N/m", 2e3),
+        ("plays.play.stiffness", "N/m", 3e3),
+        ("plays.play.gap", "m", 4e-5),
+        ("frictions.blade.force", "N", 0.5),
+        ("frictions.blade.static", "N", 0.7),
+        ("forces.push.amplitude", "N", 2.0),
+    ]
+
+
+def test_remedies_are_the_nearest_values_that_meet_the_target() -> None:
+    """Solved for in the formula; halved six times from steps of 3^(1/16), then rounded outwards."""
+    found = remedies(oscillator(), (TARGET,), (TARGET,), None, FEW, SerialRunner())
+    ends = {
+        "frequency": 21.35,
+        "bodies.block.mass": 0.57,
+        "links.spring.stiffness": 7.9e3,
+        "forces.shaker.amplitude": 20.0,
+    }
+    exact = {
+        place: brentq(lambda value, place=place: stroke(**{place: value}) - 0.02, NUMBERS[place], end)
+        for place, end in ends.items()
+    }
+    nearest = sorted(exact, key=lambda place: abs(math.log(exact[place] / NUMBERS[place])))
+    assert [each.place for each in found.found] == nearest
+    for each in found.found:
+        beyond = math.log(each.after / exact[each.place]) * (1 if each.after > each.before else -1)
+        assert 0 <= beyond < math.log(3) / 16 / 64 + 0.01
+        assert float(f"{each.after:.3g}") == each.after
+        assert stroke(**{each.place: each.after}) >= 0.02 * (1 - 1e-9)
+        assert (each.before, each.meeting) == (NUMBERS[each.place], 2)
+        assert each.change == pytest.approx(math.log(each.after / each.before))
+        assert each.trial.meets((TARGET,))
+    assert (found.starts, found.tried, found.farthest) == (2, tuple(NUMBERS), 3.0)
+    assert found.trials == 5 * 32 + 4 * 7
+
+
+def test_numbers_of_influence_are_tried_before_the_others() -> None:
+    links = {f"l{number}": Link(ENDS, 1.0 + number) for number in range(20)}
+    made = replace(oscillator(), links=links)
+    never = replace(TARGET, bound=1e9)
+
+    def tried(slopes: dict[int, float]) -> tuple[str, ...]:
+        entries = tuple(
+            Sensitivity(f"links.l{number}.stiffness", "N/m", 1.0, (Elasticity(STROKE, slope, True),))
+            for number, slope in slopes.items()
+        )
+        few = replace(FEW, trials=1, cell_periods=2)
+        found = remedies(made, (never,), (never,), Sensitivities(1e-3, entries, ()), few, SerialRunner())
+        assert (found.found, found.trials) == ((), 24)
+        return found.tried
+
+    others = ["frequency", "bodies.block.mass", *(f"links.l{number}.stiffness" for number in range(20))]
+    assert list(tried({})) == others[:12]
+    of_two = list(tried({3: 1.0, 15: -2.0}))
+    assert of_two[:2] == ["links.l3.stiffness", "links.l15.stiffness"]
+    assert of_two[2:5] == [*others[:2], "links.l0.stiffness"]
+    assert list(tried({number: 1.0 + number for number in range(20)})) == others[10:]
+
+
+def test_starts_are_counted_and_neighbours_are_looked_at_around_two_numbers() -> None:
+    alone = motions_from_starts(oscillator(), replace(FEW, starts=3))
+    assert (alone.starts, alone.seed, alone.lost, alone.first_failed) == (3, 5, 0, False)
+    assert [each.starts for each in alone.found] == [3]
+    assert alone.message and alone.neighbours is None
+    speed, drive = (
+        Varied(Role.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0),
+        Varied(Role.FRICTION, "forces.shaker.amplitude", "", "N", 7.0, 0.0, 7.0, True),
+    )
+    runner = SerialRunner()
+    assert with_neighbours(oscillator(), alone, (speed,), FEW, runner) is alone
+    assert with_neighbours(oscillator(), alone, (speed, replace(drive, value=0.0)), FEW, runner) is alone
+    # A bound at the number itself leaves those below it alone: five by three cells.
+    found = with_neighbours(oscillator(), alone, (speed, drive), replace(FEW, neighbours=5), runner)
+    near = found.neighbours
+    assert near is not None
+    assert (near.places, near.cells, near.reach, near.found) == (
+        ("frequency", "forces.shaker.amplitude"),
+        15,
+        0.3,
+        0,
+    )
+    # Every cell has one orbit: what a neighbour leads to is known already.
+    assert near.complete and found.found == alone.found
+    unknown = Motions((), 3, 5, 1, "told", True)
+    found = with_neighbours(oscillator(), unknown, (speed, drive), FEW, runner)
+    assert [each.outputs["block"].peak_to_peak for each in found.found] == pytest.approx([stroke()])
+    assert (found.lost, found.message, found.first_failed, found.first) == (1, "told", True, None)
+
+
+class Noting(Keeper):
+    """Makes each stage, and notes its name."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        object.__setattr__(self, "names", [])
+
+    names: list[str]
+
+    def made(self, stage: str, depends: object, make: Any) -> Any:
+        self.names.append(stage)
+        return make()
+
+
+def study(
+    mechanism: Mechanism, *ranges: OpenRange, targets: tuple[Target, ...] = (TARGET,)
+) -> tuple[Study, list]:
+    told: list[tuple[Stage, tuple[str, ...], int, int]] = []
+    file = DesignFile("mine.toml", mechanism, targets, None, ranges, {})
+    settings = replace(FEW, cells=3, cell_periods=40, trials=2, range_points=3)
+    return Study(file, settings, SerialRunner(), Noting(), lambda *each: told.append(each)), told
+
+
+def test_a_whole_and_a_short_look_have_their_stages() -> None:
+    mechanism = replace(oscillator(), stops={"wall": Stop(ENDS, 2e4, 50.0, 4e-3)})
+    made, told = study(mechanism, OpenRange("frequency", "Hz", 19.0, 21.0, False))
+    whole = made.whole()
+    expected = ["motions", "neighbours", "linear", "sensitivities", "ranges", "remedies", "branch", "branch"]
+    assert [each for each in made.keeper.names if each != "row"] == expected  # type: ignore[attr-defined]
+    assert told[:2] == [(Stage.MOTIONS, (), 0, 1), (Stage.MOTIONS, (), 1, 1)]
+    branches = [over for stage, over, done, _ in told if stage is Stage.BRANCH and done]
+    assert branches == [("stops.wall.gap",), ("frequency",)]
+    assert told[-1] == (Stage.MAP, ("stops.wall.gap", "frequency"), 3, 3)
+    assert [len(each.result.cells) for each in whole.maps] == [9]
+    assert whole.verdict.missed == (TARGET,) and whole.remedies is not None and whole.ranges is not None
+    assert whole.motion is whole.motions.first
+    assert whole.varied == varied_places(mechanism, whole.motion)
+    assert set(whole.spectra) == {"block", "double"}
+    short, _ = study(mechanism)
+    brief = short.short()
+    assert short.keeper.names == ["motions", "neighbours", "linear"]  # type: ignore[attr-defined]
+    assert (brief.maps, brief.paths, brief.sensitivities, brief.remedies, brief.ranges) == (
+        (),
+        (),
+        None,
+        None,
+        None,
+    )
+    assert brief.verdict.missed == (TARGET,) and set(brief.spectra) == {"block", "double"}
+    assert replace(FEW, cells=9).without_cells == replace(FEW, cells=0)
+
+
+def test_what_does_not_repeat_or_is_not_driven_has_fewer_stages() -> None:
+    def motions(first: FoundMotion, failed: bool = False) -> Motions:
+        return Motions((first,), 2, 5, 0, "", failed)
+
+    speed = (Varied(Role.SPEED, "frequency", "", "Hz", 20.0, 19.0, 21.0),)
+    repeating, chaos = motion(state=np.zeros(2)), motion(kind=MotionKind.CHAOTIC)
+    made, _ = study(oscillator())
+    for bad in (motions(repeating, failed=True), motions(chaos)):
+        assert made.sensitivities(bad) is None
+        assert made.paths(bad, speed) == ()
+    assert made.spectra(motions(repeating, failed=True), ()) == {}
+    assert made.paths(motions(motion(neutral=True)), speed) == ()
+    assert [each.varied for each in made.paths(motions(repeating), speed)] == list(speed)
+    free = replace(oscillator(), frequency=None, forces={})
+    still, _ = study(free, OpenRange("bodies.block.mass", "kg", 0.4, 0.6, False))
+    assert (still.ranges(), still.maps(speed), still.paths(motions(repeating), speed)) == (None, (), ())
+    assert still.motions().starts == 1
+    whole = still.whole()
+    assert (whole.maps, whole.paths, whole.remedies) == ((), (), None)
+    roomy = motion(outputs={"block": output(0.0, 1.0)})
+    assert made.remedies(replace(whole.verdict, judged=()), None) is None and roomy.repeats
