@@ -7,9 +7,8 @@ import sympy
 from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
 
 from derivations import symbols
-from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import accelerations, motion_matrices
-from derivations.mechanism import Mechanism, elongation, trimmer
+from derivations.mechanism import Mechanism, trimmer
 from derivations.newton_euler import newton_accelerations
 from derivations.parts import Damper, Ground, Pin, RigidBody, Spring
 from derivations.power_balance import power_balance
@@ -56,16 +55,6 @@ def test_kanes_method_of_sympy_gives_the_same_accelerations(mechanism, monkeypat
         assert sympy.simplify(rate - derived.subs(names)) == 0
 
 
-def test_matrices_are_symmetric_and_dissipation_is_not_negative(mechanism):
-    matrices = motion_matrices(mechanism)
-    for matrix in (matrices.mass, matrices.damping, matrices.stiffness):
-        assert matrix == matrix.T
-    rates = sympy.Matrix([coordinate.diff(symbols.t) for coordinate in symbols.coordinates])
-    quadratic = (rates.T * matrices.damping * rates)[0] / 2
-    without_pin = rayleigh_function(mechanism).subs(symbols.u, 0).doit()
-    assert sympy.expand(quadratic - without_pin) == 0
-
-
 def test_power_balance_holds_and_notices_what_is_left_over_and_a_damper_that_pushes(mechanism):
     balance = power_balance(mechanism)
     assert balance.holds
@@ -73,27 +62,6 @@ def test_power_balance_holds_and_notices_what_is_left_over_and_a_damper_that_pus
     pushing = Damper(-symbols.c1, Ground(), mechanism.bodies[0])
     unstable = replace(mechanism, dampers=(pushing, *mechanism.dampers[1:]))
     assert not power_balance(unstable).holds
-
-
-def test_pin_rides_on_the_motor(mechanism):
-    bridge = mechanism.springs[1]
-    assert sympy.expand(elongation(bridge) - (symbols.q2 - symbols.q1 - symbols.u)) == 0
-
-
-def test_a_mechanism_of_ones_own():
-    """One mass on a spring and a damper, driven through a pin on the mass's own foundation body."""
-    foundation = RigidBody("foundation", symbols.m1, symbols.q1)
-    load = RigidBody("load", symbols.m2, symbols.q2)
-    pin = Pin(foundation, symbols.u)
-    mechanism = Mechanism(
-        (foundation, load), (Spring(symbols.k2, pin, load),), (Damper(symbols.c2, pin, load),), (pin,)
-    )
-    first, second = accelerations(mechanism)
-    assert sympy.simplify(symbols.m1 * first + symbols.m2 * second) == 0, (
-        "no outer force: momentum is constant"
-    )
-    assert kinetic_energy(mechanism).diff(symbols.q1) == 0
-    assert potential_energy(mechanism).subs({symbols.q2: symbols.q1 + symbols.u}) == 0
 
 
 def test_nonlinear_mechanism_is_refused():

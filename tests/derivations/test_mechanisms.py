@@ -5,10 +5,9 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from derivations import newton_euler
 from derivations.algebra.identity import UnprovenError
 from derivations.any_mechanism.derivation import derive_mechanism
-from derivations.equations_of_motion import accelerations, inputs, motion_matrices
+from derivations.equations_of_motion import motion_matrices
 from derivations.linear_motion import linear_motion
 from derivations.mechanism import Mechanism, closed, trimmer
 from derivations.parts import Damper, Spring
@@ -86,33 +85,6 @@ def test_two_mass_servo_with_backlash():
     assert equal(first, control + shaft)
     assert equal(second, -shaft)
     assert equal(derivation.closed.potential_energy, k * (q1 - r) ** 2 / 2 + gear.stiffness * stretch**2 / 2)
-
-
-def test_moved_base():
-    """A mass on a spring and a damper whose foot is moved: m x'' + c x' + k x = c y' + k y."""
-    foot = pin("y", GROUND)
-    mechanism = Mechanism((BODIES[0],), (Spring(k, foot, BODIES[0]),), (Damper(c, foot, BODIES[0]),), (foot,))
-    matrices = motion_matrices(mechanism)
-    assert (matrices.mass[0], matrices.damping[0], matrices.stiffness[0]) == (m1, c, k)
-    assert (matrices.displacement_force[0], matrices.velocity_force[0]) == (k, c)
-
-
-def test_several_pins_on_one_body():
-    """What two pins are pushed with acts on their one carrier; without another force momentum is constant."""
-    carrier, left, right = BODIES
-    first, second = pin("u", carrier), pin("w", carrier)
-    mechanism = Mechanism(
-        BODIES,
-        (Spring(k, first, left), Spring(k_2, right, second)),
-        (Damper(c, first, left),),
-        (first, second),
-    )
-    forces = derive_mechanism(mechanism).motion.resultant_forces
-    assert sympy.expand(sum(forces)) == 0
-    assert equal(forces[2], k_2 * (q1 + second.displacement - q3))
-    assert inputs(mechanism)[0] == (first.displacement, second.displacement)
-    displacement = motion_matrices(mechanism).displacement_force
-    assert displacement == sympy.Matrix([[-k, -k_2], [k, 0], [0, k_2]])
 
 
 def test_two_plays_in_series():
@@ -249,15 +221,6 @@ def test_a_closed_bridge_without_gap_is_the_thesis():
         contacts=(bridge,),
     )
     assert motion_matrices(closed(played)) == motion_matrices(thesis)
-
-
-@pytest.mark.parametrize("left_out", ["springs", "dampers", "contacts", "frictions", "forces"])
-def test_newtons_law_notices_what_is_left_out(everything, monkeypatch, left_out):
-    """Lagrange's equations of a mechanism that lacks a part are not Newton's of the whole one."""
-    poorer = replace(everything, **{left_out: getattr(everything, left_out)[1:]})
-    monkeypatch.setattr(newton_euler, "accelerations", lambda _: accelerations(poorer))
-    with pytest.raises(UnprovenError, match=r"the acceleration of body . by Lagrange and by Newton"):
-        newton_euler.require_newton_euler(everything)
 
 
 def test_power_balance_notices_a_damper_that_gives_energy(everything):

@@ -8,9 +8,8 @@ import sympy
 from derivations import by_hand
 from derivations.algebra.identity import UnprovenError
 from derivations.linear_trimmer import derive_linear_trimmer
-from derivations.narrative import narrative
 from derivations.symbols import c2, k2, q2
-from derivations.transfer_steps import coefficients_step, output_numerator, transfer_function_step
+from derivations.transfer_steps import output_numerator, transfer_function_step
 
 
 @pytest.fixture(scope="module")
@@ -35,38 +34,8 @@ def test_a_wrong_line_is_not_shown(derivation):
         by_hand.worked_equation(other)
 
 
-def test_the_state_matrix_in_letters_is_that_of_the_entries(derivation):
-    matrices, size = derivation.matrices, 4
-    inverse = matrices.mass.inv()
-    blocks = sympy.Matrix(
-        sympy.BlockMatrix(
-            [
-                [sympy.zeros(size, size), sympy.eye(size)],
-                [-inverse * matrices.stiffness, -inverse * matrices.damping],
-            ]
-        )
-    )
-    assert sympy.simplify(blocks - derivation.space.a) == sympy.zeros(2 * size, 2 * size)
-    inputs = inverse * sympy.Matrix.hstack(matrices.displacement_force, matrices.velocity_force)
-    expected = sympy.Matrix.vstack(sympy.zeros(size, 2), inputs)
-    assert sympy.simplify(expected - derivation.space.b) == sympy.zeros(2 * size, 2)
-
-
-def test_every_coefficient_is_shown_once(derivation):
-    lefts = [each.latex.split(" = ")[0] for each in coefficients_step(derivation).formulas]
-    assert lefts == [f"b_{{{power}}}" for power in range(6, -1, -1)] + [
-        f"a_{{{power}}}" for power in range(7, -1, -1)
-    ]
-
-
 def test_the_velocity_acts_as_the_displacement_does(derivation):
     matrices = derivation.matrices
     assert sympy.simplify(matrices.velocity_force / c2 - matrices.displacement_force / k2).is_zero_matrix
     assert r"1 + \frac{c_2}{k_2} s" in transfer_function_step(derivation).formulas[-1].latex
     assert len(output_numerator(derivation)) == 7
-
-
-def test_every_step_names_its_code(derivation):
-    steps = narrative(derivation)
-    assert all(step.code for step in steps)
-    assert len({step.id for step in steps}) == len(steps)

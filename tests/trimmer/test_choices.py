@@ -11,10 +11,8 @@ import numpy as np
 import pytest
 
 from report.rendering.request import Format, Paper, Request
-from trimmer.balance.solve import limit_cycles
 from trimmer.choices import Choice, ChoiceError
 from trimmer.displacement import Body, Displacement, DisplacementError
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
 from trimmer.linear.summary import summarise
@@ -26,7 +24,6 @@ from trimmer.signals.read import read_signal
 from trimmer.signals.signal import Signal
 from trimmer.signals.wav import BitDepth, write_wav
 from trimmer.spectra.analysis import analyse_signal
-from trimmer.spectra.harmonics import fit_harmonics
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
 
@@ -88,36 +85,6 @@ def test_anything_else_is_refused_with_the_words(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_window_of_a_fit_is_chosen_by_its_word() -> None:
-    fitted = fit_harmonics(SINE, 8000.0, 110.0, window="hann")
-    assert np.array_equal(
-        fitted.coefficients, fit_harmonics(SINE, 8000.0, 110.0, window=Window.HANN).coefficients
-    )
-    with pytest.raises(ChoiceError, match="window is 'hamming': choose rectangular, hann, "):
-        fit_harmonics(SINE, 8000.0, 110.0, window="hamming")
-
-
-def test_bits_are_chosen_by_any_whole_number(tmp_path: Path) -> None:
-    for bits in (24, "24", np.int64(24)):
-        assert write_wav(tmp_path / "a.wav", SINE, 8000.0, bits).bit_depth is BitDepth.TWENTY_FOUR
-
-
-def test_what_is_done_about_missing_values_is_chosen_by_its_word(tmp_path: Path) -> None:
-    assert missing("interpolate", tmp_path) == missing(MissingValues.INTERPOLATE, tmp_path) == 1
-    for refusal in ("refuse", MissingValues.REFUSE):
-        with pytest.raises(ValueError, match="a value is missing"):
-            missing(refusal, tmp_path)
-    with pytest.raises(ChoiceError, match="missing is 'ignore': choose refuse, interpolate or gap"):
-        missing("ignore", tmp_path)
-
-
-def test_the_thesis_limit_cycle_belongs_to_the_displacement_alone() -> None:
-    # README: 728.40 Hz with both channels; tests/trimmer/balance: 733.63 Hz with the displacement alone.
-    for channels, frequency in (("displacement", 733.63), ("both", 728.40)):
-        stable = limit_cycles(pin_model(P, channels=channels), FrictionBacklash(4e-5))[-1]
-        assert stable.frequency == pytest.approx(frequency, abs=0.005)
-
-
 @pytest.mark.parametrize("kind", CHOICES)
 def test_a_member_of_another_choice_is_refused(kind: type[Choice]) -> None:
     for other in CHOICES:
@@ -125,18 +92,6 @@ def test_a_member_of_another_choice_is_refused(kind: type[Choice]) -> None:
             if other is not kind:
                 with pytest.raises(ChoiceError):
                     kind.chosen(member, "argument")
-
-
-def test_a_displacement_is_chosen_by_its_label() -> None:
-    cutter = Displacement(Body.CUTTER)
-    assert shown(linear_model(P, "q2")) == shown(linear_model(P, cutter))
-    assert shown(linear_model(P, ["q2", "q2-q4"])) == shown(linear_model(P, [cutter, "q2-q4"]))
-    assert shown(pin_model(P, "q2")) == shown(pin_model(P, cutter))
-    assert transfer_function(P, "q2").output_labels == ["q2"]
-    assert summarise(P, "q2").output == cutter
-    assert TrimmerLoop(P, output="q2").output == cutter
-    assert BodyFriction("q2", CoulombFriction(1.0)).between == cutter
-    assert Displacement("q2", "q4") == Displacement(Body.CUTTER, Body.GUARD)
 
 
 @pytest.mark.parametrize("value", ["output", "q5", "", 2, None, True, Body.CUTTER])

@@ -29,23 +29,9 @@ CONTENTS = {
 """How a file of each kind begins; the last is of none."""
 
 
-def test_writes_text_as_utf8_without_changing_line_ends(tmp_path: Path) -> None:
-    write_atomically(tmp_path / "a.txt", "ω\r\nb\n")
-    assert (tmp_path / "a.txt").read_bytes() == "ω\r\nb\n".encode()
-
-
 def test_writes_bytes_and_makes_parent_folders(tmp_path: Path) -> None:
     write_atomically(tmp_path / "new" / "folder" / "a.bin", b"\x00\xff")
     assert (tmp_path / "new" / "folder" / "a.bin").read_bytes() == b"\x00\xff"
-
-
-def test_replaces_a_file_and_keeps_its_permissions(tmp_path: Path) -> None:
-    path = tmp_path / "a.txt"
-    path.write_text("old")
-    path.chmod(0o640)
-    write_atomically(path, "new")
-    assert path.read_text() == "new"
-    assert path.stat().st_mode & 0o777 == 0o640
 
 
 def test_a_new_file_has_the_permissions_of_any_new_file(tmp_path: Path) -> None:
@@ -74,12 +60,6 @@ def test_a_link_that_leads_back_to_itself_is_refused_and_stays(tmp_path: Path) -
 def test_a_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(FileWriteError, match="is a folder"):
         write_atomically(tmp_path, "text")
-
-
-def test_a_file_in_place_of_a_parent_folder_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    with pytest.raises(FileWriteError, match=r"file/a\.txt cannot be written"):
-        write_atomically(tmp_path / "file" / "a.txt", "text")
 
 
 def test_a_failure_keeps_the_old_file_and_leaves_no_other(
@@ -113,32 +93,6 @@ def test_only_a_file_of_the_same_kind_is_replaced(tmp_path: Path, old: str, new:
     write_atomically(path, CONTENTS[new], overwrite=True)
     assert path.read_bytes() == CONTENTS[new]
     assert list(tmp_path.iterdir()) == [path]
-
-
-@pytest.mark.parametrize(
-    "mine",
-    [
-        "m1 = 0.035\n",
-        "# my trimmer\nm1 = 0.035\n",
-        "t,x\n0,1\n",
-        "0.1\n0.2\n",
-        '{"a": 1}',
-        "\\documentclass{book}",
-    ],
-)
-def test_a_file_of_the_user_is_kept(tmp_path: Path, mine: str) -> None:
-    path = tmp_path / "mine"
-    path.write_text(mine)
-    for content in (CONTENTS["csv"], CONTENTS["wav"], CONTENTS["json"], CONTENTS["svg"]):
-        with pytest.raises(FileWriteError, match="is there already and is no"):
-            write_atomically(path, content)
-    assert path.read_text() == mine
-
-
-def test_an_empty_file_is_replaced(tmp_path: Path) -> None:
-    (tmp_path / "a.csv").touch()
-    write_atomically(tmp_path / "a.csv", CONTENTS["csv"])
-    assert (tmp_path / "a.csv").read_bytes() == CONTENTS["csv"]
 
 
 def test_a_link_to_a_file_of_another_kind_is_no_way_round(tmp_path: Path) -> None:

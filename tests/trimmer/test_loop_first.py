@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import warnings
 
 import control
@@ -51,29 +50,6 @@ def test_a_loop_stands_for_system_and_element(loop: ClosedLoop | TrimmerLoop) ->
     assert [each.amplitude for each in found] == [each.amplitude for each in expected]
     (orbit,), (other,) = (periodic_orbits(*each, [CYCLE], SEARCH) for each in ((loop,), (SYSTEM, PLAY)))
     assert (orbit.amplitude, orbit.period) == (other.amplitude, other.period)
-
-
-def test_an_orbit_moves_in_the_loop_that_was_given() -> None:
-    assert periodic_orbits(LOOP, [CYCLE], SEARCH)[0].motion.loop is LOOP
-
-
-def test_both_forms_take_names() -> None:
-    assert limit_cycles(loop=LOOP) == limit_cycles(system=SYSTEM, element=PLAY)
-    assert limit_cycles(SYSTEM, element=PLAY, omega_range=(4e3, 6e3)) == limit_cycles(LOOP, (4e3, 6e3))
-
-
-@pytest.mark.parametrize("function", OF_LOOPS)
-def test_help_shows_the_loop_first(function) -> None:
-    assert next(iter(inspect.signature(function).parameters)) == "loop"
-    assert (
-        "``system, element`` in its place" in function.__doc__ or "``harmonic_balance``" in function.__doc__
-    )
-
-
-@pytest.mark.parametrize("function", OF_LOOPS)
-def test_several_results_are_a_tuple(function) -> None:
-    result = function(LOOP, CYCLE) if "cycle" in inspect.signature(function).parameters else function(LOOP)
-    assert isinstance(getattr(result, "limit_cycles", getattr(result, "orbits", result)), tuple)
 
 
 OTHER_LOOPS = {

@@ -6,10 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from trimmer.linear.model import pin_model
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.messages import listed, near_file, near_match, near_words
-from trimmer.parameters import TrimmerParameters
+from trimmer.messages import near_file, near_match
 
 ELEMENTS = ("friction", "inertia", "viscous", "coulomb", "relay")
 COMMANDS = (
@@ -66,10 +64,6 @@ def test_what_is_not_near_is_not_asked_for(word: str, known: tuple[str, ...]) ->
     assert near_match(word, known) == ""
 
 
-def test_a_known_word_is_nearest_to_itself() -> None:
-    assert near_words("map", ("maps", "map", "amp")) == ("map",)
-
-
 def test_a_file_with_a_near_name_is_asked_for(tmp_path: Path) -> None:
     there = tmp_path / "thesis-play.toml"
     there.write_text("")
@@ -96,15 +90,3 @@ def test_a_place_is_looked_for_name_by_name(project_folder: Path, place: str, ad
     with pytest.raises(ValueError, match="there is no number at") as caught:
         mechanism.value(place)
     assert advice in str(caught.value)
-
-
-def test_a_choice_in_python_is_asked_for_too() -> None:
-    with pytest.raises(ValueError, match=r"channels is 'displacment': did you mean displacement\?"):
-        pin_model(TrimmerParameters.thesis(), channels="displacment")
-
-
-@pytest.mark.parametrize(
-    ("words", "text"), [(["a"], "a"), (["a", "b"], "a or b"), (["a", "b", "c"], "a, b or c")]
-)
-def test_words_are_joined_as_in_a_sentence(words: list[str], text: str) -> None:
-    assert listed(words, "or") == text

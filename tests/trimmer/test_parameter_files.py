@@ -41,10 +41,6 @@ def test_the_template_states_meaning_and_unit_of_each_key() -> None:
         assert line.endswith(f"# {parameter.unit}, {parameter.meaning}")
 
 
-def test_a_path_may_be_text(tmp_path: Path) -> None:
-    assert TrimmerParameters.from_toml(str(written(tmp_path, TEMPLATE))) == TrimmerParameters.thesis()
-
-
 @pytest.mark.parametrize(
     ("line", "shown", "reason"),
     [
@@ -110,16 +106,6 @@ def test_an_empty_file_lacks_every_key(tmp_path: Path) -> None:
     assert "13 problems" in message_for(written(tmp_path, "# nothing"))
 
 
-def test_a_missing_file_is_reported_with_how_to_get_one(tmp_path: Path) -> None:
-    assert "no such file; 'trimmer parameters --output FILE' writes one" in message_for(
-        tmp_path / "none.toml"
-    )
-
-
-def test_a_folder_is_reported(tmp_path: Path) -> None:
-    assert "is a folder" in message_for(tmp_path)
-
-
 def test_text_that_is_not_utf8_is_reported_with_the_place(tmp_path: Path) -> None:
     assert "not UTF-8 text (byte 3)" in message_for(written(tmp_path, b"# \n\xff"))
 
@@ -138,15 +124,6 @@ def test_a_syntax_error_is_reported_with_its_line(tmp_path: Path, text: str, pla
     message = message_for(written(tmp_path, text))
     assert "not valid TOML" in message
     assert place in message
-
-
-def test_the_template_parts_masses_stiffnesses_and_dampings() -> None:
-    head, *groups = TrimmerParameters.thesis().to_toml().split("\n\n")
-    masses = head.splitlines()
-    assert [line.startswith("#") for line in masses] == [True, True, False, False, False, False]
-    names = [[line.split(" = ")[0] for line in group] for group in (masses[2:], *map(str.splitlines, groups))]
-    assert names == [["m1", "m2", "m3", "m4"], ["k1", "k2", "k3", "k4", "k5"], ["c1", "c2", "c3", "c4"]]
-    assert masses[2] == "m1 = 0.035           # kg, mass of the motor"
 
 
 def test_a_mechanism_is_no_parameter_file(tmp_path: Path) -> None:

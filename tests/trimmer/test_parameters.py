@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import dataclasses
-import math
 import tomllib
 
 import numpy as np
@@ -48,32 +47,6 @@ def test_stiffness_and_damping_may_be_zero_but_not_negative(symbol: str) -> None
         ParameterError, match=rf"^{symbol} = -1e-09: (stiffness|damping) must not be negative$"
     ):
         dataclasses.replace(THESIS, **{symbol: -1e-9})
-
-
-@pytest.mark.parametrize(
-    ("value", "reason"),
-    [
-        (math.nan, "must be finite"),
-        (math.inf, "must be finite"),
-        (-math.inf, "must be finite"),
-        (10**400, "too large for a floating-point number"),
-        (True, "give a number in kg"),
-        (None, "give a number in kg"),
-        ("0.035", "give a number in kg"),
-        (0.035 + 0j, "give a number in kg"),
-        (np.array([1.0, 2.0]), "give a number in kg"),
-        ([0.035], "give a number in kg"),
-    ],
-)
-def test_what_is_not_a_finite_number_is_refused(value: object, reason: str) -> None:
-    with pytest.raises(ParameterError, match=reason) as raised:
-        dataclasses.replace(THESIS, m1=value)  # type: ignore[arg-type]
-    assert str(raised.value).startswith("m1 = ")
-
-
-def test_every_unusable_value_is_named() -> None:
-    with pytest.raises(ParameterError, match=r"m1 = 0: .*; k2 = -1: .*; c4 = nan: "):
-        dataclasses.replace(THESIS, m1=0, k2=-1, c4=math.nan)
 
 
 def test_parameters_cannot_be_changed() -> None:

@@ -4,31 +4,15 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
-from trimmer import examples, progress
+from trimmer import examples
 from trimmer.choices import Choice, ChoiceError
 from trimmer.errors import MechanismError
-from trimmer.progress import is_silenced, progress_bar, silenced
+from trimmer.progress import is_silenced, silenced
 from trimmer.toml_files import is_mechanism_file, is_parameter_file, parsed, read_text
-
-
-def test_a_bar_is_hidden_where_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[Any] = []
-    monkeypatch.setattr("tqdm.tqdm", lambda *given, **keywords: asked.append((given, keywords)))
-    progress_bar([1, 2], "cells", total=7)
-    progress_bar(quiet=True)
-    with silenced():
-        progress_bar()
-    usual = {"delay": progress.SILENCE, "leave": False}
-    assert asked == [
-        (([1, 2], "cells"), usual | {"disable": None, "total": 7}),
-        ((None, ""), usual | {"disable": True}),
-        ((None, ""), usual | {"disable": True}),
-    ]
 
 
 def test_silence_ends_with_its_block_whatever_happens() -> None:
@@ -42,26 +26,6 @@ def test_silence_ends_with_its_block_whatever_happens() -> None:
     assert not is_silenced()
     with pytest.warns(UserWarning, match="heard"):
         warnings.warn("heard", UserWarning, stacklevel=1)
-
-
-def test_examples_are_in_the_package_or_at_the_top(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    names = examples.examples()
-    assert list(names) == sorted(names) and examples.USUAL in names
-    assert examples.example_text() == examples.example_text("thesis-play")
-    package = tmp_path / "package"
-    for folder, text in ((tmp_path / "examples", "top"), (package / "examples", "inside")):
-        folder.mkdir(parents=True)
-        for name in ("zebra", "ant", "notes.txt"):
-            (folder / (name if "." in name else f"{name}.toml")).write_text(f"# ω {text}", "utf-8")
-        monkeypatch.setattr(examples, "_PACKAGE", package)
-        assert examples.examples() == ("ant", "zebra")
-        assert examples.example_text("ant") == f"# ω {text}"
-    with pytest.raises(
-        examples.UnknownExampleError, match=r"^there is no example 'zebr'; did you mean zebra\?"
-    ):
-        examples.example_text("zebr")
-    with pytest.raises(examples.UnknownExampleError, match=r"there are ant and zebra$"):
-        examples.example_text("horse")
 
 
 def test_files_are_told_apart_by_what_they_hold() -> None:
@@ -121,3 +85,15 @@ def test_a_choice_is_meant_by_itself_by_its_word_or_by_its_number() -> None:
     for wrong in ("xyz", 9, 8.0, None):
         with pytest.raises(ChoiceError, match=r"^size is .*: choose flat-top or 8$"):
             Size.chosen(wrong, "size")  # type: ignore[arg-type]
+
+
+def test_examples_are_named_in_their_order_and_asked_for() -> None:
+    names = examples.examples()
+    assert list(names) == sorted(names) and examples.USUAL in names
+    assert examples.example_text() == examples.example_text("thesis-play")
+    with pytest.raises(
+        examples.UnknownExampleError, match=r"^there is no example 'den-harto'; did you mean den-hartog\?"
+    ):
+        examples.example_text("den-harto")
+    with pytest.raises(examples.UnknownExampleError, match=r"there are .*den-hartog.* and"):
+        examples.example_text("xyz")

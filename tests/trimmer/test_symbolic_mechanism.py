@@ -13,7 +13,7 @@ from derivations.equations_of_motion import accelerations, inputs, motion_matric
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.mechanism import closed, trimmer
 from derivations.state_space import state_space
-from derivations.symbols import PARAMETERS, coordinates, t
+from derivations.symbols import coordinates, t
 from tests.trimmer.mechanism.mechanisms import mechanisms as mechanisms_with_any_names
 from tests.trimmer.mechanism_strategy import mechanisms
 from trimmer.code_generation import derive_mechanism_sources, symbolic_mechanism
@@ -21,7 +21,7 @@ from trimmer.contact.machine import machine_of
 from trimmer.generated import linear_trimmer
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, Body, Force, Link, Output, Pin, Play
 from trimmer.mechanism.printed_symbols import printed_symbols
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
@@ -177,27 +177,9 @@ def test_file_of_the_thesis_gives_the_generated_module_whatever_its_names_and_or
     assert derive_mechanism_sources(renamed).module == generated
 
 
-def test_symbols_of_the_table_are_those_of_the_thesis(thesis):
-    units = {str(quantity.symbol): quantity.unit for quantity in PARAMETERS}
-    rows = {str(each.quantity.symbol): each for each in symbolic_mechanism(thesis).quantities}
-    assert units.items() <= {name: row.quantity.unit for name, row in rows.items()}.items()
-    assert rows["k_2"].value == 30e3
-    assert rows["c_4"].quantity.meaning == "damping of guard spring"
-    assert rows["omega"].value == pytest.approx(2 * np.pi * 110)
-    assert "c_5" not in rows, "the coil spring has no damper"
-
-
 def one_body(**sections):
     mount = {"mount": Link((GROUND, "a"), 1.0)}
     return Mechanism(**{"bodies": {"a": Body(1.0)}, "links": mount, **sections})
-
-
-def test_names_of_python_that_would_be_the_same_are_told_apart():
-    bodies = {"a b": Body(1.0), "a-b": Body(2.0)}
-    links = {name: Link((GROUND, name), 1.0) for name in bodies}
-    mechanism = Mechanism(bodies=bodies, links=links)
-    names = set(symbolic_mechanism(mechanism).arguments.values())
-    assert {"m_a_b", "m_a_b_2", "k_a_b", "k_a_b_2"} <= names
 
 
 @settings(max_examples=15)
@@ -208,34 +190,6 @@ def test_symbols_and_names_of_random_mechanisms_are_unique(mechanism):
     names = list(symbolic_mechanism(mechanism).arguments.values())
     assert len(set(names)) == len(names)
     assert all(name.isidentifier() for name in names)
-
-
-def test_what_is_zero_is_left_out():
-    mechanism = one_body(
-        plays={"loose": Play((GROUND, "a"))},
-        frictions={"oiled": Friction((GROUND, "a"), 0.0, viscous=2.0)},
-    )
-    symbolic = symbolic_mechanism(mechanism).mechanism
-    assert symbolic.contacts == symbolic.frictions == ()
-    assert len(symbolic.springs) == len(symbolic.dampers) == 1
-
-
-def test_a_contact_with_a_spring_or_a_damper_alone_is_kept():
-    mechanism = one_body(
-        plays={
-            "soft": Play((GROUND, "a"), stiffness=3.0, gap=4e-5),
-            "oiled": Play((GROUND, "a"), damping=2.0, gap=4e-5, law=ContactLaw.PULLING),
-        },
-        stops={
-            "bumper": Stop((GROUND, "a"), stiffness=5.0, gap=4e-5),
-            "pad": Stop((GROUND, "a"), damping=7.0, gap=4e-5, law=ContactLaw.PULLING),
-            "nothing": Stop((GROUND, "a"), gap=4e-5),
-        },
-    )
-    symbolic = symbolic_mechanism(mechanism)
-    assert [each.name for each in symbolic.mechanism.contacts] == ["soft", "oiled", "bumper", "pad"]
-    held = [(each.stiffness != 0, each.damping != 0) for each in symbolic.mechanism.contacts]
-    assert held == [(True, False), (False, True), (True, False), (False, True)]
 
 
 @pytest.mark.slow

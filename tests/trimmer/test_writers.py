@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
 import time
-from argparse import _SubParsersAction
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -15,8 +15,7 @@ import pytest
 import trimmer
 from tests.trimmer.maps.machines import linear_oscillator
 from trimmer import Signal, TrimmerError, motion_map, write_atomically, write_signal, write_wav
-from trimmer.command_line.file_options import file_to_write
-from trimmer.command_line.main import _parser, installed_commands, main
+from trimmer.command_line.main import main
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty.kept import Keeping
 from trimmer.uncertainty.sample_file import read_sample_file
@@ -97,24 +96,30 @@ COMMANDS = {
     "report": "report",
 }
 """Of each command that writes files a use that works for long, if it is not refused at once."""
+WRITTEN = {
+    "--plot": (
+        *("linear", "limit-cycles", "identify", "orbits", "simulate", "spectrum", "overlay", "respond"),
+        *("follow", "map", "sample", "fit"),
+    ),
+    "--csv": ("simulate", "spectrum"),
+    "--wav": ("simulate", "spectrum"),
+    "--output": ("map", "sample", "fit", "parameters"),
+    "--module": ("derive",),
+    "--latex": ("derive",),
+    "": ("init",),
+}
+"""Options that name what is written, with the commands that have them."""
 IN_FOLDER = {
     "design": ["thesis-play.html", "thesis-play.pdf"],
     "compare": ["thesis-play-scatter.html"],
     "report": ["report.html", "report.pdf", "claims.json", "errata.csv"],
 }
 """What is written into the folder that is named."""
-
-
-def places() -> Iterator[tuple[str, str, str]]:
-    """Yield each command with an option that names what it writes, and a name of it."""
-    for action in _parser(installed_commands())._actions:
-        if isinstance(action, _SubParsersAction):
-            for command, parser in action.choices.items():
-                for each in parser._actions:
-                    option = each.option_strings[0] if each.option_strings else ""
-                    if each.type is file_to_write or option == "--module":
-                        yield command, option, {"--wav": "mine.wav", "--plot": "mine.svg"}.get(option, "mine")
-                yield from ((command, "--directory", name) for name in IN_FOLDER.get(command, ()))
+NAMES = {"--wav": "mine.wav", "--plot": "mine.svg"}
+PLACES = [
+    *((command, option, NAMES.get(option, "mine")) for option, each in WRITTEN.items() for command in each),
+    *((command, "--directory", name) for command, names in IN_FOLDER.items() for name in names),
+]
 
 
 @pytest.fixture
@@ -138,11 +143,25 @@ def refused(capsys: pytest.CaptureFixture[str], command: str, option: str, value
     return told.err
 
 
-def test_every_command_that_writes_is_among_them() -> None:
-    assert {command for command, *_ in places()} == COMMANDS.keys()
+def helped(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    with pytest.raises(SystemExit):
+        main([*words, "--help"])
+    return capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("command", "option", "name"), places())
+def test_every_option_that_writes_is_among_them(capsys: pytest.CaptureFixture[str]) -> None:
+    """Each command that asks for ``--overwrite`` says in its help what it writes."""
+    commands = re.findall(r"^    ([a-z-]+)(?: |$)", helped(capsys), re.MULTILINE)
+    assert set(COMMANDS) <= set(commands)
+    found = set()
+    for command in commands:
+        told = helped(capsys, command)
+        options = re.findall(r"^  (--[a-z]+) (?:FILE|DIR)", told, re.MULTILINE)
+        found |= {(command, each) for each in options if each in WRITTEN or each == "--directory"}
+    assert found == {(command, option) for command, option, _ in PLACES if option}
+
+
+@pytest.mark.parametrize(("command", "option", "name"), PLACES)
 def test_a_command_replaces_no_file_of_another_kind(
     folder: Path, capsys, command: str, option: str, name: str
 ) -> None:
@@ -152,7 +171,7 @@ def test_a_command_replaces_no_file_of_another_kind(
     assert (folder / name).read_text("utf-8") == NOTES
 
 
-@pytest.mark.parametrize(("command", "option", "name"), places())
+@pytest.mark.parametrize(("command", "option", "name"), PLACES)
 def test_what_cannot_be_written_is_told_before_the_work(
     folder: Path, capsys, command: str, option: str, name: str
 ) -> None:

@@ -43,7 +43,6 @@ from trimmer import (
     TrimmerParameters,
     ViscousBacklash,
     ViscousFriction,
-    WrongTypeError,
     amplitude_spectrum,
     analyse_signal,
     antiresonances,
@@ -272,28 +271,6 @@ def test_nonsense_works_or_is_refused_on_purpose(call, tmp_path, monkeypatch) ->
             last = traceback.extract_tb(error.__traceback__)[-1]
             assert Path(last.filename).is_relative_to(PACKAGE), (argument, value)
             assert str(last.line).startswith("raise "), (argument, value)
-
-
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        lambda: ClosedLoop(SYSTEM, FrictionBacklash),
-        lambda: OpenLoop(SYSTEM, FrictionBacklash, DRIVE),
-        lambda: TrimmerLoop(THESIS, FrictionBacklash),
-        lambda: BodyFriction(CUTTER_RELATIVE_TO_GUARD, CoulombFriction),
-        lambda: limit_cycles(SYSTEM, FrictionBacklash),
-        lambda: ElementAtFrequency(FrictionBacklash, 1.0),
-        lambda: SumOfElements((PLAY, CoulombFriction)),
-    ],
-)
-def test_a_class_in_place_of_an_instance_is_called_one(wrong) -> None:
-    with pytest.raises(TrimmerError, match=r"the class (FrictionBacklash|CoulombFriction)"):
-        wrong()
-
-
-def test_a_force_in_place_of_a_law_of_friction_is_named_at_once() -> None:
-    with pytest.raises(WrongTypeError, match=r"law must be an element, such as .*, not 0\.5"):
-        BodyFriction(CUTTER_RELATIVE_TO_GUARD, 0.5)
 
 
 def test_frictions_may_be_a_list() -> None:

@@ -98,12 +98,6 @@ def test_a_play_without_gap_is_a_link():
             assert value(pulling.tension, pulling.contact, s, v) == K * s + C * v
 
 
-def test_a_stop_with_preload_is_in_contact_where_its_ends_meet():
-    contact = stop("b", FIRST, SECOND, damping=False)
-    preloaded = contact_statement(contact).stretch.subs(contact.gap, -1).subs(contact.distance, 0)
-    assert preloaded.doit() == 1
-
-
 def test_relaxing_law_along_a_motion():
     """Pressed in, then torn away: the spring relaxes by exp(-k t / c), and carries nothing (by dsolve)."""
     contact = play("b", FIRST, SECOND)
@@ -125,13 +119,3 @@ def test_friction_slides_against_the_motion_and_sticks_up_to_its_static_force():
     assert law.stick.subs({**numbers, rubbing.force: -2}) == sympy.true
     assert law.stick.subs({**numbers, rubbing.force: sympy.Rational(21, 10)}) == sympy.false
     assert law.stick.subs({**numbers, rubbing.rate: 1, rubbing.force: 0}) == sympy.false
-
-
-def test_with_two_frictions_the_held_force_of_one_depends_on_the_other():
-    first, second = friction("a", GROUND, FIRST), friction("b", FIRST, SECOND)
-    mechanism = Mechanism((FIRST, SECOND), (), (), (), (), (first, second))
-    law = friction_statement(mechanism, first)
-    rate = SECOND.coordinate.diff(t) - FIRST.coordinate.diff(t)
-    at_rest = {FIRST.coordinate.diff(t): 0}
-    expected = (second.force + second.viscous * rate).subs(at_rest)
-    assert sympy.expand(law.held.subs(at_rest) - expected) == 0

@@ -11,19 +11,16 @@ from derivations.elements.backlash import (
     GAMMA,
     GAP,
     SEPARATION,
-    contact_force,
     contact_ratio,
-    free_flight,
     friction_waveform,
     general_waveform,
     inertia_contact_ratio,
     inertia_waveform,
     limits,
-    separation_angle,
 )
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.friction import friction_waveform as coulomb_waveform
-from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
+from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import A
 
 TAU = sympy.Symbol("tau", positive=True)
@@ -37,22 +34,6 @@ def numbers(gamma, contact):
     return values | {GAP: float(contact_ratio().subs(values))}
 
 
-def test_separation_is_where_the_wall_would_have_to_pull():
-    angle = separation_angle()
-    assert sympy.simplify(contact_force(-1).subs(THETA, angle)) == 0
-    before, after = (
-        contact_force(-1).subs({THETA: angle + step, A: 1}).subs(GAMMA, 0.7) for step in (-0.1, 0.1)
-    )
-    assert before > 0 > after
-
-
-def test_flight_starts_with_position_and_velocity_of_the_pin():
-    flight, pin = free_flight(), A * sympy.sin(THETA) - GAP / 2
-    assert sympy.simplify((flight - pin).subs(THETA, SEPARATION)) == 0
-    assert sympy.simplify((flight - pin).diff(THETA).subs(THETA, SEPARATION)) == 0
-    assert sympy.simplify(GAMMA * flight.diff(THETA, 2) + flight.diff(THETA)) == 0
-
-
 def test_both_limits_are_the_limiting_elements():
     friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
     assert friction.separation == sympy.pi / 2
@@ -61,14 +42,6 @@ def test_both_limits_are_the_limiting_elements():
     assert inertia.separation == 0
     assert sympy.simplify(inertia.ratio - (TAU - sympy.sin(TAU))) == 0
     assert sympy.simplify(inertia.flight - (A * TAU - GAP / 2)) == 0
-
-
-def test_friction_contact_angle_follows_from_the_limit():
-    """1 − cos τ = g/A with contact at π/2 + τ is the angle π − asin(1 − g/A) of the waveform."""
-    angle = sympy.pi / 2 + sympy.acos(1 - GAP / A)
-    segment = friction_waveform().segments[1]
-    for ratio in (0.1, 0.5, 1.0, 1.7):
-        assert float((angle - segment.start).subs({GAP: ratio, A: 1})) == pytest.approx(0, abs=1e-12)
 
 
 def test_waveforms_are_continuous():
@@ -122,8 +95,3 @@ def test_friction_and_relay_differ_by_a_quarter_turn():
     assert describing_function(relay_waveform(), A) == 4 * FORCE / (sympy.pi * A)
     ratio = describing_function(coulomb_waveform(), A) / describing_function(relay_waveform(), A)
     assert sympy.simplify(ratio) == sympy.I
-
-
-def test_a_jump_is_seen():
-    broken = Waveform((Segment(sympy.Integer(0), sympy.pi, THETA), Segment(sympy.pi, 2 * sympy.pi, -THETA)))
-    assert any(jump != 0 for jump in broken.jumps())

@@ -15,7 +15,6 @@ from derivations.elements.equivalent_nonlinearity import units_check
 from derivations.elements.friction import DAMPING, FORCE, LEVEL
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.steps import friction
-from derivations.latex import latex
 from derivations.symbols import A, omega
 
 DIGITS = 40
@@ -48,19 +47,6 @@ def test_each_step_proves_something_by_algebra(steps, shown):
         assert len(proven.formulas) == len(step.lines)
 
 
-def test_the_right_side_that_is_shown_is_the_short_one_without_integrals(steps):
-    """The derived side is longer, but for those whose order or form was chosen."""
-    chosen = ("\\int y\\,", "b_1", "\\frac{dk}{dt}")
-    for step in steps:
-        for equality in step.equalities:
-            closed, derived = sympy.sympify(equality.closed), sympy.sympify(equality.derived)
-            shown_integral = closed.has(sympy.Integral) and not derived.has(sympy.Integral)
-            assert not shown_integral or equality.name == "v(t)" or step.id == "df-slopes", step.id
-            if closed != derived and not equality.name.startswith(chosen) and not shown_integral:
-                shorter = len(latex(closed)) < len(latex(derived))
-                assert shorter or derived.has(sympy.Integral), (step.id, equality.name)
-
-
 @pytest.mark.slow
 def test_no_equation_with_a_wrong_factor_is_proven(steps):
     for step in steps:
@@ -81,24 +67,10 @@ def assert_unproven(equality, closed):
         replace(equality, closed=closed).prove()
 
 
-def test_a_wrong_equation_is_an_error(steps):
-    step = steps[-1]
-    broken = replace(step, lines=(*step.lines, replace(step.equalities[0], closed=sympy.Integer(0))))
-    with pytest.raises(UnprovenError, match="is not proven"):
-        broken.proven()
-
-
 def test_every_equation_of_the_thesis_on_describing_functions_is_shown(shown):
     numbers = {formula.thesis for step in shown for formula in step.formulas}
     assert numbers >= {f"2.{number}" for number in (29, 35, 36, 38, 40, 41, 42, 43, 44, 45, 46, 47, 48)}
     assert numbers >= {"2.50", "2.51", "2.52", "2.57", "2.58", "2.60", "5.14"}
-
-
-def test_identifiers_differ_and_braces_match(shown):
-    assert len({step.id for step in shown}) == len(shown)
-    for formula in (formula for step in shown for formula in step.formulas):
-        assert formula.latex.count("{") == formula.latex.count("}")
-        assert "Piecewise" not in formula.latex
 
 
 def quadrature(output, breaks, harmonic):

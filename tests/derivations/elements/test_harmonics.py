@@ -5,7 +5,6 @@ import pytest
 import sympy
 
 from derivations.algebra.identity import UnprovenError
-from derivations.elements import harmonics
 from derivations.elements.backlash import (
     CONTACT,
     GAP,
@@ -15,7 +14,7 @@ from derivations.elements.backlash import (
 )
 from derivations.elements.friction import DAMPING, FORCE, LEVEL, relay_waveform, viscous_waveform
 from derivations.elements.friction import friction_waveform as coulomb_waveform
-from derivations.elements.harmonics import HARMONIC, antiderivative, evaluated, first_half, odd_harmonic
+from derivations.elements.harmonics import HARMONIC, evaluated, first_half, odd_harmonic
 from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
 from derivations.symbols import A, omega
 
@@ -42,18 +41,6 @@ def test_integrals_are_those_of_quadrature(integrand):
     with mpmath.workdps(DIGITS):
         expected = mpmath.quad(function, [mpmath.mpf(limit.p) / limit.q for limit in limits])
         assert abs(mpmath.mpmathify(found) - expected) < mpmath.mpf(10) ** (3 - DIGITS)
-
-
-@pytest.mark.parametrize("integrand", [1 / x, sympy.exp(x**2), sympy.log(x), sympy.sqrt(x)])
-def test_other_integrands_are_refused(integrand):
-    with pytest.raises((ValueError, sympy.PolynomialError)):
-        antiderivative(integrand, x)
-
-
-def test_a_wrong_antiderivative_is_not_accepted(monkeypatch):
-    monkeypatch.setattr(harmonics, "_primitive", lambda term, variable: 2 * term)
-    with pytest.raises(UnprovenError, match="antiderivative"):
-        antiderivative(x * sympy.exp(-7 * x), x)
 
 
 def test_a_waveform_that_is_not_odd_is_refused():
