@@ -75,6 +75,17 @@ def test_a_tangency_is_undecided_and_its_neighbours_are_none_or_two_that_are_fla
         limit_cycles(K / (s * (s + 1)), element)
 
 
+def test_a_solution_at_the_corner_of_four_boxes_is_found_once() -> None:
+    """gap/A = 1 and 1 rad/s lie in the middle of what is searched, where it is cut into halves of halves."""
+    inverse = -complex(FrictionBacklash(1.0).describing_function(1.0))
+    # 1/G = (s² + a s + b) k with a b that gives this at s = j.
+    system = control.tf([1.0], [1.0, inverse.imag, 1.0 + inverse.real])
+    balance = harmonic_balance(system, FrictionBacklash(1.0), (math.exp(-1.0), math.e))
+    nearest = [each for each in balance.limit_cycles if abs(each.omega - 1.0) < 1e-3]
+    assert [(each.amplitude, each.omega) for each in nearest] == [pytest.approx((1.0, 1.0), rel=1e-9)]
+    assert balance.certificate.complete
+
+
 def test_a_hidden_undamped_mode_is_passed_over_or_undecided() -> None:
     third_order = 20 / (s + 1) ** 3
     hidden = third_order * (s**2 + 0.25) / (s**2 + 0.25)

@@ -149,10 +149,13 @@ def test_what_cannot_move_is_refused_with_its_name() -> None:
 
 
 def test_a_long_motion_that_is_interrupted_is_known_until_then(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Ctrl-C when progress is told, after a million steps."""
+    """Ctrl-C when progress is told, after a million steps; the bar is taken away."""
+    closed: list[object] = []
 
     def pressed(self: object, more: float) -> None:
         raise KeyboardInterrupt
+
+    monkeypatch.setattr(tqdm.tqdm, "close", lambda self: closed.append(self))
 
     loop = ClosedLoop(
         control.ss([[0.0, 1.0], [-4.0, 0.0]], [[0.0], [1.0]], [[1.0, 0.0]], 0), FrictionBacklash(9.0)
@@ -161,6 +164,7 @@ def test_a_long_motion_that_is_interrupted_is_known_until_then(monkeypatch: pyte
     with pytest.raises(SimulationInterrupted, match=r"interrupted after \S+ s of the motion") as raised:
         simulate(loop, 1e9, initial_state=[1.0, 0.0])
     motion = raised.value.motion
+    assert len({id(each) for each in closed}) == 1
     assert (motion.outcome, motion.success, motion.message) == (Outcome.INTERRUPTED, False, "interrupted")
     assert motion.duration > 1e5
     assert motion.state(3.0) == pytest.approx([math.cos(6.0), -2.0 * math.sin(6.0)], rel=1e-11)

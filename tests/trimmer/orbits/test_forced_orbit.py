@@ -98,7 +98,22 @@ def test_only_a_driven_loop_has_a_forced_motion() -> None:
         forced_orbit(open_loop(FrictionBacklash(4e-5)), settling=-1)
 
 
-def test_an_unstable_system_has_no_settling_motion_to_find() -> None:
-    growing = OpenLoop(control.tf([1], [1, -1, 0]), FrictionBacklash(1.0), Drive(2.0, 1.0))
-    with pytest.raises(OrbitNotFoundError):
-        forced_orbit(growing)
+def test_a_motion_that_does_not_settle_is_told() -> None:
+    growing, drive = control.tf([1], [1, -1, 0]), Drive(2.0, 1.0)
+    with pytest.raises(OrbitNotFoundError, match="events accumulate"):
+        forced_orbit(OpenLoop(growing, FrictionBacklash(1.0), drive))
+    drifting = OpenLoop(control.tf([1], [1, 0, 0]), FrictionBacklash(1.0), drive)
+    for settling, periods in ((None, 512), (5, 5)):
+        with pytest.raises(OrbitNotFoundError, match=rf"6\.28319 s, was found after {periods} periods"):
+            forced_orbit(drifting, settling=settling)
+
+
+@pytest.mark.parametrize("settling", [0, 2, 20])
+def test_the_motion_is_the_same_however_long_it_settled(settling: int) -> None:
+    drive = Drive(2.0, 3.0, 0.4)
+    loop = OpenLoop(control.ss([[-0.7]], [[2.0]], [[1.0]], [[0.0]]), FrictionBacklash(0.5), drive)
+    times = np.linspace(0.0, drive.period, 50)
+    expected, found = forced_orbit(loop), forced_orbit(loop, settling=settling)
+    assert found.motion.output(times) == pytest.approx(expected.motion.output(times), abs=1e-9)
+    assert (found.period, found.prediction, found.driven) == (drive.period, None, True)
+    assert found.residual < 1e-10

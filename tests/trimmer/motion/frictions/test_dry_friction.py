@@ -143,6 +143,18 @@ def test_a_force_at_its_limit_may_only_go_back() -> None:
     assert rates == pytest.approx([0.0, 4.5])
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_forces_that_cannot_balance_go_to_their_bounds(sign: float) -> None:
+    """Two frictions at one place whose ends move differently, which no force changes: so one slides."""
+    bounds = np.array([-3.0, -3.0]), np.array([3.0, 3.0])
+    with np.errstate(invalid="raise"):
+        forces, rates = complementary_forces(np.ones((2, 2)), sign * np.array([0.9, 0.7]), *bounds)
+    slides = abs(rates) > 1e-12
+    assert slides.sum() == 1
+    assert (forces[slides] == 3.0 * np.sign(rates[slides])).all()
+    assert rates == pytest.approx(sign * np.array([0.9, 0.7]) - forces.sum(), abs=1e-12)
+
+
 def test_no_problem_of_a_dozen_frictions_takes_long() -> None:
     random = np.random.default_rng(3)
     directions = np.array([np.eye(6)[a] - np.eye(6)[b] for a in range(6) for b in range(a)])[:12, 1:]

@@ -115,6 +115,15 @@ def test_examples_go_on_to_the_end(name: str) -> None:
     assert len(together) < len(motion.events)  # Two of a ring stick and slip at one instant.
 
 
+@pytest.mark.parametrize("phase", [1.5, -2.0])
+def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
+    """Pushed from rest three slip at once; then one of them sticks, so that it has done nothing."""
+    motion = simulate(loop_of(some_frictions(8, 3, 4), drive=Drive(AMPLITUDE, OMEGA, phase)), 0.02)
+    changes = [(each.time, each.component) for each in motion.events]
+    assert len(set(changes)) == len(changes)
+    assert [each.component for each in motion.events if each.time == 0] == ["friction q2", "friction q2-q4"]
+
+
 @pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(4), some_frictions(8, 5, 5)])
 def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
     duration, steps = 0.015, 750
