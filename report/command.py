@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper, Request
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import add_overwrite_option, file_to_read
+from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
 from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_target
@@ -30,7 +30,7 @@ class NothingToOpenError(TrimmerError, ValueError):
 def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--directory",
-        type=Path,
+        type=folder_to_write,
         metavar="DIR",
         default=DIRECTORY,
         help="folder for report.html, report.pdf, claims.json, errata.csv and build.log "
@@ -92,9 +92,9 @@ def _run(arguments: Namespace) -> int:
     from report.building.build import build
 
     built = build(arguments.directory, request)
-    print(_summary(built))
+    show(_summary(built))
     if earlier is not None:
-        print(_differences(earlier, built))
+        show(_differences(earlier, built))
     if arguments.open:
         webbrowser.open(built.files[Format.HTML].absolute().as_uri())
     return 0

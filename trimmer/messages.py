@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import unicodedata
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -14,6 +15,8 @@ _LEAST_RATIO = 0.7
 _LONGEST_WORD = 100
 """Longer words are no misspelled names, and comparing them would take long."""
 _SHORTEST_BEGINNING = 3
+_ACTING = ("Cc", "Cf", "Zl", "Zp")
+"""Categories of Unicode: controls, marks of format such as that of direction, ends of lines."""
 
 
 def shown_value(value: object) -> str:
@@ -23,6 +26,21 @@ def shown_value(value: object) -> str:
     except ValueError:
         return "an integer of thousands of digits"
     return text if len(text) <= _SHOWN_LENGTH else f"{text[: _SHOWN_LENGTH - 3]}..."
+
+
+def printable(text: str) -> str:
+    """Return text with escapes for what a terminal would act on or hide, but for line ends.
+
+    Those are control characters, marks that turn the direction of others, and characters without width; names
+    of files may hold them. What is only no ASCII stays, and so do spaces of other scripts.
+    """
+    return "".join(map(_shown, text)) if not text.isprintable() else text
+
+
+def _shown(sign: str) -> str:
+    if sign == "\n" or unicodedata.category(sign) not in _ACTING:
+        return sign
+    return sign.encode("unicode_escape").decode()
 
 
 def near_match(word: str, known: Iterable[str]) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from report.rendering.request import Format, Paper
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import add_overwrite_option, file_to_read
+from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_target, write_atomically
@@ -43,7 +43,7 @@ def add_report_options(parser: ArgumentParser) -> None:
     """Add the options on where and how reports on designs are written."""
     parser.add_argument(
         "--directory",
-        type=Path,
+        type=folder_to_write,
         metavar="DIR",
         default=DIRECTORY,
         help="folder of the report, NAME.html and NAME.pdf, and of .kept, which holds the steps that are "
@@ -168,7 +168,7 @@ def _make(
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()
-    print("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
+    show("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
 
 
 def plain_text(markdown: Markdown) -> str:

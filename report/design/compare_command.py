@@ -17,7 +17,7 @@ from report.design.command import (
 )
 from report.rendering.request import Format, Paper
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import file_to_read, show
 from trimmer.command_line.parser import OptionError
 from trimmer.files import STANDARD_INPUT, write_atomically
 
@@ -54,8 +54,8 @@ def _run(arguments: Namespace) -> int:
     for form, content in _contents(comparison, names, formats, Paper(arguments.paper), date).items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()
-    print(plain_text(comparison_sentence(comparison, names)))
-    print("\n".join(f"  {place.file(form)}" for form in formats))
+    sentence = plain_text(comparison_sentence(comparison, names))
+    show("\n".join([sentence, *(f"  {place.file(form)}" for form in formats)]))
     return 0
 
 

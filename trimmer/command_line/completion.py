@@ -7,7 +7,7 @@ from itertools import permutations
 from pathlib import Path
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, file_to_read, file_to_write
+from trimmer.command_line.file_options import PICTURES, file_to_read, file_to_write, folder_to_write
 
 SHELLS = ("bash", "zsh", "tcsh")
 ENDINGS = {
@@ -51,7 +51,7 @@ def _prepare(parser: ArgumentParser, command: str) -> None:
                 _prepare(below, name)
         elif action.metavar == "DISPLACEMENT":
             action.choices = DISPLACEMENTS
-        elif action.type is Path or _takes_file(action):
+        elif action.type in (Path, folder_to_write) or _takes_file(action):
             action.complete = _offered(action, command)  # type: ignore[attr-defined]
 
 

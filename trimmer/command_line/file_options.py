@@ -21,6 +21,7 @@ from trimmer.files import (
     is_standard_output,
     is_stream,
 )
+from trimmer.messages import printable, shown_value
 from trimmer.progress import is_silenced
 
 PICTURES = {".svg": SVG, ".png": PNG, ".pdf": PDF}
@@ -32,7 +33,7 @@ Kinds = Mapping[str, FileKind]
 
 def file_to_read(text: str) -> Path:
     """Read the name of a file to read, as the type of an option: ``-`` is standard input, ``./-`` a file."""
-    path = Path(text)
+    path = _named(text)
     return path.absolute() if path == STANDARD_INPUT and text != str(STANDARD_INPUT) else path
 
 
@@ -40,6 +41,18 @@ def file_to_write(text: str) -> Path:
     """Read the name of a file to write, as the type of an option; ``-`` is refused, since it is no file."""
     if text == str(STANDARD_INPUT):
         raise ArgumentTypeError("'-' is no file; write /dev/stdout for standard output, or ./- for a file")
+    return _named(text)
+
+
+def folder_to_write(text: str) -> Path:
+    """Read the name of a folder to write into, as the type of an option."""
+    return _named(text)
+
+
+def _named(text: str) -> Path:
+    """Return the path of a name; one of several lines could make a message say what it does not."""
+    if "\n" in text:
+        raise ArgumentTypeError(f"{shown_value(text)} has a line end in it; give it another name")
     return Path(text)
 
 
@@ -105,7 +118,7 @@ def show(text: str, *written: Path | None) -> None:
     """
     taken = any(path is not None and is_standard_output(path) for path in written)
     if not (taken and is_silenced()):
-        print(text, file=sys.stderr if taken else sys.stdout)
+        print(printable(text), file=sys.stderr if taken else sys.stdout)
 
 
 def _kind(name: str, path: Path, kinds: Kinds) -> FileKind:

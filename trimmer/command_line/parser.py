@@ -20,7 +20,7 @@ from contextlib import suppress
 from typing import Any, NoReturn, TextIO
 
 from trimmer.errors import TrimmerError
-from trimmer.messages import listed, near_match, shown_value
+from trimmer.messages import listed, near_match, printable, shown_value
 from trimmer.progress import is_silenced
 from trimmer.sizes import reason_against_size
 
@@ -35,8 +35,6 @@ MOST = 1_000_000_000
 """Largest whole number of an option: none counts more."""
 
 _GIVEN = "given"
-_CONTROL = {code: f"\\x{code:02x}" for code in (*range(32), 127) if chr(code) != "\n"}
-"""Control characters, which may be in the name of a file, and what is printed for them."""
 _NEGATIVE_NUMBER = re.compile(
     r"-(?:(?:[0-9][0-9_]*\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?(?:\s*[^\W\d_].*)?|inf(?:inity)?|nan)$",
     flags=re.IGNORECASE,
@@ -188,7 +186,7 @@ def as_option(name: str) -> str:
 def tell(message: str) -> None:
     """Print a message for the user on standard error, if anybody reads that."""
     try:
-        print(f"trimmer: {message.translate(_CONTROL)}", file=sys.stderr, flush=True)
+        print(f"trimmer: {printable(message)}", file=sys.stderr, flush=True)
     except OSError:
         drop(sys.stderr)
 
