@@ -10,6 +10,7 @@ which cells were done.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +19,11 @@ from trimmer.files import MAP
 from trimmer.json_data import DataError, typed
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import FORMAT, MapInputs, varied
+from trimmer.maps.measures import Measures
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import Records, appended, cut
+from trimmer.sizes import LARGEST
 
 _MAPS = Records(
     kind=MAP,
@@ -52,15 +55,17 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
     """
     results = []
     states = machine_of(inputs.mechanism)[1].state_count
+    numbers: set[int] = set()
     for line, data in _MAPS.entries(path, inputs.header):
         try:
             result = typed(CellResult, data)
         except DataError as error:
             raise _MAPS.damaged(path, line, error) from error
-        problem = _problem(result, inputs, states)
+        problem = _problem(result, inputs, states) or _twice(result.number, numbers)
         if problem:
             raise _MAPS.damaged(path, line, problem)
         results.append(result)
+        numbers.add(result.number)
     cut(path)
     return results
 
@@ -68,6 +73,10 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
 def append(path: Path, results: Iterable[CellResult]) -> Iterator[CellResult]:
     """Write results to the end of a file as they come, and yield them; see ``appended``."""
     return appended(path, results, _as_data)
+
+
+def _twice(number: int, numbers: set[int]) -> str:
+    return f"number is {number}, as in a line before" if number in numbers else ""
 
 
 def _problem(result: CellResult, inputs: MapInputs, states: int) -> str:
@@ -95,11 +104,22 @@ def _problem(result: CellResult, inputs: MapInputs, states: int) -> str:
 def _problem_of_motion(motion: CellMotion, mechanism: Mechanism) -> str:
     if min(motion.period_count, motion.periods, motion.starts - 1) < 0:
         return "period_count, periods or starts are too small"
+    if not motion.failure.isprintable():
+        return "failure is no text on one line"
     if motion.failure or motion.kind is MotionKind.DIVERGING:
         return ""
     if motion.measures is None:
         return "measures is null, and there is no failure"
+    return _problem_of_kind(motion, motion.measures, mechanism) or _problem_of_sizes(motion, motion.measures)
+
+
+def _problem_of_kind(motion: CellMotion, measures: Measures, mechanism: Mechanism) -> str:
+    """Say what of a motion does not fit its kind or the mechanism."""
     repeats = motion.kind is MotionKind.PERIODIC
+    if repeats is not (motion.period_count > 0):
+        return f"period_count is {motion.period_count}, which does not fit kind"
+    if motion.holding and motion.kind is not MotionKind.REST:
+        return "holding is of a motion at rest, and this is none"
     if len(motion.states) != (motion.period_count if repeats else 1) or not motion.states:
         return f"states are {len(motion.states)}, which does not fit kind and period_count"
     for name, parts in (
@@ -107,9 +127,28 @@ def _problem_of_motion(motion: CellMotion, mechanism: Mechanism) -> str:
         ("rms_acceleration", mechanism.bodies),
         ("wear_power", mechanism.frictions),
     ):
-        if getattr(motion.measures, name).keys() != parts.keys():
+        if getattr(measures, name).keys() != parts.keys():
             return f"measures.{name} is not of the parts of the mechanism"
     return ""
+
+
+def _problem_of_sizes(motion: CellMotion, measures: Measures) -> str:
+    """Say which number of a motion is of no size that it can have; wear may round to less than nothing."""
+    sizes = {
+        "largest_multiplier": motion.largest_multiplier or 0.0,
+        **{
+            f"measures.{name}.{part}": size
+            for name in ("peak_to_peak", "rms_acceleration")
+            for part, size in getattr(measures, name).items()
+        },
+        **{f"measures.{name}": getattr(measures, name) for name in ("events", "impacts", "impact_speed")},
+    }
+    for name, size in sizes.items():
+        if not 0.0 <= size <= LARGEST:
+            return f"{name} is {size:g}, which is no size of it"
+    others = (motion.lyapunov or 0.0, *measures.wear_power.values(), *chain.from_iterable(motion.states))
+    strange = [number for number in others if abs(number) > LARGEST]
+    return f"states, lyapunov or wear_power hold {strange[0]:g}, which no motion reaches" if strange else ""
 
 
 def _states(inputs: MapInputs, number: int) -> int:

@@ -145,6 +145,8 @@ def _whole_length(content: bytes) -> int:
 
 
 def _whole_lines(path: Path) -> list[bytes]:
+    if is_stream(path) or is_standard_output(path):  # some never end
+        raise MapFileError(f"{path} is a stream, from which nothing can go on: name a file")
     try:
         content = path.read_bytes()
     except OSError as error:

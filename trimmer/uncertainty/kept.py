@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked, Trial, all_measures
 from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
@@ -94,10 +95,12 @@ def resumed(path: Path, inputs: SampleInputs, asked: tuple[Asked, ...]) -> dict[
     Raises:
         MapFileError: if the file is not there, is none of samples, is damaged, or has other inputs.
     """
-    results = {}
+    results: dict[int, Trial] = {}
     for line, data in _SAMPLES.entries(path, header(inputs)):
         try:
             said = typed(_Kept, data)
+            if said.number in results:
+                raise DataError(f"number is {said.number}, as in a line before")
             results[said.number] = _trial(said, inputs, asked)
         except DataError as error:
             raise _SAMPLES.damaged(path, line, error) from error
@@ -136,8 +139,31 @@ def _trial(said: _Kept, inputs: SampleInputs, asked: tuple[Asked, ...]) -> Trial
     if len(said.measures) != len(asked):
         raise DataError(f"measures has {len(said.measures)} entries, not {len(asked)}")
     values = tuple(inputs.values[said.number].tolist())
-    measures = tuple(zip(asked, map(_from_json, said.measures), strict=True))
-    return Trial(values, said.kind, said.period_count, measures)
+    trial = Trial(
+        values,
+        said.kind,
+        said.period_count,
+        tuple(zip(asked, map(_from_json, said.measures), strict=True)),
+    )
+    problem = _problem(trial)
+    if problem:
+        raise DataError(problem)
+    return trial
+
+
+def _problem(trial: Trial) -> str:
+    """Say what cannot be together in a trial; empty if all can."""
+    count = trial.period_count
+    if count is not None and (count < 1 or trial.kind is None):
+        return f"period_count is {count}, which does not fit kind"
+    for asked, value in trial.measures:
+        if trial.kind is None and not math.isnan(value):
+            return f"a measure is {value:g}, where the motion failed"
+        if asked.measure is Measure.PERIOD and trial.kind is not None and value != (count or math.inf):
+            return f"the period is {value:g}, which is not period_count"
+        if asked.measure is not Measure.WEAR_POWER and value < 0.0:  # that may round to less than nothing
+            return f"a measure is {value:g}, which is no size of it"
+    return ""
 
 
 def _to_json(value: float) -> float | str | None:
