@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from report.provenance import provenance
 from report.rendering.escaping import shown_characters
-from trimmer.errors import TrimmerError
+from trimmer.source_date import source_date
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -17,14 +16,8 @@ if TYPE_CHECKING:
     from report.document.thesis import Provenance
     from trimmer.design.design_file import DesignFile
 
-EPOCH = "SOURCE_DATE_EPOCH"
-"""Environment variable with the time at which things are made, s since 1970, so that they are made alike."""
 SHOWN_DIGITS = 12
 """Digits of a file's hash below the title; the table at the end has all."""
-
-
-class DateError(TrimmerError):
-    """The environment names no date."""
 
 
 @dataclass(frozen=True)
@@ -60,16 +53,6 @@ def today() -> str:
     """Return the ISO date of today, UTC, or that of ``SOURCE_DATE_EPOCH`` where it is set.
 
     Raises:
-        DateError: if that is no number of seconds since 1970 in a year of four digits.
+        DateError: if that is no date.
     """
-    given = os.environ.get(EPOCH)
-    if not given:
-        return datetime.now(UTC).date().isoformat()
-    try:
-        if not given.isascii() or not given.isdecimal():
-            raise ValueError
-        return datetime.fromtimestamp(int(given), UTC).date().isoformat()
-    except (ValueError, OverflowError, OSError):
-        raise DateError(
-            f"{EPOCH}={given[:40]!r} in the environment is no date: give seconds since 1970, or unset it"
-        ) from None
+    return (source_date() or datetime.now(UTC)).date().isoformat()

@@ -25,6 +25,7 @@ from trimmer.command_line.signals import fit, overlay, spectrum
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, shown_value
 from trimmer.progress import silenced
+from trimmer.source_date import check_source_date
 
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
@@ -59,6 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         try:
             parsed = _parsed(arguments)
+            check_source_date()
             _hush_drawing()
             with silenced() if parsed.quiet else _warnings_told():
                 code: int = parsed.run(parsed)
