@@ -81,13 +81,17 @@ def listing_contour(gamma: float) -> Complexes:
     """
     root, values = START, []
     for ratio in RATIOS:
-        root = _contact_angle(gamma, float(ratio), root)
-        values.append(-1 / _gain(gamma, float(ratio), root))
+        root = contact_angle(gamma, float(ratio), root)
+        values.append(-1 / listing_gain(gamma, float(ratio), root))
     return np.array(values)
 
 
-def _contact_angle(gamma: float, ratio: float, start: complex) -> complex:
-    """Solve line 6, sqrt(1 - γ²) - β = sin x + γ² exp((atan(1/γ) - x)/γ) / sqrt(1 + γ²)."""
+def contact_angle(gamma: float, ratio: float, start: complex) -> complex:
+    """Solve line 6, sqrt(1 - γ²) - β = sin x + γ² exp((atan(1/γ) - x)/γ) / sqrt(1 + γ²).
+
+    Raises:
+        NoRootError: if Newton's method does not find a root from the start, rad.
+    """
     x = start
     for _ in range(STEPS):
         flight = gamma * np.exp((math.atan(1 / gamma) - x) / gamma) / math.sqrt(1 + gamma**2)
@@ -99,8 +103,8 @@ def _contact_angle(gamma: float, ratio: float, start: complex) -> complex:
     raise NoRootError(f"line 6 of Listing A.5 was not solved for gamma = {gamma:g}, b/A = {ratio:g}")
 
 
-def _gain(gamma: float, ratio: float, angle: complex) -> complex:
-    """Evaluate lines 11 to 21."""
+def listing_gain(gamma: float, ratio: float, angle: complex) -> complex:
+    """Return N by lines 11 to 21, for b/A and an angle of contact, rad."""
     separation, root = math.atan(1 / gamma), math.sqrt(1 + gamma**2)
     sine, cosine = complex(np.sin(angle)), complex(np.cos(angle))
     real = (

@@ -1,4 +1,7 @@
-"""Compiled modules as plain Python, so that their parts can be tested one by one, without compiling them."""
+"""Compiled modules as plain Python, so that their parts can be tested one by one, without compiling them.
+
+Touches a private name: compiled entries have no other door to their sources.
+"""
 
 from __future__ import annotations
 

@@ -2,26 +2,44 @@
 
 from __future__ import annotations
 
-from report.cache import content_key as module
-from report.cache.content_key import content_key
-from report.cache.source_closure import ROOT
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+KEY = "from report.cache.content_key import content_key; print(content_key())"
+CHANGED = (
+    "report/data/thesis.toml",
+    "report/data/twin/branches.json",
+    "report/command.py",
+    "derivations/parts.py",
+    "trimmer/files.py",
+)
 
 
-def test_all_data_and_sources_count():
-    counted = set(module._sources())
-    files = (path for path in (ROOT / "report" / "data").rglob("*") if path.is_file())
-    data = {path.relative_to(ROOT).as_posix() for path in files}
-    assert "report/data/twin/branches.json" in data
-    assert data <= counted
-    assert "report/command.py" in counted
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory, project_folder: Path) -> Path:
+    """The three packages, as another user has them."""
+    folder = tmp_path_factory.mktemp("copy")
+    ignored = shutil.ignore_patterns("__pycache__", "fonts")
+    for name in ("derivations", "trimmer", "report", "templates"):
+        shutil.copytree(project_folder / name, folder / name, ignore=ignored)
+    return folder
 
 
-def test_the_key_changes_with_the_content_of_a_file_of_data(monkeypatch, tmp_path):
-    before = content_key()
-    sources = module._sources()
-    changed = tmp_path / "thesis.toml"
-    changed.write_text("lines = 1\n")
-    monkeypatch.setattr(module, "_sources", lambda: {**sources, "report/data/thesis.toml": changed})
-    assert content_key() != before
-    monkeypatch.undo()
-    assert content_key() == before
+def key(folder: Path) -> str:
+    run = subprocess.run([sys.executable, "-c", KEY], capture_output=True, text=True, check=True, cwd=folder)
+    return run.stdout.strip()
+
+
+def test_the_key_changes_with_any_source_or_file_of_data(copy: Path) -> None:
+    keys = [key(copy)]
+    for name in CHANGED:
+        with (copy / name).open("a") as file:
+            file.write("\n")
+        keys.append(key(copy))
+    assert len(set(keys)) == len(keys) == len({len(each) for each in keys}) * (len(CHANGED) + 1)
+    shutil.rmtree(copy / "trimmer" / "__pycache__", ignore_errors=True)
+    assert key(copy) == keys[-1]

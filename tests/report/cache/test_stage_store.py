@@ -41,7 +41,7 @@ def test_a_result_is_made_once_per_key(tmp_path: Path) -> None:
     assert store.load("other", "b") is None
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.data())
 def test_a_damaged_file_is_made_again_and_that_is_told(data: st.DataObject) -> None:
     with tempfile.TemporaryDirectory() as name, contextlib.redirect_stderr(io.StringIO()) as told:
@@ -143,7 +143,7 @@ def as_told(value: Any) -> Any:
     return repr(value)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(DATA)
 def test_data_read_back_as_they_were(value: Any) -> None:
     with tempfile.TemporaryDirectory() as name:

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 
-from report.chapters.chapter_5.claims import section_5_2_2, section_5_2_assumptions
 from report.judge import ContradictionError, judge
 from report.numbers.equivalent_nonlinearity import FORCE, listing_element
 from report.numbers.friction_in_place import Balances
@@ -42,15 +41,6 @@ def test_friction_that_feeds_the_oscillation_would_be_noticed(evidence, inventor
     assert verdicts(claim, inventory)[0] is Verdict.ERRATUM
     figure = records.by_id["fig-5.24"].claim(changed)
     assert verdicts(figure, inventory) == [Verdict.REPRODUCED]
-
-
-def test_a_harmonic_that_comes_back_would_be_noticed(evidence, inventory, records, monkeypatch):
-    monkeypatch.setattr(section_5_2_assumptions, "harmonic_leakage", lambda *_: (0.5,))
-    claim = records.by_id["txt-5.2-assumptions"].claim(evidence)
-    assert verdicts(claim, inventory)[3] is Verdict.ERRATUM
-    monkeypatch.setattr(section_5_2_2, "harmonic_leakage", lambda *_: (0.5,))
-    band = records.by_id["eq-5.8"].claim(evidence)
-    assert verdicts(band, inventory)[2] is Verdict.REPRODUCED
 
 
 def test_the_second_way_to_the_listings_prediction_does_not_use_the_elements(evidence):

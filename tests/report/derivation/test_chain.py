@@ -7,11 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import sympy
 
+from derivations.elements.backlash import GAP, friction_waveform
+from derivations.elements.friction import LEVEL, relay_waveform
 from derivations.elements.harmonics import odd_harmonic
 from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from derivations.step import Formula, Step
+from derivations.symbols import A
 from report.cache.source_closure import ROOT
 from report.claim import Kind
 from report.collect import collect
@@ -23,7 +27,7 @@ from report.derivation.nomenclature import (
     symbols_of_step,
 )
 from report.derivation.number_steps import number_steps
-from report.derivation.pictures import _values, sampled, waveform_pictures
+from report.derivation.pictures import sampled, waveform_pictures
 from report.derivation.places_of_claims import UnknownStepError, named_steps, places
 from report.derivation.symbols_of_text import formulas, symbols
 from report.derivation.waveform_svg import first_harmonic
@@ -151,14 +155,18 @@ def test_formulas_in_prose_are_those_between_dollars():
     assert list(formulas("With $a$ and $b_1 = 2$.")) == ["a", "b_1 = 2"]
 
 
-def test_waveforms_have_the_first_harmonic_of_the_derivation():
-    for step, (waveform, values) in _values().items():
-        amplitude = next((values[each] for each in values if str(each) == "A"), 1)
-        gain = complex(odd_harmonic(waveform, amplitude, 1).subs(values).evalf())
-        phases = np.array([0.3, 1.1])
-        drawn = first_harmonic(sampled(waveform, values), phases)
-        expected = (gain * np.exp(1j * phases)).imag * float(amplitude)
-        assert drawn == pytest.approx(expected, abs=3e-3), step
+@pytest.mark.parametrize(
+    ("waveform", "values"),
+    [
+        (relay_waveform(LEVEL), {LEVEL: sympy.Rational(7, 10)}),
+        (friction_waveform(), {A: sympy.Integer(1), GAP: sympy.Rational(6, 5)}),
+    ],
+)
+def test_waveforms_have_the_first_harmonic_of_the_derivation(waveform, values):
+    gain = complex(odd_harmonic(waveform, sympy.Integer(1), 1).subs(values).evalf())
+    phases = np.array([0.3, 1.1])
+    drawn = first_harmonic(sampled(waveform, values), phases)
+    assert drawn == pytest.approx((gain * np.exp(1j * phases)).imag, abs=3e-3)
 
 
 def test_pictures_are_small_and_have_words():

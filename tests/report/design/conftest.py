@@ -11,6 +11,7 @@ from report.cache.stage_store import StageStore
 from report.design.building import files_of, looked_at, report_on
 from report.design.report import DesignReport
 from report.rendering.request import Format, Paper
+from tests.report.made_once import MadeOnce
 from trimmer import SerialRunner
 from trimmer.design.design import Design
 from trimmer.design.design_file import design_file_of_text
@@ -53,14 +54,21 @@ COARSE = DesignSettings(
 
 
 @pytest.fixture(scope="session")
-def store(tmp_path_factory: pytest.TempPathFactory) -> StageStore:
-    """Where its steps are kept."""
-    return StageStore(tmp_path_factory.mktemp("kept"))
+def store(made_once: MadeOnce, tmp_path_factory: pytest.TempPathFactory) -> StageStore:
+    """Where its steps are kept, for all processes of a run."""
+    return StageStore(made_once.folder / "kept" if made_once.folder else tmp_path_factory.mktemp("kept"))
 
 
 @pytest.fixture(scope="session")
-def design(store: StageStore) -> Design:
-    """A small trimmer whose gap is open."""
+def design(store: StageStore, made_once: MadeOnce) -> Design:
+    """A small trimmer whose gap is open; who comes while it is looked at waits."""
+    if made_once.folder is not None:
+        made_once.get("design", lambda: bool(look(store)))
+    return look(store)
+
+
+def look(store: StageStore) -> Design:
+    """Look at it; what another process has kept is not computed again."""
     return looked_at(design_file_of_text(TEXT, "desk.toml"), COARSE, SerialRunner(), store, lambda *_: None)
 
 
@@ -71,9 +79,10 @@ def report(design: Design, store: StageStore) -> DesignReport:
 
 
 @pytest.fixture(scope="session")
-def files(report: DesignReport, store: StageStore) -> Mapping[Format, str | bytes]:
+def files(report: DesignReport, store: StageStore, made_once: MadeOnce) -> Mapping[Format, str | bytes]:
     """Its files."""
-    return files_of(report, frozenset({Format.HTML, Format.PDF}), Paper.A4, store)
+    forms = frozenset({Format.HTML, Format.PDF})
+    return made_once.get("design_files", lambda: files_of(report, forms, Paper.A4, store))
 
 
 @pytest.fixture(scope="session")

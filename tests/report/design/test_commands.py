@@ -1,4 +1,7 @@
-"""`trimmer init`, `design` and `compare` as a new user tries them, and wrongly."""
+"""`trimmer init`, `design` and `compare` as a new user tries them, and wrongly.
+
+Touches inner parts: a look that is quick enough for a test, and an interrupt in its midst, have no door.
+"""
 
 from __future__ import annotations
 

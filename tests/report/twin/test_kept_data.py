@@ -168,15 +168,6 @@ def test_maps_are_made_resumed_and_read(tmp_path, capsys):
     capsys.readouterr()
 
 
-@pytest.mark.slow
-def test_maps_of_other_code_are_not_gone_on_with(tmp_path, monkeypatch):
-    now = make_maps.work_folder(tmp_path)
-    assert now == make_maps.work_folder(tmp_path)
-    assert now.parent == tmp_path
-    monkeypatch.setattr(make_maps, "COMPUTES", "trimmer.maps.settle")
-    assert make_maps.work_folder(tmp_path) != now
-
-
 def test_branches_begin_where_they_are_said_to():
     branches = read_branches()
     for course in COURSES:

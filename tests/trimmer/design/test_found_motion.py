@@ -120,6 +120,10 @@ def test_lines_are_weighted_one_by_one() -> None:
     assert (found["one"].lines, found["one"].highest) == (150, pytest.approx(3000.0))
     assert found["one"].left_out < 1e-4 * expected
     assert found["three"] == HandArm(0.0, 0.0, 0.0, found["one"].highest, 150)
+    # What of a body's acceleration no line holds is taken for vibration just above the highest line.
+    more = hand_arm_of_orbit(no_constant, omega, rms | {"one": 3e4})["one"]
+    above = abs(hand_arm_weighting(3000.0)) * math.sqrt(3e4**2 - 50.0)
+    assert more.left_out == pytest.approx(math.hypot(more.weighted, above) - more.weighted, rel=1e-4)
     assert found["three"].hours_to(2.5) == math.inf
     assert found["one"].hours_to(5.0) == pytest.approx(8 * 25 / expected**2, rel=1e-6)
 
