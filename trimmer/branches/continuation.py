@@ -13,7 +13,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import front_beyond, joint
-from trimmer.branches.known import SAME, Known
+from trimmer.branches.known import Known
 from trimmer.branches.orbit import Problem
 from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
@@ -21,6 +21,7 @@ from trimmer.branches.special import SpecialPoint
 from trimmer.branches.step import Front, begun
 from trimmer.branches.stepping import Interval, Limits, scales, steps
 from trimmer.branches.switching import parted_fronts
+from trimmer.one_orbit import SAME
 from trimmer.progress import progress_bar
 
 

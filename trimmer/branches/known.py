@@ -10,9 +10,8 @@ from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import BranchEnd, BranchPoint
 from trimmer.branches.orbit import Problem
 from trimmer.branches.period_maps.period_map import PeriodMap
+from trimmer.one_orbit import SAME, same_states
 
-SAME = 1e-6
-"""Distance within which two orbits are the same."""
 FARTHEST = 0.1
 """Distance in all coordinates within which a branch that has joined another may have done so."""
 
@@ -67,7 +66,8 @@ class Known:
             if doublings == problem.map.doublings and abs(point.value - end.value) <= SAME * problem.span
             for state in problem.map.phases(point.value, point.state)
         ]
-        return any(abs(image - each).max() <= SAME for image in images for each in known)
+        pairs = ((image[None], each[None]) for image in images for each in known)
+        return any(same_states(*pair, np.full(pair[0].shape[1], SAME)) for pair in pairs)
 
     def add(self, doublings: int, first: BranchPoint | None, last: BranchPoint, reason: BranchEnd) -> None:
         """Add what was followed of a branch.

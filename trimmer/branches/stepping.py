@@ -10,11 +10,11 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.branch import NEUTRAL, BranchEnd
 from trimmer.branches.corner import is_torn, turned
-from trimmer.branches.known import SAME
 from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.step import Front, Step, begun, step
+from trimmer.one_orbit import SAME
 
 FIRST = 1e-3
 """Length of the first step."""

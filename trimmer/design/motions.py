@@ -15,18 +15,19 @@ from trimmer.maps.motion_map import motion_map
 from trimmer.response.forced_orbit import mechanism_orbit
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind, Response
+from trimmer.response.same import same_orbit
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Reals
     from trimmer.design.settings import DesignSettings
     from trimmer.design.varied_places import Varied
     from trimmer.maps.cells import CellMotion
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.orbit import MechanismOrbit
     from trimmer.runners.runner import Runner
 
 REACH = 0.3
 """How far neighbours lie around the working point at most, relative, along each of two numbers."""
-SAME = 1e-6
-"""Difference of two orbits relative to their sizes below which they are one."""
 
 
 @dataclass(frozen=True)
@@ -149,31 +150,23 @@ def _around(varied: Varied, count: int) -> tuple[float, ...]:
 
 def _new(mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions) -> Iterator[FoundMotion]:
     """Yield the periodic motions of a cell that are not known yet, as exact orbits."""
-    seen = [each for each in known.found if each.repeats]
+    again = (_orbit(mechanism, each.period_count or 1, each.state) for each in known.found if each.repeats)
+    seen = [orbit for orbit in again if orbit is not None]
     for motion in motions:
         if motion.kind is not MotionKind.PERIODIC:
             continue
-        try:
-            orbit = mechanism_orbit(mechanism, motion.period_count, np.array(motion.states[0]))
-        except TrimmerError:
+        orbit = _orbit(mechanism, motion.period_count, np.array(motion.states[0]))
+        if orbit is None or not (orbit.stable or orbit.neutral):
             continue
-        if not orbit.success or not (orbit.stable or orbit.neutral):
-            continue
-        found = of_orbit(orbit)
-        if not any(_same(found, other) for other in seen):
-            seen.append(found)
-            yield found
+        if not any(same_orbit(orbit, other) for other in seen):
+            seen.append(orbit)
+            yield of_orbit(orbit)
 
 
-def _same(motion: FoundMotion, other: FoundMotion) -> bool:
-    """Say whether two orbits are one: of one period, with outputs of the same measures."""
-    if motion.period_count != other.period_count:
-        return False
-    pairs = [
-        (mine.peak_to_peak, other.outputs[name].peak_to_peak, mine.mean, other.outputs[name].mean)
-        for name, mine in motion.outputs.items()
-    ]
-    return all(
-        abs(size - theirs) <= SAME * abs(size) and abs(mean - their_mean) <= SAME * abs(size)
-        for size, theirs, mean, their_mean in pairs
-    )
+def _orbit(mechanism: Mechanism, periods: int, state: Reals) -> MechanismOrbit | None:
+    """Return the orbit at a state, (n,), over so many drive periods; None if there is none."""
+    try:
+        orbit = mechanism_orbit(mechanism, periods, state)
+    except TrimmerError:
+        return None
+    return orbit if orbit.success else None

@@ -15,9 +15,10 @@ from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
+from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
 from trimmer.response.linear_lines import LinearLines
 from trimmer.response.response import MotionKind
-from trimmer.response.same import SAME, same_states
+from trimmer.response.shooting import CLOSED
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -289,5 +290,16 @@ def of_one_size(first: CellMotion, second: CellMotion) -> bool:
 
 def alike(first: CellMotion, second: CellMotion, apart: float = SAME) -> bool:
     """Return whether the orbits of two periodic motions differ by no more than a share of their sizes."""
-    ours, theirs = np.array(first.states), np.array(second.states)
-    return same_states(ours, theirs, apart * np.maximum(strobed_sizes(ours), strobed_sizes(theirs)))
+    return are_one(_curve(first), _curve(second), apart)
+
+
+def _curve(motion: CellMotion) -> ClosedCurve:
+    """Return the orbit of a periodic motion as the closed curve by which it is compared.
+
+    Of the orbit its states at the starts of drive periods are known, and the largest multiplier: no other one
+    that is near 1 is farther from the unit circle. Its residual is at most that at which a return is closed.
+    """
+    states = np.array(motion.states)
+    apart = abs(1.0 - (motion.largest_multiplier or 0.0))
+    known = min(CLOSED / apart, LEAST_KNOWN) if apart > SAME else 0.0
+    return ClosedCurve(float(len(states)), states[:, None], strobed_sizes(states), known)

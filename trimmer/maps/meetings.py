@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import LocusEnd
-from trimmer.maps.special_curve import SAME_STATE, Meeting, SpecialCurve
+from trimmer.maps.special_curve import Meeting, SpecialCurve, are_alike
 
 NEAR = 2e-2
 """Distance, as a share of the ranges, within which a curve that was lost ends on another one."""
@@ -97,4 +97,4 @@ def _between(rows: Reals, at: int, share: float) -> Reals:
 
 def _alike(curve: SpecialCurve, other: SpecialCurve, state: Reals, another: Reals) -> bool:
     sizes = np.maximum(abs(curve.states).max(axis=0), abs(other.states).max(axis=0))
-    return bool((abs(state - another) <= SAME_STATE * sizes).all())
+    return are_alike(state, another, sizes)

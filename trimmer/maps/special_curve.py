@@ -14,16 +14,17 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import Locus
 from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.one_orbit import same_states
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SAME = 5e-3
+ON_CURVE = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
-SAME_STATE = 5e-2
-"""Distance of the states then, relative to their sizes on the curve."""
+INTERPOLATED = 5e-2
+"""Error of states between two points of a curve, relative to their sizes on it."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -101,7 +102,7 @@ class SpecialCurve(Tabular):
         sizes = np.where(sizes > 0.0, sizes, 1.0)
         target = np.array([point.value, second]) / spans
         return any(
-            _passes(values / spans, states / sizes, target, point.state / sizes)
+            _passes(values / spans, states, target, point.state, sizes)
             for values, states in zip(_pairs(self.values), _pairs(self.states), strict=True)
         )
 
@@ -111,13 +112,18 @@ def _pairs(rows: Reals) -> Iterator[Reals]:
     return (np.array(pair) for pair in pairwise(rows))
 
 
-def _passes(values: Reals, states: Reals, target: Reals, state: Reals) -> bool:
+def are_alike(state: Reals, another: Reals, sizes: Reals) -> bool:
+    """Return whether two orbits seem to be one, of which states between points of curves are known, (n,)."""
+    return same_states(state[None], another[None], INTERPOLATED * sizes)
+
+
+def _passes(values: Reals, states: Reals, target: Reals, state: Reals, sizes: Reals) -> bool:
     chord = values[1] - values[0]
     length = float(chord @ chord)
     share = float(np.clip(chord @ (target - values[0]) / length, 0.0, 1.0)) if length else 0.0
-    near = np.linalg.norm(values[0] + share * chord - target) <= SAME
+    near = np.linalg.norm(values[0] + share * chord - target) <= ON_CURVE
     between = states[0] + share * (states[1] - states[0])
-    return bool(near and abs(between - state).max() <= SAME_STATE)
+    return bool(near and are_alike(between, state, sizes))
 
 
 @dataclass(frozen=True, eq=False)

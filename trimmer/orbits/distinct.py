@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from trimmer.orbits.measures import extremes
+import numpy as np
+
+from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
 from trimmer.orbits.return_map import arcs
 from trimmer.orbits.shooting import Return, Shot, solve
 
 if TYPE_CHECKING:
+    from trimmer.arrays import Reals
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 
-ALIKE = 1e-6
-"""Relative difference below which periods and extremes are the same: shooting is exact to 1e-10, but an orbit
-whose multiplier is near one is less well determined than its return."""
+POINTS = 64
+"""Points of a period at which two orbits are compared."""
+LEAST = 1e-9
+"""Scale of a state relative to the largest one, below which it is rounding, or says nothing of its own."""
 
 
 def same(first: PeriodicOrbit, second: PeriodicOrbit) -> bool:
@@ -24,13 +27,27 @@ def same(first: PeriodicOrbit, second: PeriodicOrbit) -> bool:
 
     A loop of odd elements moves along the mirror image of an orbit, too.
     """
-    if not math.isclose(first.period, second.period, rel_tol=ALIKE):
-        return False
-    ours, theirs = _extremes(first), _extremes(second)
-    near = ALIKE * first.amplitude
-    return any(
-        all(abs(one - other) <= near for one, other in zip(ours, turned, strict=True))
-        for turned in (theirs, (-theirs[1], -theirs[0]))
+    ours, theirs = curve_of(first), curve_of(second)
+    path = theirs.path
+    assert path is not None, "a closed loop may begin anywhere"
+    mirrored = replace(theirs, states=-theirs.states, path=lambda times: -path(times))
+    return are_one(ours, theirs) or are_one(ours, mirrored)
+
+
+def curve_of(orbit: PeriodicOrbit) -> ClosedCurve:
+    """Return an orbit as the closed curve of the linear system's states, by which it is compared."""
+
+    def path(times: Reals) -> Reals:
+        return np.ascontiguousarray(orbit.motion.state(times).T)
+
+    states = path(orbit.period * np.arange(POINTS) / POINTS)
+    sizes = abs(states).max(axis=0)
+    return ClosedCurve(
+        period=orbit.period,
+        states=states[None],
+        sizes=np.maximum(sizes, LEAST * sizes.max()),
+        inaccuracy=inaccuracy(orbit.residual, orbit.nontrivial_multipliers),
+        path=path,
     )
 
 
@@ -52,9 +69,7 @@ def shortest(problem: Return, shot: Shot) -> tuple[Return, Shot]:
 def _part_of(problem: Return, shot: Shot, part: int) -> Shot | None:
     """Return the return after a part of the span, if the motion is back by then; None if not."""
     trial = problem.shoot(shot.mode, shot.state, shot.span / part)
-    return (
-        None if trial is None or trial.miss > ALIKE else solve(problem, trial.mode, trial.state, trial.span)
-    )
+    return None if trial is None or trial.miss > SAME else solve(problem, trial.mode, trial.state, trial.span)
 
 
 def _prime_factors(number: int) -> list[int]:
@@ -66,8 +81,3 @@ def _prime_factors(number: int) -> list[int]:
             number //= factor
         factor += 1
     return [*factors, number] if number > 1 else factors
-
-
-def _extremes(orbit: PeriodicOrbit) -> tuple[float, float]:
-    modes = orbit.motion.loop.modes
-    return extremes(modes, arcs(modes, orbit.motion.log, orbit.period))

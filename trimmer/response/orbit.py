@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.one_orbit import SAME
 from trimmer.response.multipliers import multipliers_of, with_place
 from trimmer.response.shooting import CLOSED, Shot
 from trimmer.showing.shown import Tabular
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
     from trimmer.response.edge import Edge
     from trimmer.response.measures import Measures
 
-SAME = 1e-8
-"""Distance of states as a share of their sizes below which a motion has returned before its time."""
+STILL = 1e-8
+"""Change of states as a share of their sizes that is none."""
 NEUTRAL = 1e-6
 """Distance from 1 within which a multiplier makes the step of a branch from an orbit ill-determined."""
 INSTANTS = 8
@@ -104,7 +105,7 @@ class MechanismOrbit(Tabular):
         if self.course.events or not self.flow.shifts:
             return True
         states = self.course.states(np.linspace(0.0, self.course.duration, INSTANTS))[:, : self.flow.size]
-        return bool((np.ptp(self.flow.reduced(states), axis=0) > SAME * self.sizes).any())
+        return bool((np.ptp(self.flow.reduced(states), axis=0) > STILL * self.sizes).any())
 
     @property
     def stable(self) -> bool:

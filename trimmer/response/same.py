@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,18 +20,8 @@ if TYPE_CHECKING:
     from trimmer.response.response import SettledMotion
     from trimmer.response.rest import Rest
 
-SAME = 1e-6
-"""Distance of states, as a share of their sizes, below which two orbits are one."""
-LEAST_KNOWN = 1e-3
-"""Distance up to which orbits that are badly determined count as one."""
 POINTS = 32
 """Points of a period at which two orbits are compared."""
-COARSE = 1024
-"""Points of a period among which that nearest to the start of another orbit is looked for."""
-REFINED = 6
-"""How often the time between two points is divided into as many as ``POINTS``."""
-PASSES = 4
-"""Parts of an orbit that may pass by the start of the other one."""
 ERRORS = 4.0
 """Standard errors by which two motions that do not repeat differ at most in each measure, if they are one."""
 FLOOR = 1e-3
@@ -79,39 +72,33 @@ def same_orbit(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     Of neutral ones, as where friction holds a body wherever it stopped, there is one beside the other without
     end. They count as one if they have the same size and shape, wherever they lie.
     """
-    if orbit.periods != other.periods:
-        return False
-    if abs(orbit.period - other.period) > SAME * orbit.period:
-        return False
     anywhere = orbit.neutral and other.neutral
-    ours, theirs = (_curve(each, 0.0, anywhere) for each in (orbit, other))
-    sizes = np.maximum(orbit.sizes, abs(ours).max(axis=0))
-    allowed = (SAME + _inaccuracy(orbit) + _inaccuracy(other)) * sizes
-    if orbit.periods:
-        shape = orbit.periods, -1
-        return same_states(ours.reshape(shape), theirs.reshape(shape), np.tile(allowed, POINTS))
-    times = _times_at(other, ours[0], anywhere)
-    return any(bool((abs(_curve(other, time, anywhere) - ours) <= allowed).all()) for time in times)
+    return orbit.periods == other.periods and are_one(curve_of(orbit, anywhere), curve_of(other, anywhere))
+
+
+def curve_of(orbit: MechanismOrbit, about_its_mean: bool = False) -> ClosedCurve:
+    """Return an orbit as the closed curve by which it is compared; the mean taken off, if so."""
+    parts, autonomous = max(orbit.periods, 1), not orbit.periods
+    states = _at_even_times(orbit, POINTS * parts, about_its_mean)
+    return ClosedCurve(
+        period=orbit.period,
+        states=states.reshape(parts, POINTS, -1),
+        sizes=np.maximum(orbit.sizes, abs(states).max(axis=0)),
+        inaccuracy=inaccuracy(orbit.residual, orbit.nontrivial_multipliers),
+        path=(lambda times: _states(orbit, times, about_its_mean)) if autonomous else None,
+    )
 
 
 def largest_states(orbit: MechanismOrbit) -> Reals:
     """Return the largest modulus of each state over an orbit, at even times, (n,)."""
-    largest: Reals = abs(_curve(orbit, 0.0, about_its_mean=False)).max(axis=0)
+    count = POINTS * max(orbit.periods, 1)
+    largest: Reals = abs(_at_even_times(orbit, count, about_its_mean=False)).max(axis=0)
     return largest
 
 
-def _inaccuracy(orbit: MechanismOrbit) -> float:
-    """Return how well the states of an orbit are determined by its return, as a share of their sizes."""
-    apart = abs(1 - orbit.nontrivial_multipliers)
-    apart = apart[apart > SAME]
-    return min(orbit.residual / float(apart.min(initial=1.0)), LEAST_KNOWN)
-
-
-def _curve(orbit: MechanismOrbit, begin: float, about_its_mean: bool) -> Reals:
-    """Return states at even times over an orbit from a time on, s, (points, n); the mean taken off, if so."""
-    count = POINTS * max(orbit.periods, 1)
-    times = np.mod(begin + orbit.period * np.arange(count) / count, orbit.period)
-    return _states(orbit, times, about_its_mean)
+def _at_even_times(orbit: MechanismOrbit, count: int, about_its_mean: bool) -> Reals:
+    """Return states at so many even times over an orbit, (count, n); the mean taken off, if so."""
+    return _states(orbit, orbit.period * np.arange(count) / count, about_its_mean)
 
 
 def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
@@ -124,32 +111,14 @@ def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
     return orbit.flow.reduced(states)
 
 
-def _times_at(orbit: MechanismOrbit, state: Reals, about_its_mean: bool) -> list[float]:
-    """Return the times, s, at which an orbit passes by a state, the nearest ones."""
-
-    def distances(times: Reals) -> Reals:
-        apart = (_states(orbit, np.mod(times, orbit.period), about_its_mean) - state) / orbit.sizes
-        return np.asarray(np.linalg.norm(apart, axis=1))
-
-    step = orbit.period / COARSE
-    times = np.asarray(step * np.arange(COARSE), dtype=np.float64)
-    coarse = distances(times)
-    lowest = np.flatnonzero((coarse <= np.roll(coarse, 1)) & (coarse <= np.roll(coarse, -1)))
-    found = []
-    for place in lowest[np.argsort(coarse[lowest])][:PASSES]:
-        time, reach = float(times[place]), step
-        for _ in range(REFINED):
-            near = time + reach * np.linspace(-1.0, 1.0, 2 * POINTS + 1)
-            time, reach = float(near[np.argmin(distances(near))]), reach / POINTS
-        found.append(time)
-    return found
-
-
 def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     """Return whether an orbit is the mirror image of another one, half a drive period later."""
     if orbit.periods != other.periods or not is_mirror_symmetric(orbit.mechanism):
         return False
-    return same_states(orbit.strobed, mirrored(other), SAME * orbit.sizes)
+    curve = curve_of(orbit)
+    return are_one(
+        replace(curve, states=orbit.strobed[:, None]), replace(curve, states=mirrored(other)[:, None])
+    )
 
 
 def keeps_symmetry(orbit: MechanismOrbit) -> bool | None:
@@ -174,18 +143,3 @@ def is_mirror_symmetric(mechanism: Mechanism) -> bool:
     centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
     pushed = any(force.constant != 0 for force in mechanism.forces.values())
     return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops
-
-
-def same_states(ours: Reals, theirs: Reals, allowed: Reals) -> bool:
-    """Return whether the states of two orbits agree, wherever in their period they begin.
-
-    Args:
-        ours: States at the start of each drive period, (k, n).
-        theirs: Those of the other orbit.
-        allowed: Difference that is allowed of each state, (n,).
-    """
-    if ours.shape != theirs.shape:
-        return False
-    return any(
-        bool((abs(np.roll(ours, turns, axis=0) - theirs) <= allowed).all()) for turns in range(len(ours))
-    )

@@ -14,6 +14,7 @@ import numpy as np
 from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import NOTHING
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
+from trimmer.one_orbit import SAME
 from trimmer.response.growth import grew, state_sizes
 from trimmer.response.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.orbit import orbit_of
@@ -35,8 +36,6 @@ NEAR = 0.1
 """Distance of two states as a share of their sizes at which Newton's method is tried."""
 RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
-ALIKE = 1e-6
-"""Distance of two states as a share of their sizes at which a motion has returned before its time."""
 MOST_TRIED = 6
 """Recurrences that are tried in each stretch, nearest in time first."""
 
@@ -195,7 +194,7 @@ def _once(flow: ExactFlow, shot: Shot) -> Shot:
         if len(course.events) % count:
             continue
         (state,) = course.states(np.array([course.duration / count]))
-        if (abs(state[: flow.size] - course.begin.state) > ALIKE * shot.sizes).any():
+        if (abs(state[: flow.size] - course.begin.state) > SAME * shot.sizes).any():
             continue
         shorter = solve(Return(flow, 0), course.begin, course.duration / count)
         if shorter is not None and shorter.miss <= CLOSED and not at_rest(shorter.course, shorter.duration):

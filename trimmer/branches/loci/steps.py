@@ -33,7 +33,7 @@ ACCURATE = 0.03
 """Error of a prediction, relative to the step, below which the next step is longer."""
 SHARP = 0.05
 """Share of the numbers in a step, against the states, below which a locus turns sharply back."""
-SAME = 1e-3
+CLOSES = 1e-3
 """Distance from the first point, in ranges, within which a locus may close."""
 
 
@@ -139,7 +139,7 @@ def _closed(points: Sequence[Point]) -> bool:
         return False
     state = before.strobed + share * (last.strobed - before.strobed)
     begin = replace(first, state=first.strobed)
-    return apart(begin, before.values + share * chord, state) <= SAME + 0.1 * float(np.linalg.norm(chord))
+    return apart(begin, before.values + share * chord, state) <= CLOSES + 0.1 * float(np.linalg.norm(chord))
 
 
 def _obstacle(track: Track) -> LocusEnd:
