@@ -12,6 +12,7 @@ import numpy as np
 from trimmer.design.targets import Target
 from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
 from trimmer.errors import MechanismError, UncertaintyError
+from trimmer.maps.cells import waited_for
 from trimmer.maps.inputs import varied
 from trimmer.progress import progress_bar
 from trimmer.runners.processes import ProcessRunner
@@ -127,9 +128,14 @@ class Samples:
 
     @property
     def kinds(self) -> dict[str, int]:
-        """How many trials do what, by words such as ``period 3``, the most frequent first."""
+        """How many trials do what, by words such as ``period 3``, the most frequent first.
+
+        What rests on the drive periods that were waited says so, as in a map: ``chaotic over 300 drive
+        periods``.
+        """
+        waited = self.inputs.settings.most_periods
         words = [
-            "failed" if trial.kind is None else trial.kind.described(trial.period_count)
+            "failed" if trial.kind is None else waited_for(trial.kind.described(trial.period_count), waited)
             for trial in self.trials
         ]
         return {

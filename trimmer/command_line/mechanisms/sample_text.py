@@ -29,8 +29,10 @@ def as_text(study: Study) -> str:
     """Return what samples tell, for people."""
     samples = study.samples
     lines = [*_yield_lines(samples), "what it settles to"]
-    total = len(samples.trials)
-    lines += [f"  {kind:<12} {share_text(share_of(count, total))}" for kind, count in samples.kinds.items()]
+    total, width = len(samples.trials), max(map(len, samples.kinds), default=0)
+    lines += [
+        f"  {kind:<{width}}  {share_text(share_of(count, total))}" for kind, count in samples.kinds.items()
+    ]
     lines += ["", "how measures scatter (in brackets: 95 % interval of a quantile)"]
     heads = ("", "mean", "deviation", "5 %", "50 %", "95 %", "unit")
     lines += table(heads, list(_measure_rows(samples)))
