@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MapError
-from trimmer.maps.cells import CellMotion, described, same_motion, waited_for
+from trimmer.maps.cells import CellMotion, described, same_motion, stands_for_its_kind, waited_for
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
@@ -51,9 +51,11 @@ class Basin(Tabular):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What each motion is, numbered from 1, as in the legend of the picture."""
+        """What each motion is, numbered from 1, as in the legend; one that stands for a kind says so."""
         told = (waited_for(described(motion), motion.periods) for motion in self.motions)
-        return tuple(f"{number}: {each}" for number, each in enumerate(told, start=1))
+        all_of_it = (" (all such)" if stands_for_its_kind(motion) else "" for motion in self.motions)
+        each = zip(told, all_of_it, strict=True)
+        return tuple(f"{number}: {name}{every}" for number, (name, every) in enumerate(each, start=1))
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw which motion is reached from where; the legend numbers them from 1.

@@ -253,6 +253,12 @@ def waited_for(description: str, periods: int) -> str:
     return description if begun is None else f"{begun} {periods} drive periods"
 
 
+def stands_for_its_kind(motion: CellMotion) -> bool:
+    """Say whether a motion counts as one with all of its kind: it does not repeat, and is not exact."""
+    repeats = motion.kind is MotionKind.PERIODIC or motion.kind is MotionKind.REST
+    return not (repeats or motion.failure or motion.neutral)
+
+
 def same_motion(first: CellMotion, second: CellMotion) -> bool:
     """Return whether two motions of one cell are one.
 

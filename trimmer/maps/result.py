@@ -251,4 +251,5 @@ def _searched(result: MotionMap) -> str:
     begun += f", for at most {settings.most_periods} drive periods"
     if settings.starts == 1:
         return f"{begun}; other motions were not looked for"
-    return f"{begun}; {several} of them have several motions among those found"
+    told = f"{begun}; {several} of them have several motions among those found"
+    return f"{told}, where all of a cell that do not repeat count as one of each kind"
