@@ -158,7 +158,7 @@ def test_what_was_drawn_and_found_is_told(samples) -> None:
     chaotic = Trial((0.4, 4.0), MotionKind.CHAOTIC, None, samples.trials[0].measures)
     failed = Trial((0.4, 4.0), None, None, ((STROKE, np.nan),))
     mixed = replace(samples, trials=(failed, chaotic, *samples.trials[:1], chaotic))
-    assert next(iter(mixed.kinds.items())) == (MotionKind.CHAOTIC.word, 2)
+    assert next(iter(mixed.kinds.items())) == ("chaotic over 60 drive periods", 2)
     assert (mixed.failed, mixed.kinds["failed"]) == (1, 1)
     assert mixed.message.endswith(" 1 motions could not be followed to their end.")
     np.testing.assert_array_equal(mixed.measured(STROKE)[0], np.nan)
