@@ -115,7 +115,7 @@ def changes(
     falling = _falling(modes, before, fired, log.state[first])
     statuses = list(modes[before].statuses)
     for number, function in enumerate(falling, start=1):
-        here = counterpart(function, modes[before].functions)
+        here = _counterpart(function, modes[before].functions)
         following = after
         if number < len(falling):
             statuses[function.owner] = modes[after].statuses[function.owner]
@@ -153,7 +153,13 @@ def _are_one(row: Reals, other: Reals) -> bool:
     return bool(abs(away).max() <= AT_REST * abs(row).max())
 
 
-def counterpart(function: EventFunction, functions: Sequence[EventFunction]) -> EventFunction:
-    """Return the same event function of another mode or machine; itself if that has it no more."""
-    same = (each for each in functions if (each.owner, each.action) == (function.owner, function.action))
+def _counterpart(function: EventFunction, functions: Sequence[EventFunction]) -> EventFunction:
+    """Return the same event function of another mode; itself if it is of that, or if that has it no more."""
+    if any(each is function for each in functions):
+        return function
+    same = (each for each in functions if _identity(each) == _identity(function))
     return next(same, function)
+
+
+def _identity(function: EventFunction) -> tuple[int, int, tuple[int, ...]]:
+    return function.owner, function.action, function.signs

@@ -14,11 +14,11 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.assembly import Mode, assemble
+from trimmer.contact.assembly import EventFunction, Mode, assemble
 from trimmer.contact.compilation import sources
 from trimmer.contact.flow import Course
 from trimmer.contact.machine import Machine, free_springs
-from trimmer.contact.variation import changes, counterpart
+from trimmer.contact.variation import changes
 from trimmer.motion.compilation import kept
 from trimmer.motion.linear_combination import copy
 from trimmer.motion.taylor import DEGREE
@@ -137,10 +137,20 @@ class ValueChange:
         for before, function, after in changes(modes, log, first, last, int(log.function[events[0]])):
             here = log.state[first] if before == log.mode[first - 1] else state
             gradient, rates = function.row, modes[before].flow @ here
-            changed = counterpart(function, self._other(before).functions).row
+            changed = self._changed(function, (before, int(log.mode[first - 1])))
             slope = gradient @ rates
             if slope != 0.0:
                 later = -(gradient @ tangent + (changed - gradient) @ here / self.step) / slope
                 tangent = tangent + (rates - modes[after].flow @ state) * later
             tangent = self._held(after, state, tangent)
         return tangent
+
+    def _changed(self, function: EventFunction, among: tuple[int, ...]) -> Reals:
+        """Return the row, (N,), with the other value of an event function of the first mode that has it."""
+        for mode in among:
+            for own, other in zip(
+                self.course.modes[mode].functions, self._other(mode).functions, strict=True
+            ):
+                if own is function:
+                    return other.row
+        return function.row
