@@ -127,6 +127,15 @@ def test_lines_up_to_a_quarter_beyond_the_last_that_is_seen_are_kept() -> None:
     assert of(tone(1), noise=0.0).noiseless
 
 
+@pytest.mark.parametrize(("rate", "count"), [(1013.0, 10), (1002.0, 9)])
+def test_lines_up_to_what_the_window_leaves_below_half_the_rate_are_taken(rate: float, count: int) -> None:
+    """A window's main lobe, 2 bins to either side, ends below half the rate: 0.5 rate (1 - 4 / samples)."""
+    times = np.arange(1000) / rate
+    values = np.cos(2 * np.pi * DRIVE * times) + 0.5 * np.cos(2 * np.pi * 9 * DRIVE * times)
+    noisy = values + 1e-3 * np.random.default_rng(4).normal(size=1000)
+    assert len(measure_lines({"s": Signal(noisy, rate, "s", "m")}, DRIVE, DRIVE).lines) == count
+
+
 def test_lines_at_fractions_make_a_longer_period_where_the_record_has_enough() -> None:
     half = tone(1) + tone(1.5, 0.2j)
     found = of(half)

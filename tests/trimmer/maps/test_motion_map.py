@@ -253,3 +253,12 @@ def test_chaos_is_named_with_the_periods_that_were_waited() -> None:
     assert names == ["period 1", "chaotic over 120 drive periods"]
     chaotic = respond(wide.with_value("frictions.blade.force", 0.4), most_periods=120)
     assert "Chaos over 632 drive periods may still be a transient" in chaotic.message
+
+
+def test_small_distances_grow_as_respond_finds_over_more_periods() -> None:
+    """Both follow a neighbour, a map over a hundred drive periods and respond over many more."""
+    wide = TWIN.with_value("plays.bridge.gap", 400e-6)
+    found = motion_map(wide, {"frictions.blade.force": [0.1]}, runner=SERIAL)
+    longer = respond(wide.with_value("frictions.blade.force", 0.1)).motion.lyapunov
+    assert longer is not None
+    assert found.lyapunov[0, 0] == pytest.approx(longer.value, rel=0.35)
