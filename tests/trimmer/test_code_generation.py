@@ -13,7 +13,6 @@ from derivations.symbols import PARAMETERS
 from trimmer.code_generation import derive_sources
 from trimmer.command_line.main import main
 from trimmer.generated import linear_trimmer
-from trimmer.parameters import TrimmerParameters, parameter_table
 
 GENERATED = Path(linear_trimmer.__file__)
 
@@ -67,17 +66,6 @@ def test_generated_functions_agree_with_sympy():
         numeric = [[float(entry.subs(point)) for entry in row] for row in symbolic]
         found = np.atleast_2d(getattr(linear_trimmer, name)(*values))
         np.testing.assert_allclose(found, numeric, rtol=1e-12, atol=1e-15)
-
-
-def test_parameters_are_the_symbols_of_the_derivation():
-    """One vocabulary: the numeric fields carry name, meaning and unit of the symbols."""
-    symbolic = [
-        (str(quantity.symbol).replace("_", ""), quantity.meaning, quantity.unit.text)
-        for quantity in PARAMETERS
-    ]
-    numeric = [(each.symbol, each.meaning, each.unit) for each in parameter_table()]
-    assert numeric == symbolic
-    assert len(TrimmerParameters.thesis().values()) == len(symbolic)
 
 
 def test_derive_command_writes_both_files(tmp_path, capsys, sources):

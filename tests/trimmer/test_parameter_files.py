@@ -139,3 +139,12 @@ def test_a_mechanism_is_no_parameter_file(tmp_path: Path) -> None:
     assert problems[1].startswith("  [other]: tables are not used")
     assert problems[2].startswith("  m1: missing; add 'm1 = NUMBER' (kg, mass of the motor)")
     assert len(problems) == 15
+
+
+@pytest.mark.parametrize(("unknown", "shown", "more"), [(5, 18, 0), (6, 17, 2)])
+def test_of_many_problems_the_first_are_shown(tmp_path: Path, unknown: int, shown: int, more: int) -> None:
+    """Thirteen keys are missing, too."""
+    text = "".join(f"colour{number} = 1\n" for number in range(unknown))
+    _, *lines = message_for(written(tmp_path, text)).splitlines()
+    assert len(lines) == shown + bool(more)
+    assert (f"  ... and {more} more: put these right first" in lines) is bool(more)

@@ -21,7 +21,7 @@ from trimmer.contact.machine import machine_of
 from trimmer.generated import linear_trimmer
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Force, Link, Output, Pin, Play
+from trimmer.mechanism.parts import GROUND, Body, Link, Output, Pin, Play
 from trimmer.mechanism.printed_symbols import printed_symbols
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
@@ -225,18 +225,3 @@ def test_outputs_are_told_in_displacements_of_bodies_and_pins():
     latex = derive_mechanism_sources(mechanism).latex
     assert r"y_{\text{half}} = \frac{q_{a}}{2} + \frac{u}{2}" in latex
     assert r"y_{\text{whole}} = q_{a} - q_{a} - u" in latex
-
-
-def test_motions_of_pins_and_forces_are_written_out():
-    pin = Pin(GROUND, 0.5, 0.25, 2.0, 3.0, 4)
-    force = Force("a", 0.0, 0.0, 0.0, 2, 0.125)
-    mechanism = one_body(frequency=1.0, pins={"p": pin}, forces={"f": force})
-    symbolic = symbolic_mechanism(mechanism)
-    values = {each.quantity.symbol: each.value for each in symbolic.quantities if each.value is not None}
-    moment = 0.3
-    time = next(each.quantity.symbol for each in symbolic.quantities if str(each.quantity.symbol) == "t")
-    at = {**values, time: moment}
-    moved = 2.0 + 3.0 * moment + 0.5 * np.sin(4 * 2 * np.pi * moment + 0.25)
-    assert float(symbolic.mechanism.pins[0].law.subs(at)) == pytest.approx(moved, rel=1e-14)
-    pushed = 0.125 * (2 * 2 * np.pi) ** 2 * np.sin(2 * 2 * np.pi * moment)
-    assert float(symbolic.mechanism.forces[0].law.subs(at)) == pytest.approx(pushed, rel=1e-14)

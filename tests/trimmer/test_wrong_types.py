@@ -13,186 +13,158 @@ import numpy as np
 import pytest
 
 import trimmer
-from trimmer import (
-    CUTTER_RELATIVE_TO_GUARD,
-    BodyFriction,
-    ClosedLoop,
-    ControlElement,
-    CoulombFriction,
-    CsvLayout,
-    DeadZone,
-    Drive,
-    ElementAtFrequency,
-    FrictionBacklash,
-    InertiaBacklash,
-    OpenLoop,
-    OrbitSearch,
-    Preload,
-    Relay,
-    Sampling,
-    Saturation,
-    ScaledElement,
-    Signal,
-    SimulatedLines,
-    Simulations,
-    StaticElement,
-    SumOfElements,
-    Tolerance,
-    TrimmerError,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    ViscousFriction,
-    amplitude_spectrum,
-    analyse_signal,
-    antiresonances,
-    asymptotic_roll_off,
-    averaged_spectrum,
-    bandwidth,
-    bandwidth_crossings,
-    classify,
-    compare_motions,
-    convert,
-    encirclements,
-    energy_balance,
-    faults,
-    filtering_ratio,
-    fit_harmonics,
-    forced_orbit,
-    gain_crossings,
-    harmonic_balance,
-    harmonic_leakage,
-    identify_time_constant,
-    limit_cycles,
-    linear_model,
-    local_slope,
-    modes,
-    multi_harmonic_balance,
-    peaks,
-    periodic_orbits,
-    pin_model,
-    read_signal,
-    read_wav,
-    real_axis_crossings,
-    resonance_peaks,
-    response_at,
-    simulate,
-    steady_state,
-    summarise,
-    time_response,
-    transfer_function,
-    undamped_modes,
-    write_atomically,
-    write_signal,
-    write_wav,
-)
 
 PACKAGE = Path(trimmer.__file__).parent
-THESIS = TrimmerParameters.thesis()
-SYSTEM = pin_model(THESIS)
-PLAY = FrictionBacklash(4e-5)
-DRIVE = Drive(1.5e-3, 700.0)
-LOOP, TRIMMER = ClosedLoop(SYSTEM, PLAY), TrimmerLoop(THESIS, PLAY, DRIVE)
-CYCLE = limit_cycles(SYSTEM, PLAY)[-1]
-MOTION = simulate(TRIMMER, 0.001)
+THESIS = trimmer.TrimmerParameters.thesis()
+SYSTEM = trimmer.pin_model(THESIS)
+PLAY = trimmer.FrictionBacklash(4e-5)
+DRIVE = trimmer.Drive(1.5e-3, 700.0)
+LOOP, TRIMMER = trimmer.ClosedLoop(SYSTEM, PLAY), trimmer.TrimmerLoop(THESIS, PLAY, DRIVE)
+CYCLE = trimmer.limit_cycles(SYSTEM, PLAY)[-1]
+MOTION = trimmer.simulate(TRIMMER, 0.001)
 SAMPLES = np.sin(np.arange(200.0))
-SIGNAL = Signal(SAMPLES, 1000.0)
-MOVING = Signal(SAMPLES, 1000.0, "x", "m")
-SPECTRUM = amplitude_spectrum(SAMPLES, 1000.0)
-FRICTION = CoulombFriction(1.0)
-STATIC = StaticElement(np.sin)
-SEARCH = OrbitSearch(Simulations.NEVER)
+SIGNAL = trimmer.Signal(SAMPLES, 1000.0)
+MOVING = trimmer.Signal(SAMPLES, 1000.0, "x", "m")
+SPECTRUM = trimmer.amplitude_spectrum(SAMPLES, 1000.0)
+FRICTION = trimmer.CoulombFriction(1.0)
+STATIC = trimmer.StaticElement(np.sin)
+SEARCH = trimmer.OrbitSearch(trimmer.Simulations.NEVER)
 
-ANYTHING = {"text": "1.0", "an object": object(), "a class": FrictionBacklash, "complex": 1j}
+ANYTHING = {"text": "1.0", "an object": object(), "a class": trimmer.FrictionBacklash, "complex": 1j}
 ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
 
 CALLS = {
-    identify_time_constant: {"system": SYSTEM, "gap": 4e-5, "frequency": 740.0, "frequency_uncertainty": 0.1},
-    harmonic_leakage: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
-    harmonic_balance: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
-    limit_cycles: {"system": SYSTEM, "element": PLAY, "omega_range": (100.0, 1e4), "frozen_omega": 4e3},
-    CoulombFriction: {"force": 1.0},
-    Relay: {"level": 1.0, "hysteresis": 0.1, "dead_zone": 0.1},
-    Saturation: {"threshold": 1.0, "slope": 1.0},
-    DeadZone: {"threshold": 1.0, "slope": 1.0},
-    Preload: {"level": 1.0, "slope": 1.0},
-    StaticElement: {"function": np.sin, "scale": 1.0, "kinks": (0.5,)},
-    ControlElement: {"nonlinearity": control.saturation_nonlinearity(1.0)},
+    trimmer.identify_time_constant: {
+        "system": SYSTEM,
+        "gap": 4e-5,
+        "frequency": 740.0,
+        "frequency_uncertainty": 0.1,
+    },
+    trimmer.harmonic_leakage: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
+    trimmer.harmonic_balance: {
+        "system": SYSTEM,
+        "element": PLAY,
+        "omega_range": (100.0, 1e4),
+        "frozen_omega": 4e3,
+    },
+    trimmer.limit_cycles: {
+        "system": SYSTEM,
+        "element": PLAY,
+        "omega_range": (100.0, 1e4),
+        "frozen_omega": 4e3,
+    },
+    trimmer.CoulombFriction: {"force": 1.0},
+    trimmer.Relay: {"level": 1.0, "hysteresis": 0.1, "dead_zone": 0.1},
+    trimmer.Saturation: {"threshold": 1.0, "slope": 1.0},
+    trimmer.DeadZone: {"threshold": 1.0, "slope": 1.0},
+    trimmer.Preload: {"level": 1.0, "slope": 1.0},
+    trimmer.StaticElement: {"function": np.sin, "scale": 1.0, "kinks": (0.5,)},
+    trimmer.ControlElement: {"nonlinearity": control.saturation_nonlinearity(1.0)},
     STATIC.describing_function_estimate: {"amplitude": 1.0, "omega": 1.0, "harmonic": 1},
-    ViscousFriction: {"damping": 1.0},
-    FrictionBacklash: {"gap": 1.0},
-    InertiaBacklash: {"gap": 1.0},
-    ViscousBacklash: {"gap": 1.0, "time_constant": 1.0},
-    ElementAtFrequency: {"element": PLAY, "omega": 1.0},
-    ScaledElement: {"element": PLAY, "factor": 2.0},
-    SumOfElements: {"terms": (PLAY,)},
+    trimmer.ViscousFriction: {"damping": 1.0},
+    trimmer.FrictionBacklash: {"gap": 1.0},
+    trimmer.InertiaBacklash: {"gap": 1.0},
+    trimmer.ViscousBacklash: {"gap": 1.0, "time_constant": 1.0},
+    trimmer.ElementAtFrequency: {"element": PLAY, "omega": 1.0},
+    trimmer.ScaledElement: {"element": PLAY, "factor": 2.0},
+    trimmer.SumOfElements: {"terms": (PLAY,)},
     PLAY.describing_function: {"amplitude": 1.0, "omega": 1.0, "harmonic": 1},
     PLAY.waveform: {"phase": 1.0, "amplitude": 1.0, "omega": 1.0},
     PLAY.derivatives: {"amplitude": 1.0, "omega": 1.0},
     PLAY.mean_gain: {"amplitude": 1.0},
     PLAY.at: {"omega": 1.0},
-    gain_crossings: {"system": SYSTEM, "level": 1.0},
-    real_axis_crossings: {"system": SYSTEM},
-    antiresonances: {"system": SYSTEM},
-    resonance_peaks: {"system": SYSTEM},
-    response_at: {"system": SYSTEM, "omega": 1.0},
-    asymptotic_roll_off: {"system": SYSTEM},
-    bandwidth: {"system": SYSTEM, "dbdrop": -3.0},
-    bandwidth_crossings: {"system": SYSTEM, "dbdrop": -3.0},
-    filtering_ratio: {"system": SYSTEM, "omega": 1.0, "harmonic": 3},
-    local_slope: {"system": SYSTEM, "omega": 1.0},
-    linear_model: {"parameters": THESIS, "output": "q2"},
-    pin_model: {"parameters": THESIS},
-    transfer_function: {"parameters": THESIS},
-    modes: {"parameters": THESIS},
-    undamped_modes: {"parameters": THESIS},
-    summarise: {"parameters": THESIS},
-    encirclements: {"system": SYSTEM, "point": -1.0},
-    steady_state: {"system": SYSTEM, "omega": 1.0, "amplitude": 1.0},
-    steady_state(SYSTEM, 1.0).at: {"times": 1.0},
-    time_response: {"system": SYSTEM, "times": [0.0, 1.0], "inputs": [0.0, 1.0], "initial_state": 0.0},
-    energy_balance: {"motion": MOTION},
-    ClosedLoop: {"system": SYSTEM, "element": PLAY},
-    OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
-    TrimmerLoop: {"parameters": THESIS, "element": PLAY, "drive": DRIVE, "frictions": ()},
-    BodyFriction: {"between": CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
-    simulate: {"loop": LOOP, "duration": 0.001, "initial_state": np.zeros(8), "impulse": 1e-6}
+    trimmer.gain_crossings: {"system": SYSTEM, "level": 1.0},
+    trimmer.real_axis_crossings: {"system": SYSTEM},
+    trimmer.antiresonances: {"system": SYSTEM},
+    trimmer.resonance_peaks: {"system": SYSTEM},
+    trimmer.response_at: {"system": SYSTEM, "omega": 1.0},
+    trimmer.asymptotic_roll_off: {"system": SYSTEM},
+    trimmer.bandwidth: {"system": SYSTEM, "dbdrop": -3.0},
+    trimmer.bandwidth_crossings: {"system": SYSTEM, "dbdrop": -3.0},
+    trimmer.filtering_ratio: {"system": SYSTEM, "omega": 1.0, "harmonic": 3},
+    trimmer.local_slope: {"system": SYSTEM, "omega": 1.0},
+    trimmer.linear_model: {"parameters": THESIS, "output": "q2"},
+    trimmer.pin_model: {"parameters": THESIS},
+    trimmer.transfer_function: {"parameters": THESIS},
+    trimmer.modes: {"parameters": THESIS},
+    trimmer.undamped_modes: {"parameters": THESIS},
+    trimmer.summarise: {"parameters": THESIS},
+    trimmer.encirclements: {"system": SYSTEM, "point": -1.0},
+    trimmer.steady_state: {"system": SYSTEM, "omega": 1.0, "amplitude": 1.0},
+    trimmer.steady_state(SYSTEM, 1.0).at: {"times": 1.0},
+    trimmer.time_response: {
+        "system": SYSTEM,
+        "times": [0.0, 1.0],
+        "inputs": [0.0, 1.0],
+        "initial_state": 0.0,
+    },
+    trimmer.energy_balance: {"motion": MOTION},
+    trimmer.ClosedLoop: {"system": SYSTEM, "element": PLAY},
+    trimmer.OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
+    trimmer.TrimmerLoop: {"parameters": THESIS, "element": PLAY, "drive": DRIVE, "frictions": ()},
+    trimmer.BodyFriction: {"between": trimmer.CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
+    trimmer.simulate: {"loop": LOOP, "duration": 0.001, "initial_state": np.zeros(8), "impulse": 1e-6}
     | {"element_output": 0.0, "event_limit": 10, "step_limit": 1000},
     MOTION.output: {"times": 0.0},
     MOTION.state: {"times": 0.0},
-    forced_orbit: {"loop": TRIMMER, "settling": 8},
-    multi_harmonic_balance: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "orders": (1, 3)},
-    periodic_orbits: {"system": SYSTEM, "element": PLAY, "guesses": (CYCLE,), "search": SEARCH},
-    OrbitSearch: {"simulations": "never", "starts": 1, "seed": 1, "steps": 1, "half_periods": (1.0, 2.0)},
-    write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
-    TrimmerParameters.from_toml: {"path": "nothing.toml"},
-    Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
+    trimmer.forced_orbit: {"loop": TRIMMER, "settling": 8},
+    trimmer.multi_harmonic_balance: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "orders": (1, 3)},
+    trimmer.periodic_orbits: {"system": SYSTEM, "element": PLAY, "guesses": (CYCLE,), "search": SEARCH},
+    trimmer.OrbitSearch: {
+        "simulations": "never",
+        "starts": 1,
+        "seed": 1,
+        "steps": 1,
+        "half_periods": (1.0, 2.0),
+    },
+    trimmer.write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
+    trimmer.TrimmerParameters.from_toml: {"path": "nothing.toml"},
+    trimmer.Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
     | {"interpolated": 0, "converted": 0},
-    write_signal: {"path": "a.csv", "signal": SIGNAL, "overwrite": True},
-    write_wav: {"path": "a.wav", "signal": SAMPLES, "sample_rate": 8000.0, "peak": 0.9, "overwrite": True},
+    trimmer.write_signal: {"path": "a.csv", "signal": SIGNAL, "overwrite": True},
+    trimmer.write_wav: {
+        "path": "a.wav",
+        "signal": SAMPLES,
+        "sample_rate": 8000.0,
+        "peak": 0.9,
+        "overwrite": True,
+    },
     SIGNAL.scaled: {"factor": 2.0},
     SIGNAL.between: {"begin": 0.0, "end": 1.0},
-    read_signal: {"path": "a.csv", "sample_rate": 1.0, "layout": CsvLayout(), "sampling": Sampling()},
-    read_wav: {"path": "a.wav", "channel": 1, "begin": 0.0, "end": 1.0},
-    convert: {"signal": MOVING, "quantity": "velocity", "highest": 200.0, "sensor_corner": 1.0},
-    faults: {"signal": SIGNAL},
-    averaged_spectrum: {"signals": SIGNAL, "averages": 2},
-    compare_motions: {"signal": MOVING, "simulated": SimulatedLines(np.array([1.0 + 0j]), 160.0)}
+    trimmer.read_signal: {
+        "path": "a.csv",
+        "sample_rate": 1.0,
+        "layout": trimmer.CsvLayout(),
+        "sampling": trimmer.Sampling(),
+    },
+    trimmer.read_wav: {"path": "a.wav", "channel": 1, "begin": 0.0, "end": 1.0},
+    trimmer.convert: {"signal": MOVING, "quantity": "velocity", "highest": 200.0, "sensor_corner": 1.0},
+    trimmer.faults: {"signal": SIGNAL},
+    trimmer.averaged_spectrum: {"signals": SIGNAL, "averages": 2},
+    trimmer.compare_motions: {
+        "signal": MOVING,
+        "simulated": trimmer.SimulatedLines(np.array([1.0 + 0j]), 160.0),
+    }
     | {"drive_frequency": 160.0},
-    SimulatedLines: {"displacement": np.array([1.0 + 0j]), "frequency": 1.0, "period_count": 1},
-    analyse_signal: {"signal": SIGNAL, "drive_frequency": 100.0, "natural_frequencies": (10.0,), "limit": 3}
+    trimmer.SimulatedLines: {"displacement": np.array([1.0 + 0j]), "frequency": 1.0, "period_count": 1},
+    trimmer.analyse_signal: {
+        "signal": SIGNAL,
+        "drive_frequency": 100.0,
+        "natural_frequencies": (10.0,),
+        "limit": 3,
+    }
     | {"limit_cycle_frequencies": (10.0,), "closed_loop": True},
-    classify: {
+    trimmer.classify: {
         "peaks": (),
         "bin_width": 1.0,
         "natural_frequencies": (1.0,),
         "limit_cycle_frequencies": (1.0,),
     }
-    | {"tolerance": Tolerance(), "closed_loop": True},
-    fit_harmonics: {"signal": SAMPLES, "sample_rate": 1000.0, "drive_frequency": 100.0, "count": 2},
-    peaks: {"spectrum": SPECTRUM, "limit": 3},
-    amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
-    Tolerance: {"bins": 1.0, "model": 0.1},
+    | {"tolerance": trimmer.Tolerance(), "closed_loop": True},
+    trimmer.fit_harmonics: {"signal": SAMPLES, "sample_rate": 1000.0, "drive_frequency": 100.0, "count": 2},
+    trimmer.peaks: {"spectrum": SPECTRUM, "limit": 3},
+    trimmer.amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
+    trimmer.Tolerance: {"bins": 1.0, "model": 0.1},
 }
 NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
 NONE_WILL_DO |= {
@@ -257,7 +229,7 @@ def test_a_wrong_type_is_named(call, argument: str, value: object, tmp_path, mon
     assert last.line.startswith("raise "), "not raised on purpose"
     message = str(caught.value)
     assert argument in message or ALSO_NAMED.get(argument, argument) in message
-    assert isinstance(caught.value, TrimmerError | ValueError)
+    assert isinstance(caught.value, trimmer.TrimmerError | ValueError)
 
 
 @pytest.mark.filterwarnings("ignore")
@@ -267,19 +239,19 @@ def test_nonsense_works_or_is_refused_on_purpose(call, tmp_path, monkeypatch) ->
     for argument, value in itertools.product(CALLS[call], NONSENSE):
         try:
             call(**{**CALLS[call], argument: value})
-        except (TrimmerError, ValueError) as error:
+        except (trimmer.TrimmerError, ValueError) as error:
             last = traceback.extract_tb(error.__traceback__)[-1]
             assert Path(last.filename).is_relative_to(PACKAGE), (argument, value)
             assert str(last.line).startswith("raise "), (argument, value)
 
 
 def test_frictions_may_be_a_list() -> None:
-    friction = BodyFriction(CUTTER_RELATIVE_TO_GUARD, FRICTION)
-    assert TrimmerLoop(THESIS, PLAY, DRIVE, frictions=[friction]).frictions == (friction,)
+    friction = trimmer.BodyFriction(trimmer.CUTTER_RELATIVE_TO_GUARD, FRICTION)
+    assert trimmer.TrimmerLoop(THESIS, PLAY, DRIVE, frictions=[friction]).frictions == (friction,)
 
 
 def test_numbers_of_other_kinds_are_numbers() -> None:
     for gap in (np.float32(0.5), np.array(0.5), Fraction(1, 2)):
-        element = FrictionBacklash(float(gap))
-        assert FrictionBacklash(gap).describing_function(1.0) == element.describing_function(1.0)
-    assert Drive(1, np.int64(2)) == Drive(1.0, 2.0)
+        element = trimmer.FrictionBacklash(float(gap))
+        assert trimmer.FrictionBacklash(gap).describing_function(1.0) == element.describing_function(1.0)
+    assert trimmer.Drive(1, np.int64(2)) == trimmer.Drive(1.0, 2.0)
