@@ -118,7 +118,8 @@ def branch_sentences(path: NumberPath) -> str:
             if side.reaches is None
             else (f"is stable {to} to {shown(side.reaches, path.varied.unit, 4)}, where {_ended(side)}")
         )
-        told.append(f"Towards {way} values it {reach}; {len(side.values)} orbits were solved.")
+        solved = f"{count(len(side.values), 'orbit')} {'was' if len(side.values) == 1 else 'were'}"
+        told.append(f"Towards {way} values it {reach}; {solved} solved.")
         if not side.reason.is_success:
             told.append(f"It was not followed to the end: {side.reason.value}.")
     if path.varied.bounded:

@@ -165,7 +165,9 @@ def _met(design: Design) -> Markdown:
     every = {1: "The target is met", 2: "Both targets are met"}
     all_of = every.get(len(judged), f"All {count(len(judged), 'target')} are met")
     if design.ranges is not None:
-        points = f"each of the {len(design.ranges.trials)} points that were tried over what nobody knows"
+        tried = len(design.ranges.trials)
+        points = "the one point that was" if tried == 1 else f"each of the {tried} points that were"
+        points += " tried over what nobody knows"
         return markdown("**{}** at {}.", all_of, points)
     near = min(
         (each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None
@@ -281,7 +283,9 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         same = "judged as it is" if design.verdict.others_agree else "not all judged as it is"
         grounds.append(f"{count(others, 'other motion')} {'is' if others == 1 else 'are'} there, {same}")
     elif motions.neighbours is not None:
-        grounds.append(f"no other motion was found from {motions.neighbours.tried} orbits of neighbours")
+        grounds.append(
+            f"no other motion was found from {count(motions.neighbours.tried, 'orbit')} of neighbours"
+        )
     if any(each.near for each in design.verdict.judged):
         grounds.append(f"a bound is less than {percent(NEAR)} away")
     if design.ranges is not None:

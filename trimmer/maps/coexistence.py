@@ -19,7 +19,7 @@ from trimmer.progress import progress_bar
 from trimmer.response.response import MotionKind
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner, SerialRunner
-from trimmer.showing.shown import Tabular
+from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 
 CONTINUED = 0.1
@@ -70,12 +70,13 @@ class Coexistence(Tabular):
     def searched(self) -> str:
         """What was searched, in a sentence."""
         starts, cells = self.result.inputs.settings.starts, self.result.cells
+        several = len(self.several)
         end = "until no cell had a new one" if self.complete else "and the search ended before it was done"
         return (
-            f"{len(cells)} cells from {starts} {'start' if starts == 1 else 'starts'} each; then the stable "
+            f"{counted(len(cells), 'cell')} from {counted(starts, 'start')} each; then the stable "
             "orbits of a cell were tried in the 8 cells around it, unless they looked like a motion there "
-            f"carried on (to {CONTINUED:.0%} of its size): {self.tried} starts in {self.rounds} rounds, "
-            f"{end}. {len(self.several)} cells have several motions. One that no start and no neighbour "
+            f"carried on (to {CONTINUED:.0%} of its size): {counted(self.tried, 'start')} in {counted(self.rounds, 'round')}, "
+            f"{end}. {counted(several, 'cell')} {'has' if several == 1 else 'have'} several motions. One that no start and no neighbour "
             "leads to was not looked for."
         )
 

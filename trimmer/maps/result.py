@@ -14,7 +14,7 @@ from trimmer.errors import MapError
 from trimmer.maps.cells import described, waited_for
 from trimmer.mechanism.place_text import unit_of
 from trimmer.response.response import MotionKind
-from trimmer.showing.shown import Tabular
+from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
@@ -245,9 +245,9 @@ def _searched(result: MotionMap) -> str:
     settings, count = result.inputs.settings, len(result.cells)
     own = "the mechanism's own start" if result.inputs.mechanism.start else "rest"
     several = int((result.motion_count > 1).sum())
-    begun = f"{count} cells, each from {own}"
+    begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:
-        begun += f" and from {settings.starts - 1} random states (seed {settings.seed})"
+        begun += f" and from {settings.starts - 1} random {'state' if settings.starts == 2 else 'states'} (seed {settings.seed})"
     begun += f", for at most {settings.most_periods} drive periods"
     if settings.starts == 1:
         return f"{begun}; other motions were not looked for"

@@ -18,9 +18,10 @@ from trimmer.mechanism.problems import Problem, as_message_of_file
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.parameter_files import SCATTER, read_parameters
 from trimmer.parameters import ParameterError, ParameterKind, TrimmerParameters, parameter_table
+from trimmer.showing.shown import counted
 from trimmer.toml_files import parsed, read_text
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
-from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.points import Plan, left_out
 from trimmer.uncertainty.table import uncertainty_of
 
 if TYPE_CHECKING:
@@ -118,10 +119,12 @@ class LoopSamples:
     @property
     def message(self) -> str:
         """What was drawn and searched, in sentences."""
-        told = f"{len(self.values)} samples ({self.settings.plan.word}, seed {self.settings.seed}). "
+        told = (
+            f"{counted(len(self.values), 'sample')} ({self.settings.plan.word}, seed {self.settings.seed}). "
+        )
         left = int((~self.possible).sum())
         if left:
-            told += f"{left} samples that no trimmer can have were left out. "
+            told += f"{left_out(left, 'trimmer')}. "
         return told + self.found.message
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.choices import Choice
+from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -48,3 +49,8 @@ class Plan(Choice):
 def within_cube(points: Reals) -> Reals:
     """Return points that lie on no face of the unit cube, but next to it."""
     return np.asarray(np.clip(points, EDGE, 1.0 - EDGE))
+
+
+def left_out(number: int, whose: str) -> str:
+    """Say that samples were left out whose values nothing can have: a mechanism, a trimmer."""
+    return f"{counted(number, 'sample')} that no {whose} can have {'was' if number == 1 else 'were'} left out"

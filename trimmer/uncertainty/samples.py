@@ -17,9 +17,10 @@ from trimmer.maps.inputs import varied
 from trimmer.progress import progress_bar
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
+from trimmer.showing.shown import counted
 from trimmer.uncertainty import kept
 from trimmer.uncertainty.kept import NOWHERE, Keeping
-from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.points import Plan, left_out
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
@@ -148,15 +149,17 @@ class Samples:
         """What was drawn and looked at, in sentences."""
         settings = self.inputs.settings
         told = (
-            f"{len(self.inputs.values)} samples ({settings.plan.word}, seed {settings.seed}), each from rest "
+            f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), each from rest "
             f"or the file's own start, for at most {settings.most_periods} drive periods; other motions were "
             "not looked for."
         )
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
             told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
         if self.impossible:
-            told += f" {self.impossible} samples that no mechanism can have were left out."
-        return told + (f" {self.failed} motions could not be followed to their end." if self.failed else "")
+            told += f" {left_out(self.impossible, 'mechanism')}."
+        whose = "its" if self.failed == 1 else "their"
+        failed = f" {counted(self.failed, 'motion')} could not be followed to {whose} end."
+        return told + (failed if self.failed else "")
 
 
 def sample_inputs(mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:

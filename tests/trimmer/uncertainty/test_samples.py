@@ -160,7 +160,7 @@ def test_what_was_drawn_and_found_is_told(samples) -> None:
     mixed = replace(samples, trials=(failed, chaotic, *samples.trials[:1], chaotic))
     assert next(iter(mixed.kinds.items())) == ("chaotic over 60 drive periods", 2)
     assert (mixed.failed, mixed.kinds["failed"]) == (1, 1)
-    assert mixed.message.endswith(" 1 motions could not be followed to their end.")
+    assert mixed.message.endswith(" 1 motion could not be followed to its end.")
     np.testing.assert_array_equal(mixed.measured(STROKE)[0], np.nan)
     assert mixed.met.tolist()[0] is False
 
@@ -188,7 +188,7 @@ def test_impossible_samples_are_refused_or_told() -> None:
     found = sample_mechanism(rare, SampleSettings(count=130, most_periods=2), runner=SerialRunner())
     assert found.impossible == 1
     assert len(found.trials) == 129
-    assert "1 samples that no mechanism can have were left out" in found.message
+    assert "1 sample that no mechanism can have was left out" in found.message
 
 
 def test_without_a_drive_there_are_none() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
+from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -25,13 +26,15 @@ def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = No
     lines = [f"{mechanism.title or 'Mechanism'}: what it settles to over"]
     units = mechanism.places
     for place, values in zip(result.places, result.values, strict=True):
-        lines.append(f"  {place} from {values[0]:g} to {values[-1]:g} {units[place]}, {len(values)} values")
+        lines.append(
+            f"  {place} from {values[0]:g} to {values[-1]:g} {units[place]}, {counted(len(values), 'value')}"
+        )
     rows = [(name, str(count), f"{count / cells:.1%}") for name, count in result.counts.items()]
     lines += table(("motion", "cells", "share"), rows)
     lines += table(("measure", "smallest", "median", "largest", "unit"), _ranges(result))
     several = int((result.motion_count > 1).sum())
     if several:
-        lines.append(f"several motions coexist in {several} cells")
+        lines.append(f"several motions coexist in {counted(several, 'cell')}")
     for (row, column), failure in list(result.failures.items())[:_MOST_FAILURES]:
         numbers = result.inputs.cell_values(row * result.shape[1] + column)
         at = ", ".join(f"{place} = {value:g}" for place, value in zip(result.places, numbers, strict=True))
@@ -48,7 +51,7 @@ def _curves(special: SpecialCurves) -> list[str]:
     lines = []
     for curve in special.curves:
         repeats = "" if curve.periods == 1 else f", of motions of {curve.periods} drive periods"
-        lines.append(f"{curve.name}{repeats}: {len(curve.values)} points")
+        lines.append(f"{curve.name}{repeats}: {counted(len(curve.values), 'point')}")
         lines += [f"  {side.message}" for side in curve.ends]
     lines += [_told_meeting(special, each) for each in special.meetings]
     return [*lines, f"special points: {special.searched}"]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.command_line.signals.recording_text import wrapped
 from trimmer.command_line.table import table
+from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.spectra.averaged import AveragedSpectrum
@@ -17,10 +18,8 @@ _LINES = 20
 def averaged_text(averaged: AveragedSpectrum, unit: str) -> Iterator[str]:
     """Tell how was averaged, and list the lines: Hz, amplitudes in the unit of the signal."""
     low, high = averaged.interval
-    yield (
-        f"Average of {averaged.averages} spectra (Welch), segments of {averaged.segment} samples that "
-        "overlap by half"
-    )
+    spectra = "1 spectrum" if averaged.averages == 1 else f"{averaged.averages} spectra"
+    yield (f"Average of {spectra} (Welch), segments of {averaged.segment} samples that overlap by half")
     told = [
         f"bins {averaged.bin_width:.6g} Hz apart, noise bandwidth {averaged.noise_bandwidth:.6g} Hz "
         f"({averaged.window.word} window): lines closer than {averaged.resolution:.4g} Hz show as one",
@@ -28,7 +27,9 @@ def averaged_text(averaged: AveragedSpectrum, unit: str) -> Iterator[str]:
         f"{low:.3g} to {high:.3g} times what is shown (95 %)",
     ]
     if averaged.left_out:
-        told.append(f"{averaged.left_out} samples are in stretches shorter than a segment and are left out")
+        left = counted(averaged.left_out, "sample")
+        are = "is" if averaged.left_out == 1 else "are"
+        told.append(f"{left} {are} in stretches shorter than a segment and {are} left out")
     for sentence in told:
         yield from wrapped(sentence, "  ", "  ")
     amplitude = f"amplitude, {unit}" if unit else "amplitude"

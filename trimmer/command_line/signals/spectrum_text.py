@@ -13,6 +13,7 @@ from trimmer.command_line.json_values import document
 from trimmer.command_line.signals.averaged_text import averaged_json, averaged_text
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
+from trimmer.showing.shown import counted
 from trimmer.spectra.classification import (
     MODEL_TOLERANCE,
     TOLERANCE_BINS,
@@ -123,7 +124,8 @@ def _head(shown: Shown) -> Iterator[str]:
         "taken off"
     )
     if signal.interpolated:
-        yield f"{signal.interpolated} samples were missing and are interpolated"
+        were = "was missing and is" if signal.interpolated == 1 else "were missing and are"
+        yield f"{counted(signal.interpolated, 'sample')} {were} interpolated"
     for note in notes_of(shown.chosen, signal, shown.analysis.doubts):
         yield from wrapped(f"note: {note}", "", "  ")
 
