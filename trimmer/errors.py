@@ -30,6 +30,10 @@ class UndecidedWarning(UserWarning):
     """Part of the frequency range is undecided: it may hold limit cycles that are not in the list."""
 
 
+class LetterWarning(UserWarning):
+    """Letters of a name that no font of a picture has; boxes stand for them."""
+
+
 class SignalWarning(UserWarning):
     """A record is clipped, or too short for what is asked, so that its spectrum is doubtful."""
 

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import io
+import re
 import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from matplotlib import rc_context
 from matplotlib.figure import Figure
+
+from trimmer.errors import LetterWarning
+from trimmer.messages import shown_value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -20,6 +24,8 @@ DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 SIZE = (7.2, 4.6)
 DPI = 160
 """Dots per inch of a PNG."""
+_MISSING = re.compile(r"Glyph (\d+) .*missing from font", flags=re.DOTALL)
+_NO_ROOM = ("constrained_layout not applied", "Tight layout not applied")
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -49,11 +55,22 @@ def head(figure: Figure, title: str) -> None:
 
 @contextmanager
 def unwarned() -> Iterator[None]:
-    """Leave out Matplotlib's warnings of letters that no font has, and of names that leave axes no room."""
-    with warnings.catch_warnings():
-        for message in ("Glyph ", "constrained_layout not applied", "Tight layout not applied"):
-            warnings.filterwarnings("ignore", message, UserWarning)
+    """Leave out Matplotlib's warnings of names that leave axes no room, and tell missing letters in one."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
         yield
+    letters = set()
+    for each in told:
+        text = str(each.message)
+        if found := _MISSING.match(text):
+            letters.add(chr(int(found[1])))
+        elif not text.startswith(_NO_ROOM):
+            warnings.warn_explicit(each.message, each.category, each.filename, each.lineno)
+    if letters:
+        shown = shown_value("".join(sorted(letters)))
+        warnings.warn(
+            f"boxes stand in pictures for letters that none of their fonts has: {shown}", LetterWarning, 3
+        )
 
 
 def content_of(figure: Figure, file_format: str) -> bytes:
