@@ -11,6 +11,7 @@ from typing import Any
 from trimmer.design.assumed_range import assumed_range
 from trimmer.design.targets import Target, targets_of
 from trimmer.errors import MechanismError
+from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.place_text import place_text
@@ -150,9 +151,10 @@ def _ranges(
 
 
 def _author(value: object, problems: list[Problem]) -> str:
-    if isinstance(value, str) and value.isprintable():
+    if isinstance(value, str) and value.isprintable() and len(value) <= LONGEST_TITLE:
         return value
-    problems.append(Problem(("author",), "names who wrote the file: text on one line", value))
+    reason = f"names who wrote the file: text on one line, of at most {LONGEST_TITLE} characters"
+    problems.append(Problem(("author",), reason, value))
     return ""
 
 

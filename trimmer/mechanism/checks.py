@@ -22,6 +22,12 @@ from trimmer.mechanism.quantities import (
 )
 from trimmer.mechanism.symbols import SYMBOL_RULE, is_symbol
 
+LONGEST_NAME = 300
+"""Characters of a name; each is repeated in every table and message."""
+LONGEST_TITLE = 1000
+"""Characters of a title, and of who wrote a file."""
+_SHOWN = 40
+
 Content = Mapping[str, object]
 """Fields of a mechanism, by name."""
 
@@ -53,6 +59,8 @@ def _heading(content: Content) -> Iterator[Problem]:
     title, frequency = content["title"], content["frequency"]
     if not isinstance(title, str) or not title.isprintable():
         yield Problem(("title",), "must be text on one line", title)
+    elif len(title) > LONGEST_TITLE:
+        yield Problem(("title",), f"is too long; use at most {LONGEST_TITLE} characters", title)
     if frequency is not None:
         yield from _number(("frequency",), frequency, FREQUENCY)
 
@@ -62,6 +70,9 @@ def _name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
         yield Problem(section, f"a name must be text, not {name!r}")
     elif not name or not name.isprintable() or name != name.strip():
         yield Problem((*section, name), "a name must be text on one line, without spaces around it")
+    elif len(name) > LONGEST_NAME:
+        place = (*section, f"{name[:_SHOWN]}...")
+        yield Problem(place, f"a name of {len(name)} characters is too long; use at most {LONGEST_NAME}")
 
 
 def _fields(place: tuple[str, ...], part: object) -> Iterator[Problem]:
