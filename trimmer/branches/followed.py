@@ -210,8 +210,8 @@ class FollowedBranch(Tabular):
     def searched(self) -> str:
         """Where special points were looked for, and where not, in a sentence."""
         return (
-            f"special points were looked for between neighbours of {counted(len(self.points), 'orbit')}; a contact or a "
-            "phase of stick that comes and goes between the same two is not seen"
+            f"special points were looked for between neighbours of {counted(len(self.points), 'orbit')}; a "
+            "contact or a phase of stick that comes and goes between the same two is not seen"
         )
 
     @property

@@ -70,13 +70,14 @@ class Coexistence(Tabular):
     def searched(self) -> str:
         """What was searched, in a sentence."""
         starts, cells = self.result.inputs.settings.starts, self.result.cells
-        several = len(self.several)
+        several, rounds = len(self.several), counted(self.rounds, "round")
+        have = f"{counted(several, 'cell')} {'has' if several == 1 else 'have'} several motions"
         end = "until no cell had a new one" if self.complete else "and the search ended before it was done"
         return (
             f"{counted(len(cells), 'cell')} from {counted(starts, 'start')} each; then the stable "
             "orbits of a cell were tried in the 8 cells around it, unless they looked like a motion there "
-            f"carried on (to {CONTINUED:.0%} of its size): {counted(self.tried, 'start')} in {counted(self.rounds, 'round')}, "
-            f"{end}. {counted(several, 'cell')} {'has' if several == 1 else 'have'} several motions. One that no start and no neighbour "
+            f"carried on (to {CONTINUED:.0%} of its size): {counted(self.tried, 'start')} in {rounds}, "
+            f"{end}. {have}. One that no start and no neighbour "
             "leads to was not looked for."
         )
 

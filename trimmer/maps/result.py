@@ -247,7 +247,7 @@ def _searched(result: MotionMap) -> str:
     several = int((result.motion_count > 1).sum())
     begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:
-        begun += f" and from {settings.starts - 1} random {'state' if settings.starts == 2 else 'states'} (seed {settings.seed})"
+        begun += f" and from {counted(settings.starts - 1, 'random state')} (seed {settings.seed})"
     begun += f", for at most {settings.most_periods} drive periods"
     if settings.starts == 1:
         return f"{begun}; other motions were not looked for"

@@ -149,9 +149,9 @@ class Samples:
         """What was drawn and looked at, in sentences."""
         settings = self.inputs.settings
         told = (
-            f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), each from rest "
-            f"or the file's own start, for at most {settings.most_periods} drive periods; other motions were "
-            "not looked for."
+            f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
+            f"each from rest or the file's own start, for at most {settings.most_periods} drive periods; "
+            "other motions were not looked for."
         )
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
             told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
