@@ -107,6 +107,18 @@ def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> No
         check_target(place.file(form), KINDS[form], overwrite=overwrite)
 
 
+def check_reach(runner: Runner) -> None:
+    """Check that a cluster is there, since the first steps need none.
+
+    Raises:
+        WorkerError: if it cannot be reached.
+    """
+    from trimmer.runners.cluster import ClusterRunner
+
+    if isinstance(runner, ClusterRunner):
+        runner.check()
+
+
 def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], int]:
     """Return a command's action that tells after an interrupt how to go on."""
 
@@ -138,6 +150,7 @@ def _run(arguments: Namespace) -> int:
     )  # two that print the same are told now, not when the equations are derived
     place = Place(arguments.directory, stem_of(arguments.file))
     check_files(place, formats, arguments.overwrite)
+    check_reach(runner)
     _make(arguments, file, place, formats, runner, date)
     if arguments.open:
         webbrowser.open(place.file(Format.HTML).absolute().as_uri())

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from report.design.command import (
     add_report_options,
     check_files,
+    check_reach,
     formats_of,
     plain_text,
     runner_of,
@@ -48,6 +49,7 @@ def _run(arguments: Namespace) -> int:
     names = _names(arguments.before, arguments.after)
     place = Place(arguments.directory, "-".join(names))
     check_files(place, formats, arguments.overwrite)
+    check_reach(runner)
     told = ProgressLines()
     before, after = (looked_at(file, USUAL, runner, place.store, told, short=True) for file in files)
     comparison = compared(before, after)

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.hostile.commands import called
+
 CODE = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
 COMMANDS = [["linear"], ["respond", "--periods", "2"], ["design"]]
 OSCILLATOR = str(Path(__file__).parents[2] / "examples" / "den-hartog.toml")
@@ -35,3 +37,14 @@ def test_a_wrong_date_is_told_by_every_command(tmp_path: Path, words: list[str],
 
 def test_an_empty_date_is_none(tmp_path: Path) -> None:
     assert run(tmp_path, ["linear"], "").returncode == 0
+
+
+@pytest.mark.parametrize("words", [("design",), ("compare", OSCILLATOR)], ids=["design", "compare"])
+def test_a_cluster_that_is_not_there_is_told_before_any_work(tmp_path: Path, capsys, words) -> None:
+    folder = tmp_path / "out"
+    code, out, told = called(
+        capsys, *words, OSCILLATOR, "--scheduler", "nonsense://a", "--directory", str(folder)
+    )
+    assert (code, out, told.count("\n")) == (2, "", 1)
+    assert "no Dask scheduler answers" in told or "needs the package distributed" in told
+    assert not folder.exists()

@@ -57,6 +57,14 @@ class ClusterRunner:
         whole_number("chunk", self.chunk, 1)
         whole_number("patience", self.patience, 1)
 
+    def check(self) -> None:
+        """Check that the cluster can be reached, before any work is done.
+
+        Raises:
+            WorkerError: if Dask is not installed, the scheduler does not answer, or it has no worker.
+        """
+        self._client().close()
+
     def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
         """Yield the results of the cells as they come.
 
