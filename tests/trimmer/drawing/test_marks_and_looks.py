@@ -212,6 +212,7 @@ def test_an_axis_looks_at_both_of_its_ends() -> None:
     assert not axis.label.get_parse_math()
 
 
+@pytest.mark.filterwarnings("ignore::trimmer.errors.LetterWarning")
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("name", ["_hidden", "$x$", "$\\frac{$", "a$ \\$ $b", "中文", "m" * 500, "\\"])
 def test_no_name_acts_in_a_label_or_is_lost(name: str) -> None:

@@ -70,7 +70,8 @@ def test_what_no_trimmer_can_have_is_left_out_and_told(tmp_path) -> None:
     assert 1 <= left <= 3
     np.testing.assert_array_equal(samples.possible, samples.values[:, 0] > 0.0)
     assert len(samples.largest[0]) == 300 - left
-    told = f"300 samples (latin-hypercube, seed 3). {left} samples that no trimmer can have were left out. "
+    many, were = ("1 sample", "was") if left == 1 else (f"{left} samples", "were")
+    told = f"300 samples (latin-hypercube, seed 3). {many} that no trimmer can have {were} left out. "
     assert samples.message.startswith(told)
     assert samples.per_second > 0.0
 
