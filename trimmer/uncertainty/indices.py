@@ -106,8 +106,8 @@ def indices_of(values: Reals, places: tuple[str, ...], seed: int) -> Indices:
     if not used.size or np.ptp(used) <= 1e-12 * np.abs(used).max():
         return Indices((), int(whole.sum()), len(rows))
     found = _salib("analyze").analyze(
-        _problem(len(places)), used.ravel(), calc_second_order=False, conf_level=0.95, seed=seed
-    )
+        _problem(len(places)), used.ravel(), calc_second_order=False, conf_level=0.95, seed=seed + 1
+    )  # SALib takes a seed of 0 for none
     columns = zip(places, found["S1"], found["ST"], found["S1_conf"], found["ST_conf"], strict=True)
     indices = tuple(Index(place, *map(float, row)) for place, *row in columns)
     return Indices(tuple(sorted(indices, key=lambda each: -each.total)), int(whole.sum()), len(rows))
