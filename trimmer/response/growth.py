@@ -45,10 +45,10 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
         age: Drive periods since the start.
     """
     block = min(BLOCK, len(states) // 4)
-    if not block or len(states) > age + 1 or is_bounded(flow):
+    younger = age - len(states) + block
+    if not block or younger < 1 or len(states) > age + 1 or is_bounded(flow):
         return False
     first, last = state_sizes(flow, states[:block]), state_sizes(flow, states[-block:])
-    younger = age - len(states) + block
     expected = 1 + SUSPECT * (age / younger - 1)
     course = flow.course(end, 1)
     within = flow.reduced(course.states(np.linspace(0.0, course.duration, BLOCK))[:, : flow.size])
