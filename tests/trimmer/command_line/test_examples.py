@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import chdir
 from pathlib import Path
 
 import pytest
@@ -55,19 +57,37 @@ def written_by_examples(example: Example) -> Iterator[Example]:
         yield from writes if reads else ()
 
 
-@pytest.fixture
-def folder(tmp_path: Path, project_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    (tmp_path / "examples").symlink_to(project_folder / "examples")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory, project_folder: Path) -> Callable[[Example], Path]:
+    """A folder with what an example reads, which others write; each is run once."""
+    folders: dict[str, Path] = {}
+
+    def filled(example: Example) -> Path:
+        folder = tmp_path_factory.mktemp("example")
+        (folder / "examples").symlink_to(project_folder / "examples")
+        for before in written_by_examples(example):
+            if before.words not in folders:
+                folders[before.words] = filled(before)
+                with chdir(folders[before.words]):
+                    assert main(before.arguments) == 0
+            for file in folders[before.words].iterdir():
+                if not file.is_symlink():
+                    shutil.copy(file, folder)
+        return folder
+
+    return filled
 
 
 @pytest.mark.parametrize(("name", "example"), [*marked()])
 def test_an_example_runs(
-    folder: Path, capfd: pytest.CaptureFixture[str], name: str, example: Example
+    written: Callable[[Example], Path],
+    monkeypatch,
+    capfd: pytest.CaptureFixture[str],
+    name: str,
+    example: Example,
 ) -> None:
-    for before in written_by_examples(example):
-        assert main(before.arguments) == 0
+    folder = written(example)
+    monkeypatch.chdir(folder)
     capfd.readouterr()
     assert main(example.arguments) == 0
     told = capfd.readouterr()
@@ -101,14 +121,15 @@ def test_no_line_of_the_examples_is_wider_than_a_terminal(command: Command) -> N
 
 @pytest.mark.slow
 def test_the_examples_of_the_report_run(
-    folder: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.chdir(tmp_path)
     opened: list[str] = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     whole, chapter, compared = COMMANDS["report"].examples
     assert main(whole.arguments) == 0
-    page = folder / "build" / "report" / "report.html"
-    (folder / "claims.json").write_bytes(page.with_name("claims.json").read_bytes())
+    page = tmp_path / "build" / "report" / "report.html"
+    (tmp_path / "claims.json").write_bytes(page.with_name("claims.json").read_bytes())
     assert main(compared.arguments) == 0
     assert ": 0 changed" in capfd.readouterr().out
     assert main(chapter.arguments) == 0

@@ -1,144 +1,201 @@
-"""An interrupt (Ctrl-C) is heard soon, tells what was found until then, and leaves no traceback."""
+"""An interrupt (Ctrl-C) is heard soon at any moment, tells what was found, and leaves no traceback."""
 
 from __future__ import annotations
 
-import _thread
-import threading
+import signal
+import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import Any
 
 import numpy as np
 import pytest
 
+import trimmer
 from tests.complaints import complaints
-from trimmer import (
-    ClosedLoop,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    OrbitSearch,
-    OrbitSearchInterrupted,
-    Outcome,
-    SimulationInterrupted,
-    Simulations,
-    TrimmerLoop,
-    TrimmerParameters,
-    periodic_orbits,
-    pin_model,
-    simulate,
-)
 from trimmer.command_line.main import main
-from trimmer.motion import integration
-from trimmer.orbits import settling
 
-THESIS = TrimmerParameters.thesis()
-DRIVE = Drive(1.5e-3, frequency=110.0)
-PLAY = FrictionBacklash(2e-4)
-RELAY = ["orbits", "--element", "relay", "--force", "1"]
-
-
-def interrupted(*_: object) -> None:
-    raise KeyboardInterrupt
+PACKAGE = str(Path(trimmer.__file__).parent)
+EXAMPLES = Path(__file__).parents[3] / "examples"
+LOOP = ["--element", "relay", "--force", "1", "--channels", "displacement"]
+THESIS = trimmer.TrimmerParameters.thesis()
+NO_RESULT = "trimmer: interrupted before the result was complete\n"
 
 
-def after(count: int, function, monkeypatch: pytest.MonkeyPatch, module) -> None:
-    """Let a function of a module be interrupted when it is called once more than so many times."""
-    calls = iter([function] * count)
-    monkeypatch.setattr(module, function.__name__, lambda *given: next(calls, interrupted)(*given))
+class Interrupter:
+    """Interrupts what is done inside once so many functions of the package have been called.
+
+    Attributes:
+        calls: Those that are left.
+        inside: Which functions count, by a part of the name of their file.
+    """
+
+    def __init__(self, calls: int, inside: str = "") -> None:
+        self.calls, self.inside = calls, f"{PACKAGE}/{inside}"
+
+    def __call__(self, frame: FrameType, event: str, _: Any) -> None:
+        if event == "call" and frame.f_code.co_filename.startswith(self.inside):
+            self.calls -= 1
+            if self.calls == 0:
+                raise KeyboardInterrupt
+
+    @contextmanager
+    def at_work(self) -> Iterator[None]:
+        before = sys.getprofile()
+        sys.setprofile(self)
+        try:
+            yield
+        finally:
+            sys.setprofile(before)
 
 
-@pytest.mark.parametrize("drive", [DRIVE, Drive(1e-5, frequency=110.0)], ids=["with events", "without"])
-def test_a_motion_goes_on_after_a_pause_as_if_there_were_none(
-    drive: Drive, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    expected = simulate(TrimmerLoop(THESIS, PLAY, drive), 0.05)
-    monkeypatch.setattr(integration, "AT_ONCE", 7)
-    motion = simulate(TrimmerLoop(THESIS, PLAY, drive), 0.05)
-    assert motion.events == expected.events
-    assert motion.touches == expected.touches
-    times = np.linspace(0.0, 0.05, 333)
-    np.testing.assert_array_equal(motion.state(times), expected.state(times))
+def calls_of(words: list[str], inside: str) -> int:
+    counter = Interrupter(0, inside)
+    with counter.at_work():
+        assert main(words) == 0
+    return -counter.calls
 
 
-def test_the_step_limit_is_the_same_with_pauses(monkeypatch: pytest.MonkeyPatch) -> None:
-    loop = TrimmerLoop(THESIS, PLAY, Drive(1e-5, frequency=110.0))
-    expected = simulate(loop, 10.0, step_limit=100)
-    monkeypatch.setattr(integration, "AT_ONCE", 7)
-    motion = simulate(loop, 10.0, step_limit=100)
-    assert motion.outcome is expected.outcome is Outcome.STEP_LIMIT
-    assert motion.duration == expected.duration
+@pytest.mark.parametrize(
+    ("words", "inside"),
+    [
+        (["limit-cycles", *LOOP], "balance"),
+        (["linear"], "linear"),
+        (["respond", str(EXAMPLES / "oscillator-stop.toml")], "response"),
+    ],
+    ids=lambda each: each[0] if isinstance(each, list) else None,
+)
+def test_at_any_moment_there_is_one_sentence(words: list[str], inside: str, capsys) -> None:
+    assert main(words) == 0  # imports and compiles
+    count = calls_of(words, inside)
+    assert count > 20
+    for share in (0.0, 0.3, 0.6, 0.9):
+        capsys.readouterr()
+        with Interrupter(1 + int(share * count), inside).at_work():
+            code = main(words)
+        told = capsys.readouterr()
+        assert (code, told.out, complaints(told.err)) == (130, "", NO_RESULT)
 
 
-def test_an_interrupted_motion_is_known_until_then(monkeypatch: pytest.MonkeyPatch) -> None:
-    loop = TrimmerLoop(THESIS, PLAY, DRIVE)
-    expected = simulate(loop, 0.05)
-    monkeypatch.setattr(integration, "AT_ONCE", 7)
-    after(10, integration.integrate, monkeypatch, integration)
-    with pytest.raises(SimulationInterrupted, match=r"interrupted after 0\.0\d+ s of the motion") as caught:
-        simulate(TrimmerLoop(THESIS, PLAY, DRIVE), 0.05)
-    motion = caught.value.motion
-    assert isinstance(caught.value, KeyboardInterrupt)
-    assert (motion.outcome, motion.success, motion.message) == (Outcome.INTERRUPTED, False, "interrupted")
-    assert 0.0 < motion.duration < 0.05
-    assert motion.events == tuple(each for each in expected.events if each.time <= motion.duration)
-    times = np.linspace(0.0, motion.duration, 100)
-    np.testing.assert_array_equal(motion.state(times), expected.state(times))
+def test_a_search_for_orbits_tells_what_it_found(capsys) -> None:
+    words = ["orbits", *LOOP, "--simulate"]
+    assert main(words) == 0
+    count = calls_of(words, "orbits/settling")
+    capsys.readouterr()
+    with Interrupter(count // 2, "orbits/settling").at_work():
+        assert main(words) == 130
+    told = capsys.readouterr()
+    assert "of 32 initial states" in told.out
+    assert complaints(told.err) == "trimmer: interrupted; what was found until then is printed\n"
 
 
-def test_a_long_simulation_hears_an_interrupt(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_orbits_found_are_kept() -> None:
+    loop = trimmer.ClosedLoop(trimmer.pin_model(THESIS), trimmer.InertiaBacklash(4e-5))
+    search = trimmer.OrbitSearch(trimmer.Simulations.ALWAYS)
+    whole = trimmer.periodic_orbits(loop, search=search)
+    with (
+        Interrupter(200, "orbits/settling").at_work(),
+        pytest.raises(
+            trimmer.OrbitSearchInterrupted, match="periodic orbits found; the search was"
+        ) as caught,
+    ):
+        trimmer.periodic_orbits(loop, search=search)
+    orbits = caught.value.orbits
+    assert {each.amplitude for each in orbits} <= {each.amplitude for each in whole}
+    assert len(orbits) == 2 and not orbits.success
+    assert orbits.search.simulations.starts < orbits.search.simulations.planned == 32
+
+
+@contextmanager
+def interrupted_after(seconds: float) -> Iterator[None]:
+    """Send the process an interrupt after some time, as a user at a terminal does."""
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_a_long_simulation_hears_it(capsys) -> None:
     chosen = ["simulate", "--drive", "110", "--amplitude", "1e-3", "--duration"]
     assert main([*chosen, "0.1"]) == 0  # compiles, which no interrupt ought to fall into
     capsys.readouterr()
-    threading.Timer(0.5, _thread.interrupt_main).start()
     started = time.monotonic()
-    assert main([*chosen, "1e6"]) == 130
+    with interrupted_after(0.5):
+        assert main([*chosen, "1e6"]) == 130
     assert time.monotonic() - started < 30.0  # it would go on for minutes
     printed = capsys.readouterr()
-    assert printed.out.startswith("Motion of ")
-    assert ": interrupted\n" in printed.out
+    assert printed.out.startswith("Motion of ") and ": interrupted\n" in printed.out
     assert printed.err.startswith("trimmer: only ")
     assert printed.err.endswith(" s of 1e+06 s: interrupted\n")
 
 
-def test_a_search_for_orbits_tells_what_it_found(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    after(5, settling._follow, monkeypatch, settling)
-    assert main(RELAY) == 130
-    printed = capsys.readouterr()
-    assert "from 5 of 32 initial states" in printed.out
-    assert complaints(printed.err) == "trimmer: interrupted; what was found until then is printed\n"
+def test_a_motion_is_known_until_then() -> None:
+    loop = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(2e-4), trimmer.Drive(1.5e-3, frequency=110.0))
+    expected = trimmer.simulate(loop, 0.05)
+    with (
+        interrupted_after(0.3),
+        pytest.raises(
+            trimmer.SimulationInterrupted, match=r"interrupted after \d\S* s of the motion"
+        ) as caught,
+    ):
+        trimmer.simulate(loop, 1e5)
+    motion = caught.value.motion
+    assert isinstance(caught.value, KeyboardInterrupt)
+    assert (motion.outcome, motion.success, motion.message) == (
+        trimmer.Outcome.INTERRUPTED,
+        False,
+        "interrupted",
+    )
+    until = min(motion.duration, expected.duration)
+    assert until > 0.0
+    known = tuple(each for each in motion.events if each.time <= until)
+    assert known == tuple(each for each in expected.events if each.time <= until)
+    times = np.linspace(0.0, until, 100)
+    np.testing.assert_array_equal(motion.state(times), expected.state(times))
 
 
-def test_the_orbits_found_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    after(3, settling._follow, monkeypatch, settling)
-    loop = ClosedLoop(pin_model(THESIS), InertiaBacklash(4e-5))
-    with pytest.raises(
-        OrbitSearchInterrupted, match="2 periodic orbits found; the search was inter"
-    ) as caught:
-        periodic_orbits(loop, search=OrbitSearch(Simulations.ALWAYS))
-    orbits = caught.value.orbits
-    assert len(orbits) == 2
-    assert not orbits.success
-    assert (orbits.search.simulations.starts, orbits.search.simulations.planned) == (3, 32)
+MAP = ["map", str(EXAMPLES / "thesis-play.toml"), "--vary", "plays.bridge.gap=40um:60um:2"]
+MAP += ["--set", "frictions.blade.force=1", "--jobs", "1"]
 
 
-@pytest.mark.parametrize(
-    ("interrupted_at", "arguments"),
-    [
-        ("trimmer.balance.solve.winding_number", ["limit-cycles", "--element", "friction", "--gap", "4e-5"]),
-        ("trimmer.orbits.periodic_orbits.relay_orbits", RELAY),
-        ("report.building.build.build", ["report"]),
-    ],
-)
-def test_without_a_partial_result_there_is_one_sentence(
-    interrupted_at: str,
-    arguments: list[str],
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    tmp_path,
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(interrupted_at, interrupted)
-    assert main(arguments) == 130
-    printed = capsys.readouterr()
-    assert (printed.out, printed.err) == ("", "trimmer: interrupted before the result was complete\n")
+def test_a_map_goes_on_where_it_was_interrupted(tmp_path: Path, capsys) -> None:
+    file = tmp_path / "map.jsonl"
+    assert main([*MAP, "--output", str(file), "--json"]) == 0
+    whole = capsys.readouterr().out
+    lines = file.read_text("utf-8").splitlines(keepends=True)
+    file.write_text("".join(lines[:2]) + lines[2][:50], "utf-8")  # as a process leaves it that was killed
+    assert main([*MAP, "--output", str(file), "--resume", "--json"]) == 0
+    assert capsys.readouterr().out == whole
+    assert sorted(file.read_text("utf-8").splitlines()) == sorted(line.rstrip("\n") for line in lines)
+
+
+def test_an_interrupted_map_says_how_to_go_on(tmp_path: Path, capsys) -> None:
+    for words, advice in ((["--output", str(tmp_path / "a.map")], "--resume"), ([], "--output")):
+        with Interrupter(2, "maps/measures").at_work():
+            assert main([*MAP, *words]) == 130
+        told = capsys.readouterr()
+        assert told.out == "" and told.err.startswith("trimmer: interrupted after ")
+        assert " of 2 cells" in told.err and advice in told.err
+
+
+STOP = ["map", str(EXAMPLES / "oscillator-stop.toml"), "--vary", "frequency=0.86:0.8825:2", "--special", "1"]
+STOP += ["--vary", "stops.stop.gap=9.97:10.03:2", "--jobs", "1"]
+
+
+def test_a_map_is_kept_though_its_special_points_are_not(tmp_path: Path, capsys) -> None:
+    file = tmp_path / "a.map"
+    assert main([*STOP, "--quiet"]) == 0
+    assert "grazing, stop: " in capsys.readouterr().out
+    for words, advice in (
+        (["--output", str(file)], f"the map is in {file}; the same call with --resume goes on"),
+        ([], "name a file (--output) to keep it"),
+    ):
+        with Interrupter(1, "maps/special_work").at_work():
+            assert main([*STOP, *words]) == 130
+        assert advice in capsys.readouterr().err

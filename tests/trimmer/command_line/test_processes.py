@@ -1,0 +1,128 @@
+"""Commands in a process of their own: streams that are closed or full, encodings, surroundings."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+COMMAND = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
+C_LOCALE = {"LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+NOWHERE = {"HOME": "/dev/null/nowhere", "TMPDIR": "/dev/null/nowhere", "XDG_CACHE_HOME": "/dev/null/nowhere"}
+SIMULATED = ["simulate", "--drive", "110", "--amplitude", "1e-3", "--duration", "0.01"]
+
+
+def run(
+    folder: Path, *words: str, shell: str = "", alone: bool = False, **settings: str
+) -> subprocess.CompletedProcess[str]:
+    """Run a command by a shell, which redirects its streams and tells its exit code in a file ``code``."""
+    kept = {name: each for name, each in os.environ.items() if not alone or name in ("PATH", "PYTHONPATH")}
+    return subprocess.run(
+        ["sh", "-c", f'{{ "$@"; echo $? >code; }} {shell}', "sh", sys.executable, "-c", COMMAND, *words],
+        capture_output=True, cwd=folder, env={**kept, "PYTHONUNBUFFERED": "", **settings}, text=True,
+        encoding="utf-8",
+    )  # fmt: skip
+
+
+def code(folder: Path) -> int:
+    return int((folder / "code").read_text())
+
+
+CLOSED = "trimmer: standard output is closed; send it to a file, or to /dev/null\n"
+FULL = "trimmer: standard output: No space left on device; send the output elsewhere\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "shell", "ended", "told"),
+    [
+        (["parameters"], ">&-", 2, CLOSED),
+        (["linear", "--help"], ">&-", 2, CLOSED),
+        (["parameters"], ">/dev/full", 2, FULL),
+        ([*SIMULATED, "--csv", "/dev/stdout", "--quiet"], ">/dev/full", 2, "space left on device"),
+        (["parameters"], "| true", 0, ""),
+        (["linear", "--help"], "| true", 0, ""),
+        (["parameters"], "2>&- >/dev/null", 0, ""),
+        (["linear", "--nonsense"], "2>&- <&-", 2, ""),
+        (["linear", "--nonsense"], "2>&1 | true", 2, ""),
+    ],
+    ids=str,
+)
+def test_streams_that_nobody_reads(
+    tmp_path: Path, words: list[str], shell: str, ended: int, told: str
+) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("needs /dev/full")
+    done = run(tmp_path, *words, shell=shell)
+    assert (code(tmp_path), done.stdout) == (ended, "")
+    assert done.stderr == told or (told and told in done.stderr and done.stderr.count("\n") == 1)
+
+
+def test_what_an_encoding_lacks_is_written_in_ascii(tmp_path: Path) -> None:
+    plain, full = (run(tmp_path, "linear", **settings) for settings in (C_LOCALE, {"PYTHONUTF8": "1"}))
+    assert (plain.stderr, full.stderr) == ("", "")
+    assert " ± " in full.stdout
+    assert plain.stdout == full.stdout.replace("±", "+-")
+
+
+def test_names_in_any_letters(tmp_path: Path) -> None:
+    done = run(tmp_path, "linear", "--parameters", "ω\udcff.toml", **C_LOCALE)
+    assert (code(tmp_path), done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert done.stderr.startswith("trimmer: ") and done.stderr.isascii()
+    (tmp_path / "a.csv").write_text("\n".join(["µ,x", *(f"{k % 5},0" for k in range(99))]), "utf-8")
+    done = run(tmp_path, "spectrum", "a.csv", "--column", "µ", "--rate", "100", **C_LOCALE)
+    assert (code(tmp_path), done.stderr) == (0, "")
+    assert done.stdout.startswith("u of a.csv")
+
+
+@pytest.mark.parametrize("words", [["linear"], [*SIMULATED, "--csv", "out.csv"]], ids=" ".join)
+def test_neither_home_nor_a_place_to_write_is_needed(tmp_path: Path, words: list[str]) -> None:
+    done = run(tmp_path, *words, alone=True, COLUMNS="1", **NOWHERE, **C_LOCALE)
+    assert (code(tmp_path), done.stderr) == (0, "")
+    assert done.stdout.isascii() and done.stdout
+
+
+@pytest.mark.skipif(not Path("/dev/stdout").exists(), reason="needs /dev/stdout")
+def test_a_file_on_standard_output_stands_there_alone(tmp_path: Path) -> None:
+    done = run(tmp_path, *SIMULATED, "--csv", "/dev/stdout")
+    assert done.stdout.startswith("time [s],q2-q4 [m],") and done.stdout.count("\n") == 201
+    assert done.stderr.startswith("Motion of 0.01 s")
+    loud, quiet = (
+        run(tmp_path, "parameters", "--output", "/dev/stdout", *more) for more in ([], ["--quiet"])
+    )
+    assert loud.stdout == quiet.stdout != ""
+    assert (loud.stderr, quiet.stderr) == ("wrote /dev/stdout\n", "")
+    (tmp_path / "a.svg").symlink_to("/dev/stdout")
+    run(tmp_path, *SIMULATED, "--plot", "a.svg", shell=">picture")
+    assert (tmp_path / "picture").read_text("utf-8").startswith("<?xml")
+    assert (
+        "both write /dev/stdout"
+        in run(tmp_path, *SIMULATED, "--csv", "/dev/stdout", "--wav", "/dev/fd/1").stderr
+    )
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="needs /dev/zero")
+def test_a_file_without_an_end(tmp_path: Path) -> None:
+    done = run(tmp_path, "linear", "--parameters", "/dev/zero")
+    assert (code(tmp_path), done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert "/dev/zero: cannot be read: a device that gives" in done.stderr
+
+
+def test_a_dash_prints_a_derived_module(tmp_path: Path, project_folder: Path) -> None:
+    belt = str(project_folder / "examples" / "block-on-belt.toml")
+    done = run(tmp_path, "derive", belt, "--module", "-", "--latex", "a.tex")
+    assert done.stdout.startswith('"""Block on a belt in numbers.')
+    assert "a.tex: derivation" in done.stderr
+
+
+def test_help_imports_nothing_slow(tmp_path: Path) -> None:
+    program = (
+        "import sys\nfrom trimmer.command_line.main import main\n"
+        "try: main(['--help'])\nexcept SystemExit: pass\n"
+        "slow = {'shtab', 'tqdm', 'numpy', 'scipy', 'matplotlib', 'sympy'} & set(sys.modules)\n"
+        "sys.exit(' '.join(slow) or 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
