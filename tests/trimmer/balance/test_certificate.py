@@ -39,6 +39,14 @@ def test_a_continuum_at_all_frequencies_needs_no_range() -> None:
         assert limit_cycles(1 / s**2, Relay(1.0)) == ()
 
 
+def test_each_continuum_is_a_region_of_its_own() -> None:
+    """1/((s² + 1)(s² + 9)(s² + 25)) is negative from 1 to 3 rad/s and from 5 rad/s on."""
+    system = 1 / ((s**2 + 1) * (s**2 + 9) * (s**2 + 25))
+    regions = harmonic_balance(system, Relay(1.0), omega_range=(0.1, 10.0)).certificate.undecided
+    ends = [each.omegas for each in sorted(regions, key=lambda each: each.omegas)]
+    assert ends == [pytest.approx((1.0, 3.0), rel=0.01), pytest.approx((5.0, 10.0), rel=0.01)]
+
+
 def tangency() -> tuple[float, float, float]:
     """K, omega and gap/A where the curves of K/(s(s+1)) and backlash touch, to 15 of 30 digits."""
     with mpmath.workdps(30):
