@@ -240,3 +240,12 @@ def test_an_approach_that_is_too_slow_to_wait_for_is_no_torus() -> None:
     orbit = response.motion.orbit
     late = orbit.flow.strobe(orbit.flow.rest(), 600_000).states[-1]
     np.testing.assert_allclose(late, orbit.instant.state, atol=1e-6)
+
+
+def test_the_picture_of_a_torus_has_the_free_vibration_that_its_start_has() -> None:
+    """From rest the free vibration is larger than the forced one by the ratio of frequencies."""
+    line = respond(oscillator()).plot().get_lines()[0]
+    times = np.asarray(line.get_xdata(), dtype=float)
+    waves = [wave(omega * times) for omega in (OMEGA, 1.0) for wave in (np.sin, np.cos)]
+    parts = np.linalg.lstsq(np.array(waves).T, np.asarray(line.get_ydata(), dtype=float), rcond=None)[0]
+    assert math.hypot(*parts[2:]) / math.hypot(*parts[:2]) == pytest.approx(OMEGA, rel=1e-6)
