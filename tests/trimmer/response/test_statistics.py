@@ -14,7 +14,7 @@ from trimmer.response.zero_one import growth_of_walk
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 0.9])
 def test_correlation_makes_a_mean_less_sure(share: float) -> None:
-    noise = np.random.default_rng(4).normal(size=60_000)
+    noise = np.random.default_rng(4).normal(size=20_000)
     # Each value keeps a share of the one before; its variance is 1.
     series = np.asarray(lfilter([np.sqrt(1 - share**2)], [1.0, -share], noise))
     time = (1 + share) / (1 - share)  # 1 + 2 Σ share^n
