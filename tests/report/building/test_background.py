@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import signal
 import time
 from functools import partial
 
@@ -55,7 +56,7 @@ def test_an_error_is_raised():
 @needs_forks
 def test_an_early_end_is_reported():
     with pytest.raises(BackgroundError, match="ended early"):
-        list(run([partial(os._exit, 1)]))
+        list(run([partial(signal.raise_signal, signal.SIGKILL)]))
 
 
 def test_the_time_of_a_job_is_returned():

@@ -59,7 +59,7 @@ def test_titles_fit_and_texts_stand_beside_curves(figure, drawn):
     with style():
         canvas = FigureCanvasAgg(drawing)
         drawing.draw_without_rendering()
-        titles = [(axes, extent(axes._left_title, canvas)) for axes in panels_of(drawing)]
+        titles = [(axes, extent(left_title(axes), canvas)) for axes in panels_of(drawing)]
         texts = [(axes, text) for axes in drawing.axes if axes.axison for text in axes.texts]
         boxes = [(axes, text.get_text(), extent(text, canvas)) for axes, text in texts if text.get_text()]
     for position, (_, box) in enumerate(titles):
@@ -68,6 +68,12 @@ def test_titles_fit_and_texts_stand_beside_curves(figure, drawn):
     for axes, text, box in boxes:
         assert axes.bbox.x0 - 1 <= box.x0 and box.x1 <= drawing.bbox.x1, text
         assert not any(runs_through(line, box, axes.bbox) for line in axes.lines if line.get_clip_on()), text
+
+
+def left_title(axes):
+    """The text that stands at the left above axes."""
+    texts = [each for each in axes.get_children() if isinstance(each, Text)]
+    return next(each for each in texts if each.get_text() == axes.get_title(loc="left"))
 
 
 def extent(text, canvas):
