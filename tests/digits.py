@@ -10,6 +10,7 @@ WITHOUT_DIGITS = (
     "documentation/test_blocks.py",
     "documentation/test_generated_pages.py",
     "documentation/test_notebooks.py",
+    "hostile",
     "project",
     "report/building",
     "report/cache",
