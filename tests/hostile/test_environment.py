@@ -48,3 +48,15 @@ def test_a_cluster_that_is_not_there_is_told_before_any_work(tmp_path: Path, cap
     assert (code, out, told.count("\n")) == (2, "", 1)
     assert "no Dask scheduler answers" in told or "needs the package distributed" in told
     assert not folder.exists()
+
+
+def test_a_package_that_hides_ours_is_named(tmp_path: Path) -> None:
+    (tmp_path / "report").mkdir()
+    (tmp_path / "report" / "__init__.py").touch()
+    code = f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n{CODE}"
+    done = subprocess.run(
+        [sys.executable, "-c", code, "design", OSCILLATOR], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert f"{tmp_path / 'report' / '__init__.py'} hides the package: give it another name" in done.stderr
+    assert "Traceback" not in done.stderr

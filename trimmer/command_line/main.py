@@ -12,6 +12,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
 
 import trimmer
 from trimmer.command_line import completion, derive, parameters, simulate
@@ -180,9 +181,17 @@ def _loaded(entry: EntryPoint) -> Command | None:
 def _hiding(entry: EntryPoint) -> str:
     """Name the file that was found under the name of an entry's package, if it is no package."""
     found = sys.modules.get(entry.value.partition(".")[0])
-    if found is None or hasattr(found, "__path__"):
+    place = getattr(found, "__file__", None)
+    if found is None or (hasattr(found, "__path__") and (place is None or _is_own(place, entry))):
         return ""
-    return f"; {getattr(found, '__file__', 'another module')} hides the package: give it another name"
+    return f"; {place or 'another module'} hides the package: give it another name"
+
+
+def _is_own(place: str, entry: EntryPoint) -> bool:
+    """Say whether the first package of an entry's module is the one in which the module lies."""
+    parts = entry.module.split(".")[1:]
+    below = Path(place).parent.joinpath(*parts)
+    return below.is_dir() or below.with_suffix(".py").is_file()
 
 
 def _parsed(arguments: Sequence[str] | None) -> Namespace:
