@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.image import imread
+from matplotlib.text import Text
 
 from tests.trimmer.drawing.blank import new_axes
 from trimmer.drawing import look
@@ -120,11 +121,12 @@ def test_a_figure_has_its_size_its_title_and_one_picture() -> None:
     assert drawn == figure.axes
     assert tuple(figure.get_size_inches()) == (3.0, 2.0)
     assert figure.get_suptitle() == "a $title"
-    assert not figure._suptitle.get_parse_math()
+    (title,) = (each for each in figure.findobj(Text) if each.get_text() == "a $title")
+    assert not title.get_parse_math()
     usual = figure_of(drawn.append)
     assert tuple(usual.get_size_inches()) == (7.2, 4.6)
     head(usual, "")
-    assert usual._suptitle is None
+    assert usual.get_suptitle() == ""
 
 
 def test_a_bitmap_has_the_figure_s_proportions() -> None:

@@ -9,12 +9,6 @@ import pytest
 
 from tests.trimmer.ensembles.known_responses import THREE
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.ensembles.crossings import (
-    _inserted,
-    _open_ends,
-    _touches,
-    _urgency,
-)
 from trimmer.ensembles.frequencies import frequencies_near
 from trimmer.ensembles.gain_by_phase import gain_by_lag
 from trimmer.ensembles.grid import Grid, grid_at, merged
@@ -43,23 +37,6 @@ def test_the_table_tells_n_by_its_lag() -> None:
     )
     assert table.log_gain_at(np.array([[-1.0, 0.0]])).tolist() == [[0.0, 0.0]]
     assert table.log_gain[-1] < -8.0
-
-
-def test_a_table_that_does_not_rise_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Falling:
-        def describing_function(self, amplitude: np.ndarray) -> np.ndarray:
-            return np.exp(-1j / amplitude + 1e-3j / amplitude**2)
-
-    class Bent:
-        def describing_function(self, amplitude: np.ndarray) -> np.ndarray:
-            return np.exp(-1j * np.sin(2.0 / amplitude))
-
-    with monkeypatch.context() as patch:
-        patch.setattr("trimmer.ensembles.gain_by_phase.PLAY", Bent())
-        with pytest.raises(ArithmeticError, match="does not rise"):
-            gain_by_lag.__wrapped__()
-        patch.setattr("trimmer.ensembles.gain_by_phase.PLAY", Falling())
-        gain_by_lag.__wrapped__()
 
 
 def test_points_tell_how_far_n_is_from_the_inverse() -> None:
@@ -123,56 +100,3 @@ def test_frequencies_lie_close_beside_each_pole_and_far_beyond() -> None:
     assert np.abs(omega[:, None] - even).min(axis=0) == pytest.approx(np.zeros(56), abs=1e-9)
     # Of the heavily damped pole the lower ones would be negative.
     assert (omega > 0).all()
-
-
-def test_a_touch_is_a_least_distance_between_points_of_one_sign() -> None:
-    def found(h: list[float], lag: float | list[float] = 0.4) -> list[bool]:
-        points = grid(h, lag)
-        return _touches(points.h, points.inside)[0].tolist()
-
-    assert found([0.2, 0.01, 0.2]) == [True]
-    assert found([-0.2, -0.01, -0.2]) == [True]
-    assert found([0.2, -0.01, 0.2]) == [False]
-    assert found([-0.2, 0.01, 0.2]) == [False]
-    assert found([0.2, 0.01, -0.2]) == [False]
-    assert found([0.01, 0.2, 0.3]) == [False]
-    assert found([0.01, 0.01, 0.01]) == [True]
-    # Nearer by less than what the others are farther off: 0.1 < 0.15 - 0.1 + 0.02 is not so.
-    assert found([0.15, 0.1, 0.12]) == [False]
-    assert found([0.12, 0.1, 0.19]) == [True]
-    assert found([0.19, 0.1, 0.12]) == [True]
-    assert found([0.2, 0.01, 0.2], [2.0, 2.0, 2.0]) == [False]
-    for place in range(3):
-        lags = [2.0, 2.0, 2.0]
-        lags[place] = 0.4
-        assert found([0.2, 0.01, 0.2], lags) == [True]
-
-
-def test_a_step_is_urgent_by_its_turn_if_both_its_ends_are_loud() -> None:
-    lag = [0.1, 0.1, 0.8, 3.1, -3.1]
-    assert _urgency(grid([0.9] * 5, lag))[0] == pytest.approx([0.0, 0.7, 2.3, 0.0])
-    assert _urgency(grid([0.9] * 5, lag, [True, True, False, True, True]))[0].tolist() == [0.0] * 4
-    assert _urgency(grid([0.9] * 4, [0.8, 0.1, 0.1, -0.9]))[0] == pytest.approx([0.7, 0.0, 1.0])
-    # A touch counts half a turn for either step.
-    assert _urgency(grid([0.3, 0.01, 0.3], 0.4))[0] == pytest.approx([math.pi, math.pi])
-    assert _urgency(grid([0.3, 0.01, 0.3], 0.4, [True, False, True]))[0].tolist() == [0.0, 0.0]
-
-
-def test_frequencies_are_inserted_within_the_most_urgent_steps() -> None:
-    omega = np.array([[1.0, 2.0, 4.0, 5.0, 7.0, 13.0]])
-    urgency = np.array([[0.1, 3.0, 0.0, 2.0, 1.0]])
-    found = np.sort(_inserted(omega, urgency)[0])
-    expected = [
-        low + (high - low) * k / 6 for low, high in ((1, 2), (2, 4), (5, 7), (7, 13)) for k in range(1, 6)
-    ]
-    assert found == pytest.approx(expected)
-
-
-def test_open_ends_are_where_the_loop_is_loud_enough_there() -> None:
-    def is_open(h: list[float], loud: bool | list[bool] = True) -> bool:
-        return bool(_open_ends(grid(h, 0.4, loud))[0])
-
-    assert not is_open([-0.01, 5.0, -0.01])
-    assert is_open([-0.004, 5.0, -0.01])
-    assert is_open([-0.01, 5.0, -0.004])
-    assert not is_open([0.1, 5.0, -0.01], [False, True, True])

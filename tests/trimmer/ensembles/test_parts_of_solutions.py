@@ -14,13 +14,7 @@ from trimmer.displacement import Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import (
     Crossings,
-    _enclosures,
     crossings,
-)
-from trimmer.ensembles.grid import Grid, grid_at
-from trimmer.ensembles.limit_cycles import (
-    _check,
-    _near_poles,
 )
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import Solutions, polished
@@ -28,7 +22,7 @@ from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import Responses, responses_of
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.parameters import ParameterError, ParameterKind, TrimmerParameters, parameter_table
+from trimmer.parameters import TrimmerParameters
 
 
 def by_hand(gain: float) -> tuple[float, float]:
@@ -79,41 +73,6 @@ def test_crossings_of_some_trimmers_enclose_their_solutions() -> None:
     assert one.sine[0] == solved.sine[0]
 
 
-def test_a_trimmer_that_stays_urgent_is_refined_three_times_and_doubtful(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    points: list[tuple[int, int]] = []
-
-    def stubborn(grid: Grid) -> np.ndarray:
-        points.append(grid.omega.shape)
-        urgency = np.zeros((len(grid.omega), grid.omega.shape[1] - 1))
-        urgency[-1, ::7] = 1.0
-        return urgency
-
-    omegas = np.repeat(np.geomspace(0.01, 30.0, 120)[None], 3, axis=0)
-    plain = crossings(THREE, omegas)
-    monkeypatch.setattr("trimmer.ensembles.crossings._urgency", stubborn)
-    found = crossings(THREE, omegas)
-    assert points == [(3, 120), (1, 140), (1, 160), (1, 180)]
-    assert found.doubtful.tolist() == [False, False, True]
-    assert found.rows.tolist() == plain.rows.tolist()
-    for both in (plain, found):
-        assert polished(THREE.part(both.rows), both).found.all()
-
-
-def test_enclosures_are_halved_round_each_change_of_sign() -> None:
-    u, omega = by_hand(4.0)
-    lower, upper = omega - 0.05, omega + 0.11
-    points = grid_at(THREE.part(np.array([0])), np.array([[0.5 * lower, lower, upper, 2.0 * upper]]))
-    found = _enclosures(THREE, np.array([0]), points)
-    place = int(np.flatnonzero((found.lower <= omega) & (omega <= found.upper))[0])
-    assert found.rows[place] == 0
-    assert found.upper[place] - found.lower[place] == pytest.approx(0.16 / 64)
-    assert found.u[place] == pytest.approx(u, abs=0.05)
-    assert found.exists[place]
-    assert found.certain[place]
-
-
 def test_unstable_others_are_those_of_the_polynomial_with_n_frozen() -> None:
     # (s + 1)(s² + 0.2 s + 4) + N (b s + c): with a large c it swings at another frequency.
     denominator = np.repeat(np.polymul([1.0, 1.0], [1.0, 0.2, 4.0])[None], 2, axis=0)
@@ -144,19 +103,6 @@ def test_what_is_rounding_of_a_pole_is_a_share_of_its_modulus(unit: float) -> No
     assert not unknown.any()
 
 
-def test_only_a_mass_must_not_be_zero() -> None:
-    for parameter in parameter_table():
-        _check(parameter, np.array([3.0, 1e-9]))
-        wrong = [np.array([1.0, -1e-9]), np.array([np.inf])]
-        if parameter.quantity is ParameterKind.MASS:
-            wrong.append(np.zeros(1))
-        else:
-            _check(parameter, np.zeros(1))
-        for values in wrong:
-            with pytest.raises(ParameterError, match=parameter.symbol):
-                _check(parameter, values)
-
-
 def test_responses_are_those_of_the_model() -> None:
     parameters = TrimmerParameters.thesis()
     values = np.array([parameters.values(), [1.7 * each for each in parameters.values()]])
@@ -184,61 +130,10 @@ def test_responses_are_those_of_the_model() -> None:
     assert part.numerator.tolist() == [made.numerator[1].tolist()]
 
 
-def test_starting_values_are_near_the_poles_and_all_different() -> None:
-    base = TrimmerParameters.thesis()
-    near = _near_poles(base)
-    made = responses_of(
-        np.array([base.values()]), Displacement.parse("q2-q4"), InputChannels.DISPLACEMENT_AND_VELOCITY
-    )
-    exact = np.roots(made.denominator[0])
-    distance = np.abs(near - exact)
-    assert distance == pytest.approx(1e-4 * np.arange(8) * np.abs(exact), rel=1e-6, abs=1e-12)
-
-
 def test_roots_that_are_exact_stay() -> None:
     values, found = roots(np.array([[1.0, -3.0, 2.0]]), np.array([[1.0, 2.0]], complex))
     assert values.tolist() == [[1.0, 2.0]]
     assert found.all()
-
-
-def test_a_lag_is_certain_up_to_a_margin_at_either_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    # K/(s (s + 1)) needs the lag atan(1/omega).
-    gains = np.array([4.0, 9.0])
-    loops = Responses(np.stack([0.0 * gains, gains], axis=1), np.array([[1.0, 1.0, 0.0]] * 2), np.ones(2))
-    omegas = np.repeat(np.geomspace(0.01, 90.0, 300)[None], 2, axis=0)
-    found = crossings(loops, omegas)
-    lags = -np.angle(polished(loops.part(found.rows), found).gain)
-    to_end = np.minimum(lags, 0.5 * math.pi - lags)
-    nearest = np.array([to_end[found.rows == row].min() for row in range(2)])
-    assert (lags < 0.25 * math.pi).any()
-    assert (lags > 0.25 * math.pi).any()
-    assert not found.doubtful.any()
-    for margin in (*(nearest - 0.003), *(nearest + 0.003)):
-        monkeypatch.setattr("trimmer.ensembles.crossings.MARGIN", margin)
-        assert crossings(loops, omegas).doubtful.tolist() == (nearest < margin).tolist()
-
-
-def test_a_first_step_is_newtons_within_the_amplitudes_that_exist(monkeypatch: pytest.MonkeyPatch) -> None:
-    """N(u) = omega² - j omega, over 4; a step of u ends halfway to 0 or 2 at most, one of x within 0.1."""
-    one = THREE.part(np.zeros(1, int))
-    play = FrictionBacklash(1.0)
-    for u, omega in ((0.3, 1.0), (1.0, 0.3), (1.9, 1.2), (1.98, 0.35), (1.2, 1.25)):
-        start = Crossings(np.zeros(1, int), *(np.array([each]) for each in (omega, omega, u, False)))
-        gain, by_u, _ = play.expansion(np.array([1.0 / u]))
-        inverse, by_x = complex(omega**2, -omega) / 4.0, complex(2.0 * omega**2, -omega) / 4.0
-        rest = complex(gain[0]) - inverse
-        monkeypatch.setattr("trimmer.ensembles.polishing.STEPS", 0)
-        before = polished(one, start)
-        assert before.residual == pytest.approx([abs(rest) / abs(inverse)])
-        assert (before.u.tolist(), before.found.tolist()) == ([u], [False])
-        slope = complex(by_u[0])
-        step_u, step_x = np.linalg.solve(
-            [[slope.real, -by_x.real], [slope.imag, -by_x.imag]], [-rest.real, -rest.imag]
-        )
-        monkeypatch.setattr("trimmer.ensembles.polishing.STEPS", 1)
-        after = polished(one, start)
-        assert after.u == pytest.approx([min(max(u + step_u, 0.5 * u), 0.5 * (u + 2.0))])
-        assert np.log(after.omega / omega) == pytest.approx([min(max(step_x, -0.1), 0.1)])
 
 
 @pytest.mark.parametrize(("share", "found"), [(0.5e-6, True), (2e-6, False)])

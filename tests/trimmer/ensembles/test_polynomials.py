@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -42,10 +41,3 @@ def test_what_is_not_found_is_said() -> None:
     values, found = roots(np.array([[1.0, -2.0, 1.0]]), np.array([[np.nan, 2.0]], dtype=complex))
     assert values.shape == (1, 2)
     assert not found.any()
-
-
-def test_roots_that_are_not_found_in_time_are_said_to_be_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("trimmer.ensembles.polynomials.MOST_STEPS", 1)
-    coefficients = np.array([[1.0, -3.0, 2.0], [1.0, -3.0, 2.0]])
-    found = roots(coefficients, np.array([[1.0, 2.0], [5.0, 9.0]], dtype=complex))
-    assert found.found.tolist() == [True, False]

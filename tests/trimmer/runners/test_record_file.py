@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 import re
-import threading
 from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
 
-from trimmer.errors import MapFileError, WorkerError
+from trimmer.errors import MapFileError
 from trimmer.files import FileKind, FileWriteError
 from trimmer.runners import cluster, processes
 from trimmer.runners.chunks import AHEAD, handed_back
@@ -106,39 +105,12 @@ def test_chunks_are_sent_ahead_for_all_who_work() -> None:
     assert [len(chunk) for chunk in sent] == [2] * 12 + [1]
 
 
-def test_processes_are_copies_unless_there_are_other_threads() -> None:
-    ended = threading.Event()
-    thread = threading.Thread(target=ended.wait)
-    thread.start()
-    try:
-        assert processes._context().get_start_method() == "spawn"
-    finally:
-        ended.set()
-        thread.join()
-
-
 def test_processes_are_as_many_as_asked_or_as_cores() -> None:
     assert processes.ProcessRunner(3).count == 3
     assert processes.ProcessRunner().count == processes.cores() == len(os.sched_getaffinity(0))
     for wrong in ({"processes": 0}, {"chunk": 0}):
         with pytest.raises(ValueError, match="from 1 on"):
             processes.ProcessRunner(**wrong)
-
-
-def test_a_worker_does_its_chunk_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(processes._Worker, "work", staticmethod(lambda cell: 2 * cell), raising=False)
-    assert processes._done([1, 5, 3]) == [2, 10, 6]
-
-
-def test_a_worker_of_a_cluster_has_the_same_programs() -> None:
-    programs = cluster._programs()
-    assert [name for name, _ in programs] == ["Python", "trimmer", "numpy", "scipy", "numba"]
-    assert cluster._done(lambda cell: 2 * cell, programs, [1, 5]) == [2, 10]
-    for place in range(len(programs)):
-        others = list(programs)
-        others[place] = programs[place][0], "0.1"
-        with pytest.raises(WorkerError, match=r"this computer 0\.1"):
-            cluster._done(lambda cell: 2 * cell, tuple(others), [1])
 
 
 @pytest.mark.parametrize("wrong", [{"chunk": 0}, {"patience": 0}])
