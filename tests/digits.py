@@ -16,7 +16,6 @@ WITHOUT_DIGITS = (
     "report/cache",
     "report/copy",
     "report/rendering",
-    "trimmer/test_argument_limits.py",
     "trimmer/test_code_generation.py",
     "trimmer/test_files.py",
     "trimmer/test_files_and_streams.py",
