@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.json_values import document, finite, pair
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
+from trimmer.orbits.edge import TOLD
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
@@ -32,6 +33,11 @@ def as_text(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
     searched, *undecided = certificate_as_text(predictions.certificate)
     lines += [f"predictions {searched}", *undecided, orbits.search.sentence]
     lines += [f"{family.sentence[0].upper()}{family.sentence[1:]}." for family in orbits.families]
+    lines += [
+        f"of amplitude {orbit.amplitude:.6g} at {orbit.frequency:.6g} Hz: {TOLD}"
+        for orbit in orbits
+        if orbit.one_sided
+    ]
     if orbits:
         lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
     return "\n".join(lines)
@@ -83,6 +89,7 @@ def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
         "frequency": orbit.frequency,
         "stable": orbit.stable,
         "neutral": orbit.neutral,
+        "one_sided": orbit.one_sided,
         "multipliers": [pair(value) for value in orbit.multipliers.tolist()],
         "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
         "switching_times": orbit.switching_times.tolist(),
