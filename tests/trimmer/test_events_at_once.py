@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -44,6 +45,16 @@ def differences(of: TrimmerLoop, period: float, state: np.ndarray, step: float) 
     return (np.array(ends[1:]) - ends[0]).T / step
 
 
+def hold_against_differences(of: TrimmerLoop) -> None:
+    orbit = forced_orbit(of)
+    state = orbit.motion.state(0.0)
+    forwards, backwards = (differences(of, orbit.period, state, step) for step in (1e-7, -1e-7))
+    np.testing.assert_allclose(forwards, backwards, atol=1e-5)
+    expected = np.poly(0.5 * (forwards + backwards))
+    np.testing.assert_allclose(np.poly(orbit.multipliers), expected, atol=1e-6)
+    assert not orbit.one_sided
+
+
 @pytest.mark.parametrize(
     ("omega", "limit"),
     [
@@ -56,14 +67,13 @@ def differences(of: TrimmerLoop, period: float, state: np.ndarray, step: float) 
 def test_two_frictions_that_switch_at_once_have_the_multipliers_of_differences(
     omega: float, limit: float
 ) -> None:
-    both = loop(omega, q1=limit, q2=limit)
-    orbit = forced_orbit(both)
-    state = orbit.motion.state(0.0)
-    forwards, backwards = (differences(both, orbit.period, state, step) for step in (1e-7, -1e-7))
-    np.testing.assert_allclose(forwards, backwards, atol=1e-5)
-    expected = np.poly(0.5 * (forwards + backwards))
-    np.testing.assert_allclose(np.poly(orbit.multipliers), expected, atol=1e-6)
-    assert not orbit.one_sided
+    hold_against_differences(loop(omega, q1=limit, q2=limit))
+
+
+def test_of_three_frictions_a_neighbour_meets_that_between_both_bodies_between_the_others() -> None:
+    three = loop(1.535376374837822, q1=0.27648545, q2=0.27648545, q1_q2=1.09358154)
+    halves = loop(1.535376374837822, q1=0.13824272, q2=0.13824272).frictions
+    hold_against_differences(replace(three, frictions=three.frictions + halves))
 
 
 def test_three_frictions_at_once_make_multipliers_one_sided_and_it_is_said() -> None:

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 AT_ZERO = 2.0**-44
 """Share of the moduli of its terms, and of its change over a step, below which an event function is zero."""
+SEED = 3
+"""Of the direction of the neighbour whose order of events is taken."""
 
 
 def jump(modes: ModeTables, arc: Arc, before: Reals) -> Reals:
@@ -34,14 +36,17 @@ def jump(modes: ModeTables, arc: Arc, before: Reals) -> Reals:
     if len(falling) == 1:
         row = modes.tables.event_rows[arc.mode, arc.event_function]
         return _saltation(modes, (arc.mode, arc.following), row, arc.reset, before)
-    total, state, mode = np.eye(len(before)), before, arc.mode
-    for number, event in enumerate(falling, start=1):
+    neighbour = np.random.default_rng(SEED).normal(size=len(before))
+    neighbour[modes.layout.sine :] = 0.0
+    total, state, mode, left = np.eye(len(before)), before, arc.mode, list(falling)
+    while left:
+        event = _next(modes, mode, left, state, total @ (neighbour * abs(before)))
+        left.remove(event)
         place = _place(modes, mode, event)
-        last = number == len(falling)
         reset = np.eye(len(before)) if place is None else _reset(modes, mode, place)
-        if last:
+        if not left:
             reset = _of_those_that_follow(modes, arc, falling) @ reset
-        following = arc.following if last else _changed(modes, mode, event, arc.following)
+        following = _changed(modes, mode, event, arc.following) if left else arc.following
         row = event.row if place is None else modes.mode(mode).event_functions[place].row
         rate = modes.mode(mode).matrix @ state
         # What the events before it have stopped falls no more.
@@ -49,6 +54,29 @@ def jump(modes: ModeTables, arc: Arc, before: Reals) -> Reals:
         total = (_saltation(modes, (mode, following), row, reset, state) if falls else reset) @ total
         state, mode = reset @ state, following
     return total
+
+
+def _next(
+    modes: ModeTables, mode: int, left: list[ModeEventFunction], state: Reals, distance: Reals
+) -> ModeEventFunction:
+    """Return which of several event functions that fall to zero together a neighbour meets first.
+
+    Args:
+        modes: The modes.
+        mode: The present one.
+        left: Those that it has not met yet.
+        state: Extended state at the instant, shape (n,).
+        distance: That of the neighbour, shape (n,).
+    """
+    rate = modes.mode(mode).matrix @ state
+
+    def later(event: ModeEventFunction) -> float:
+        place = _place(modes, mode, event)
+        row = event.row if place is None else modes.mode(mode).event_functions[place].row
+        falls = row @ rate
+        return float(-(row @ distance) / falls) if falls < -AT_ZERO * (abs(row) @ abs(rate)) else np.inf
+
+    return min(left, key=later)
 
 
 def _saltation(modes: ModeTables, both: tuple[int, int], row: Reals, reset: Reals, state: Reals) -> Reals:
