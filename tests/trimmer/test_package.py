@@ -72,9 +72,20 @@ def test_the_package_can_be_run_as_the_command(project_folder: Path) -> None:
         assert (ended.stdout or ended.stderr).split()[0].rstrip(":") == "trimmer"
 
 
+def test_star_import_gives_the_public_names() -> None:
+    names: dict[str, object] = {}
+    exec("from trimmer import *", names)
+    assert set(trimmer.__all__) <= set(names)
+
+
 def test_an_unknown_name_is_an_error() -> None:
     with pytest.raises(AttributeError, match="linaer_model"):
         trimmer.linaer_model  # noqa: B018
+
+
+def test_the_version_is_that_of_the_installed_distribution(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(metadata, "version", {"trimmer": "1.2.3"}.__getitem__)
+    assert trimmer.__version__ == "1.2.3"
 
 
 def test_without_an_installed_distribution_the_version_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:

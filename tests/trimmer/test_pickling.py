@@ -29,8 +29,16 @@ from trimmer import (
     ViscousBacklash,
     ViscousFriction,
     analyse_signal,
+    energy_balance,
+    forced_orbit,
+    harmonic_balance,
+    identify_time_constant,
+    limit_cycles,
+    multi_harmonic_balance,
+    periodic_orbits,
     pin_model,
     simulate,
+    summarise,
     transfer_function,
 )
 
@@ -92,12 +100,49 @@ def test_loops_move_as_before(loop, used: bool, copied: Callable) -> None:
         assert fresh.model.name == loop.model.name
 
 
+@pytest.mark.parametrize("loop", LOOPS.values(), ids=LOOPS)
+def test_motions_can_be_read_as_before(loop, copied: Callable) -> None:
+    motion = simulate(loop, 0.02, impulse=0.0 if loop.modes.system.drive else 1e-6)
+    again = copied(motion)
+    for name in ("output", "element_input", "element_output", "state", "component_outputs"):
+        np.testing.assert_array_equal(getattr(again, name)(TIMES), getattr(motion, name)(TIMES))
+    assert again.events == motion.events
+    assert (again.outcome, again.success, again.message) == (motion.outcome, True, motion.message)
+    if isinstance(loop, TrimmerLoop):
+        assert energy_balance(again) == energy_balance(motion)
+
+
 def test_systems_keep_their_labels_and_matrices(copied: Callable) -> None:
     system = control.ss([[0.0, 0.0], [0.0, -1.0]], [[0.0], [1.0]], [[0.0, 1.0]], 0.0, states=["idle", "x"])
     again = copied(ClosedLoop(system, PLAY)).system
     for name in "ABCD":
         np.testing.assert_array_equal(getattr(again, name), getattr(system, name))
     assert (again.dt, again.state_labels, again.input_labels) == (0, ["idle", "x"], system.input_labels)
+
+
+def test_orbits_are_as_before(copied: Callable) -> None:
+    for orbit in (
+        periodic_orbits(pin_model(THESIS), PLAY)[0],
+        forced_orbit(TrimmerLoop(THESIS, FrictionBacklash(2e-4), DRIVE)),
+    ):
+        again = copied(orbit)
+        np.testing.assert_array_equal(again.harmonics, orbit.harmonics)
+        np.testing.assert_array_equal(again.multipliers, orbit.multipliers)
+        assert again.stable == orbit.stable
+        assert again.impacts == orbit.impacts
+        assert again.stroke_of() == orbit.stroke_of()
+        assert again.prediction == orbit.prediction
+
+
+def test_results_are_as_before(copied: Callable) -> None:
+    system = pin_model(THESIS)
+    balance, summary = harmonic_balance(system, PLAY), summarise(THESIS)
+    assert copied(balance) == balance
+    assert copied(summary) == summary
+    told = identify_time_constant(system, PLAY.gap, 740.0, frequency_uncertainty=0.5)
+    assert copied(told) == told
+    (solution,) = multi_harmonic_balance(system, PLAY, limit_cycles(system, PLAY)[-1], [1])
+    np.testing.assert_array_equal(copied(solution).harmonics, solution.harmonics)
 
 
 def test_signals_stay_read_only(copied: Callable) -> None:
