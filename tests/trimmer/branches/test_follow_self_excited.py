@@ -27,6 +27,7 @@ EXAMPLES = Path(__file__).parents[3] / "examples"
 SPEED = "pins.belt.velocity"
 ALONE = FollowSettings(switches=0, quiet=True)
 QUIET = FollowSettings(quiet=True)
+COARSE = FollowSettings(quiet=True, largest_step=0.03)
 
 
 def block() -> Mechanism:
@@ -53,7 +54,7 @@ def two_blocks(speed: float) -> Mechanism:
 
 @pytest.fixture(scope="module")
 def blocks() -> FollowedBranch:
-    return follow(two_blocks(0.1), SPEED, 0.1, 0.8, settings=QUIET)
+    return follow(two_blocks(0.1), SPEED, 0.1, 0.8, settings=COARSE)
 
 
 def period(speed: float, mass: float = 1.0, stiffness: float = 1.0, drop: float = 0.5) -> float:
