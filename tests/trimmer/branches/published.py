@@ -9,7 +9,7 @@ from trimmer import FollowedBranch, FollowSettings, Mechanism, SpecialKind, foll
 from trimmer.mechanism.parts import Body, Force, Link, Play
 
 TURN = 2.0 * math.pi
-ALONE = FollowSettings(switches=0, quiet=True)
+ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.02)
 
 OSCILLATOR_WITH_STOP = [
     (SpecialKind.GRAZING, 5.534678554),

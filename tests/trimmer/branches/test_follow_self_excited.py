@@ -25,7 +25,7 @@ from trimmer.response.respond import respond
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SPEED = "pins.belt.velocity"
-ALONE = FollowSettings(switches=0, quiet=True)
+ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.02)
 QUIET = FollowSettings(quiet=True)
 COARSE = FollowSettings(quiet=True, largest_step=0.03)
 
@@ -65,7 +65,7 @@ def period(speed: float, mass: float = 1.0, stiffness: float = 1.0, drop: float 
 
 
 def test_period_and_width_over_the_speed_of_the_belt() -> None:
-    branch = follow(block(), SPEED, 0.05, 3.0, settings=QUIET)
+    branch = follow(block(), SPEED, 0.05, 3.0, settings=COARSE)
     assert branch.reason is BranchEnd.LEFT_AT_STOP
     assert branch.special == ()
     for orbit in branch.points:
