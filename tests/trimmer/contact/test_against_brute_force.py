@@ -33,7 +33,7 @@ from trimmer.mechanism import (
 LARGEST = 1e-8
 FORCELESS = ("nothing", "air")
 """A play without spring and damper and a friction without dry force, which have no events."""
-QUICK_SEEDS = (4, 7, 8, 11, 15, 17, 174, 186)
+QUICK_SEEDS = (4, 8, 11, 174, 186)
 QUICK_TRICKY = (
     "two_stops_at_once, relaxing",
     "preloaded, truncated",
@@ -84,7 +84,7 @@ def test_many_random_mechanisms(seed):
     compare(random_mechanism(seed), 3)
 
 
-@pytest.mark.parametrize("seed", (4, 8, 15, 174))
+@pytest.mark.parametrize("seed", (8, 174))
 def test_a_random_mechanism_from_any_start(seed):
     """Its contacts may be closed at once, also by a pull, and its frictions slide."""
     mechanism, random = random_mechanism(seed), np.random.default_rng(seed)

@@ -13,10 +13,10 @@ from trimmer import forced_orbit
 from trimmer.response.orbit import MechanismOrbit
 
 # Seeds of mechanisms that settle, and the drive periods after which they repeat.
-QUICK = {98: 1, 122: 1, 212: 1}
+QUICK = {98: 1}
 SLOW = {
     **dict.fromkeys((4, 7, 11, 13, 15, 24, 27, 29, 38, 43, 51, 54, 58, 64, 66, 75, 78, 79, 84, 89, 96), 1),
-    **dict.fromkeys((104, 107, 121, 124, 136, 146, 158, 161, 170, 186, 196, 231, 245, 252), 1),
+    **dict.fromkeys((104, 107, 122, 212, 121, 124, 136, 146, 158, 161, 170, 186, 196, 231, 245, 252), 1),
     **dict.fromkeys((68, 116), 2),
     25: 3,
 }

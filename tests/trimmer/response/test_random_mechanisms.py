@@ -16,7 +16,7 @@ from trimmer import Mechanism, MotionKind, UnsupportedMotionError, respond, simu
 from trimmer.mechanism import Force
 from trimmer.response.response_json import response_json
 
-QUICK = (0, 7, 11, 13, 24, 27, 29, 280)
+QUICK = (0, 7, 11, 27, 280)
 BRUTE = (25, 98)
 PERIODS = 200
 
