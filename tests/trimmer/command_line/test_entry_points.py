@@ -23,6 +23,7 @@ def configure(parser):
 
 def odd():
     warnings.warn("careful")
+    warnings.warn("plain", Warning)
     numbers = np.array([1e300, 0.0])
     numbers / numbers + numbers * numbers
     return 7
@@ -114,8 +115,8 @@ def test_an_error_of_the_program_is_not_hidden(install) -> None:
 def test_warnings_are_told_in_a_sentence_each(install, capsys) -> None:
     install("warning_one:COMMAND", "warning_one")
     assert main(["other", "--how", "odd"]) == 7
-    own, strange = capsys.readouterr().err.splitlines()
-    assert own == "trimmer: warning: careful"
+    own, plain, strange = capsys.readouterr().err.splitlines()
+    assert (own, plain) == ("trimmer: warning: careful", "trimmer: warning: plain")
     assert strange.startswith("trimmer: warning: some numbers on the way became too large")
     assert main(["other", "--how", "odd", "--quiet"]) == 7
     assert capsys.readouterr() == ("", "")
