@@ -110,7 +110,8 @@ def kind_words(motion: FoundMotion) -> str:
     return {
         MotionKind.TORUS: "a motion on a torus, which beats and never quite repeats",
         MotionKind.REST: "rest: nothing moves",
-        MotionKind.CHAOTIC: "a chaotic motion",
+        MotionKind.CHAOTIC: f"a motion that was chaotic over {motion.drive_periods} drive periods, "
+        "which may be a transient",
         MotionKind.DIVERGING: "a motion that grows without bound",
     }.get(motion.kind, "a motion that had not settled when the wait was over")
 

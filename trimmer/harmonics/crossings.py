@@ -27,7 +27,8 @@ def crossings(signal: Waveform, begin: float, end: float) -> Reals:
         without = abs(values) > slopes * half + 0.5 * signal.sharpness * half**2
         monotone = slopes > signal.sharpness * half
         found.append(_in_monotone(signal, low[~without & monotone], high[~without & monotone]))
-        left = ~without & ~monotone
+        # What has no curvature and is neither is zero all the time: it never changes its sign.
+        left = ~without & ~monotone & (signal.sharpness > 0.0)
         if not left.any():
             break
         low = np.concatenate([low[left], middle[left]])

@@ -206,6 +206,17 @@ def test_without_a_way_to_balance_the_search_ends() -> None:
     assert 1e-3 < balance.residual < 2.0
 
 
+def test_a_velocity_that_is_zero_all_the_time_has_no_turning_points() -> None:
+    held = Mechanism(
+        bodies={"held": Body(1.0), "body": Body(1.0)},
+        frequency=1.0,
+        links={"spring": Link(("ground", "body"), 100.0, 1.0), "tie": Link(("body", "held"), 10.0, 0.5)},
+        frictions={"floor": Friction(("ground", "held"), 50.0)},
+        forces={"push": Force("body", amplitude=5.0)},
+    )
+    assert not harmonic_balance_of(held, np.zeros((2, 4), dtype=complex)).converged
+
+
 MOVING = Pin("ground", velocity=1.0)
 BODY = {"body": Body(1.0)}
 
