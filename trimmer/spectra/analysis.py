@@ -22,7 +22,7 @@ from trimmer.spectra.classification import (
     fundamentals,
     require_positive,
 )
-from trimmer.spectra.doubts import band_doubts, doubts, unsteady_doubts
+from trimmer.spectra.doubts import band_doubts, crowding_doubts, doubts, unsteady_doubts
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
@@ -111,8 +111,8 @@ def analyse_signal(
 
     Warns:
         SignalWarning: if the record has a fault, such as clipping, or peaks where it is not to be trusted; if
-            it is too short to tell the harmonics of the drive, or what peaks may be, from one another; or if
-            no steady sine explains a peak.
+            it is too short to tell the harmonics of the drive, or what peaks may be, from one another; if no
+            steady sine explains a peak; or if more peaks are close to each other than are fitted together.
 
     Raises:
         ChoiceError: if there is no such window.
@@ -134,6 +134,7 @@ def analyse_signal(
         *doubts(signal, spectrum, drive_frequency, origins),
         *band_doubts(signal.trusted, found),
         *unsteady_doubts(found),
+        *crowding_doubts(spectrum, found),
     )
     for doubt in doubtful:
         warnings.warn(doubt, SignalWarning, stacklevel=2)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.spectra.line_fit import Bins, LineFit, bins_around
+from trimmer.spectra.line_fit import Bins, LineFit, bins_around, linked
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
     from trimmer.spectra.spectrum import Spectrum
     from trimmer.spectra.window import Window
 
-LINKED = 6
-"""Bins up to which lines are fitted together."""
 SURE = 30.0
 """Fall of the sum of squares that makes another line certain: noise alone gives it once in 10^5 peaks."""
 POSSIBLE = 12.0
 """Fall from which on another line is possible: noise alone gives it at one peak in twenty."""
 MOST = 3
 """Sines that are tried for a group, or one more than were found in it."""
+TOGETHER = 24
+"""Lines that are fitted together at most; of more that are close to each other, parts are fitted."""
 LARGEST = 10.0
 """A line that is so many times larger than what is seen is one of several that cancel, and no real one."""
 CLEAR = 3.0
@@ -60,11 +60,26 @@ class Line:
     resolved: bool = True
 
 
-def groups(window: Window, places: Reals) -> list[Places]:
-    """Return the numbers of lines that are close to each other, group by group."""
+def chains(window: Window, places: Reals) -> list[Places]:
+    """Return the numbers of lines that are close to each other, by place, chain by chain."""
     order = np.argsort(places)
-    apart = np.diff(places[order]) > max(LINKED, window.half_width + 2)
-    return [np.sort(each) for each in np.split(order, np.flatnonzero(apart) + 1)]
+    apart = np.diff(places[order]) > linked(window)
+    return np.split(order, np.flatnonzero(apart) + 1)
+
+
+def groups(window: Window, places: Reals) -> list[Places]:
+    """Return the numbers of lines that are fitted together, group by group."""
+    return [np.sort(part) for chain in chains(window, places) for part in _parts_of(chain, places)]
+
+
+def _parts_of(chain: Places, places: Reals) -> list[Places]:
+    """Cut a chain where its lines are farthest apart in the middle half, until no part is too long."""
+    if len(chain) <= TOGETHER:
+        return [chain]
+    quarter = len(chain) // 4
+    middle = np.diff(places[chain])[quarter:-quarter]
+    first, second = np.split(chain, [quarter + 1 + int(np.argmax(middle))])
+    return [*_parts_of(first, places), *_parts_of(second, places)]
 
 
 def resolve(
@@ -103,9 +118,16 @@ def resolve(
 
 
 def _ladder(bins: Bins, found: Reals) -> Iterator[LineFit]:
-    """Yield the best fits of one sine, two and more, as long as another one is promising."""
-    fit = bins.refined(found[:1])
-    for count in range(2, max(MOST, len(found) + 1) + 1):
+    """Yield the best fits of one sine, two and more, as long as another one is promising.
+
+    The steps up to many lines that were found are left out as far as each is certain in a fit of all.
+    """
+    begin = found if len(found) > MOST else found[:1]
+    fit = bins.refined(begin)
+    while len(begin) > 1 and fit.gains.min() < SURE:
+        begin = np.delete(begin, np.argmin(fit.gains))
+        fit = bins.refined(begin)
+    for count in range(len(begin) + 1, max(MOST, len(found) + 1) + 1):
         yield fit
         gain, place = bins.promise(fit)
         if gain < POSSIBLE and len(found) < count:

@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+import numpy as np
+
 from trimmer.signals.band import Band
 from trimmer.signals.faults import faults
 from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import Origin
+from trimmer.spectra.close_lines import TOGETHER, chains
+from trimmer.spectra.line_fit import linked
 from trimmer.spectra.peaks import Peak
 from trimmer.spectra.spectrum import Spectrum
 
@@ -74,6 +78,19 @@ def unsteady_doubts(peaks: Sequence[Peak]) -> Iterator[str]:
             "record does not part, or one that changes in the course of it, such as a vibration that dies "
             "out; their uncertainties hold what a sine leaves there"
         )
+
+
+def crowding_doubts(spectrum: Spectrum, peaks: Sequence[Peak]) -> Iterator[str]:
+    """Say where more peaks are close to each other than are fitted together."""
+    places = np.array([peak.frequency for peak in peaks]) / spectrum.bin_width
+    for chain in chains(spectrum.window, places):
+        if len(chain) > TOGETHER:
+            first, last = peaks[chain[0]].frequency, peaks[chain[-1]].frequency
+            yield (
+                f"{len(chain)} peaks from {first:.6g} to {last:.6g} Hz have no more than "
+                f"{linked(spectrum.window)} bins between neighbours; no more than {TOGETHER} of them are "
+                "fitted together, and those beside a cut are a little less certain"
+            )
 
 
 def doubts(

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Places, Reals
     from trimmer.spectra.spectrum import Spectrum
 
+LINKED = 6
+"""Bins up to which lines are fitted together, at least."""
 REACH = 6
 """Bins beyond the main lobe, on either side, in which a line is held against what is there."""
 ROUNDING = 1e-11
@@ -73,6 +75,11 @@ class LineFit:
         )
 
     @cached_property
+    def gains(self) -> Reals:
+        """By how much the misfit rises when a sine is left out and the others move, to first order, (k,)."""
+        return np.asarray((abs(self.amplitudes) / self.spreads[1]) ** 2)
+
+    @cached_property
     def spreads(self) -> tuple[Reals, Reals]:
         """Standard deviations of places, bins, and of amplitudes, by Cramér and Rao, each (k,)."""
         count = len(self.places)
@@ -115,8 +122,7 @@ class Bins:
         return self._whitened(self.data)
 
     def _whitened(self, values: Complexes) -> Reals:
-        white = self.whitener @ values
-        return np.concatenate([white.real, white.imag])
+        return np.concatenate([self.whitener @ values.real, self.whitener @ values.imag])
 
     def _shown(self, places: Reals) -> tuple[Reals, Reals]:
         """Return what sines of amplitudes 1 and j at places show, whitened, each (2 m, k)."""
@@ -201,8 +207,15 @@ def _correlation(window: Window, count: int) -> Reals:
     return np.asarray(row[abs(np.subtract.outer(np.arange(count), np.arange(count)))])
 
 
+def linked(window: Window) -> int:
+    """Return up to how many bins apart lines are close to each other."""
+    return max(LINKED, window.half_width + 2)
+
+
 def bins_around(spectrum: Spectrum, lines: Lines, members: Places, noise: float) -> Bins:
     """Return the bins around some of all lines, without what the others show there.
+
+    They end half way to others that are close but not fitted with them, whose misfit is not theirs.
 
     Args:
         spectrum: The spectrum.
@@ -212,10 +225,15 @@ def bins_around(spectrum: Spectrum, lines: Lines, members: Places, noise: float)
     """
     window = spectrum.window
     reach, last = window.half_width + REACH, spectrum.lines.size - 2
-    low = max(round(float(lines.places[members].min())) - reach, window.half_width)
-    high = min(round(float(lines.places[members].max())) + reach, last)
-    bins = np.arange(low, high + 1)
     others = np.setdiff1d(np.arange(lines.bins.size), members)
+    ends = float(lines.places[members].min()), float(lines.places[members].max())
+    below, above = (
+        min((gap for gap in gaps if 0.0 <= gap <= linked(window)), default=2.0 * reach) / 2.0
+        for gaps in (ends[0] - lines.places[others], lines.places[others] - ends[1])
+    )
+    low = max(round(ends[0] - below), window.half_width)
+    high = min(round(ends[1] + above), last)
+    bins = np.arange(low, high + 1)
     data = spectrum.lines[bins] - leakage(spectrum, lines.chosen(others), bins)
     variance = 2.0 * noise**2 * window.noise_bandwidth / spectrum.samples
     rounding = (ROUNDING * float(abs(lines.amplitudes).max())) ** 2

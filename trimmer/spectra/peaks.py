@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.ndimage import uniform_filter1d
 
 from trimmer.arguments import real_number, require_instance, whole_number
 from trimmer.showing.shown import Record
@@ -15,7 +16,7 @@ from trimmer.signals.signal import SignalError
 from trimmer.spectra.close_lines import Line
 from trimmer.spectra.line_groups import resolved_lines
 from trimmer.spectra.lines import NONE, Lines, added, bins_near, leakage, relaxed
-from trimmer.spectra.noise import noise_threshold
+from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
 from trimmer.spectra.spectrum import Spectrum
 
 if TYPE_CHECKING:
@@ -25,6 +26,8 @@ MOST_PEAKS = 200
 """Most peaks that are looked for, the largest; it bounds the time."""
 
 _BATCH = 0.3
+_CROWDED = 0.25
+"""Share of the bins in main lobes of lines from which on noise is judged by what the lines leave."""
 _SKIRT = 64
 """Bins on either side of a line in which its leakage may hide a smaller one."""
 
@@ -99,16 +102,16 @@ def peaks(
     require_instance("spectrum", spectrum, Spectrum, "a trimmer.Spectrum")
     _check(limit, smallest, false_alarm)
     require_instance("band", band, Band, "a trimmer.Band")
-    threshold = _threshold(spectrum, smallest, false_alarm)
-    candidates = _maxima(spectrum, threshold)
-    lines = NONE
-    while lines.bins.size < MOST_PEAKS:
-        left = _left(spectrum, lines, candidates)
-        new = _new_bins(spectrum, lines, candidates, left, threshold)
-        if new.size == 0:
+    threshold = _threshold(spectrum, spectrum.amplitude, smallest, false_alarm)
+    lines = _lines_above(threshold, spectrum, NONE)
+    while lines.bins.size and (crowded := _crowded(spectrum, lines)).any():
+        every = np.arange(spectrum.lines.size)
+        left = np.abs(spectrum.lines - leakage(spectrum, lines, every))
+        lower = np.minimum(threshold, _threshold(spectrum, left, smallest, false_alarm))
+        threshold, before = np.where(crowded, lower, threshold), lines
+        lines = _lines_above(threshold, spectrum, before)
+        if lines.bins.size == before.bins.size:
             break
-        chosen = new[left[new] > _BATCH * left[new].max()]
-        lines = relaxed(spectrum, added(spectrum, lines, chosen))
     found = resolved_lines(spectrum, lines, threshold, band, limit)
     return tuple(_peak(spectrum, line) for line in found[:limit])
 
@@ -133,12 +136,31 @@ def _check(limit: int | None, smallest: float, false_alarm: float) -> None:
         raise SignalError(f"false_alarm is {false_alarm}: it is a probability, 0 < false_alarm < 1")
 
 
-def _threshold(spectrum: Spectrum, smallest: float, false_alarm: float) -> Reals:
-    """Find what each bin must exceed."""
-    amplitude = spectrum.amplitude
-    floor = smallest * amplitude[1:].max(initial=0.0)
+def _threshold(spectrum: Spectrum, left: Reals, smallest: float, false_alarm: float) -> Reals:
+    """Find what each bin must exceed, by the noise in what lines leave of the amplitudes."""
+    floor = smallest * spectrum.amplitude[1:].max(initial=0.0)
     shape = spectrum.noise_shape
-    return np.asarray(np.maximum(shape * noise_threshold(amplitude / shape, false_alarm), floor))
+    return np.asarray(np.maximum(shape * noise_threshold(left / shape, false_alarm), floor))
+
+
+def _crowded(spectrum: Spectrum, lines: Lines) -> Flags:
+    """Say around which bins lines are so many that the median amplitude is theirs rather than the noise's."""
+    near = np.zeros(spectrum.lines.size)
+    near[np.minimum(bins_near(lines.bins, spectrum.window.half_width - 1), near.size - 1)] = 1.0
+    return np.asarray(uniform_filter1d(near, min(NEIGHBOURHOOD, near.size), mode="reflect") > _CROWDED)
+
+
+def _lines_above(threshold: Reals, spectrum: Spectrum, lines: Lines) -> Lines:
+    """Add the lines that what is left shows above a threshold at each bin, the largest first."""
+    candidates = _maxima(spectrum, threshold)
+    while lines.bins.size < MOST_PEAKS:
+        left = _left(spectrum, lines, candidates)
+        new = _new_bins(spectrum, lines, candidates, left, threshold)
+        if new.size == 0:
+            break
+        chosen = new[left[new] > _BATCH * left[new].max()]
+        lines = relaxed(spectrum, added(spectrum, lines, chosen))
+    return lines
 
 
 def _maxima(spectrum: Spectrum, threshold: Reals) -> Places:

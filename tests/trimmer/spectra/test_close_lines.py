@@ -143,3 +143,21 @@ def test_an_unlikely_second_line_is_not_claimed_in_noise() -> None:
         wide += shown[0].frequency_uncertainty > 1.5 * bound
     assert count == 0
     assert wide < 0.15 * 80
+
+
+@pytest.mark.parametrize("noise", [pytest.param(0.0, marks=pytest.mark.slow), 0.01])
+def test_a_comb_of_close_lines_is_found_whole(noise: float) -> None:
+    """35 lines 5.3 bins apart in 400 samples: few bins show noise alone, and not all are fitted together."""
+    places, times = 8.2 + 5.3 * np.arange(35), np.arange(400) / 400
+    sizes = 1.0 + 0.5 * np.cos(np.arange(35))
+    values = np.cos(2 * np.pi * np.outer(times, places) + np.arange(35)) @ sizes
+    values += noise * np.random.default_rng(3).normal(size=400)
+    with pytest.warns(SignalWarning, match=r"35 peaks from 8\.[12].* to 188\.[34].* no more than 24 of"):
+        analysis = analyse_signal(Signal(values, 400.0), limit=40)
+    shown = sorted((each.peak for each in analysis.peaks), key=lambda peak: peak.frequency)
+    assert all(peak.resolved for peak in shown)
+    uncertain = np.array([peak.frequency_uncertainty for peak in shown])
+    off = abs(np.array([peak.frequency for peak in shown]) - places)
+    np.testing.assert_array_less(off, 4.0 * uncertain + 1e-9)
+    assert uncertain.max() < 0.2 * noise + 1e-9
+    np.testing.assert_allclose([peak.amplitude for peak in shown], sizes, rtol=0.5 * noise + 1e-9)
