@@ -57,8 +57,10 @@ class Trial:
         return dict(self.measures)[Asked(measure, part)]
 
     def meets(self, targets: tuple[Target, ...]) -> bool:
-        """Say whether it meets all targets; a motion that failed meets none."""
-        return all(target.met_by(self.value(target.measure, target.part)) for target in targets)
+        """Say whether it meets all targets; a motion that failed or grows without bound meets none."""
+        return self.kind is not MotionKind.DIVERGING and all(
+            target.met_by(self.value(target.measure, target.part)) for target in targets
+        )
 
 
 @dataclass(frozen=True)
