@@ -105,9 +105,8 @@ def peaks(
     threshold = _threshold(spectrum, spectrum.amplitude, smallest, false_alarm)
     lines = _lines_above(threshold, spectrum, NONE)
     while lines.bins.size and (crowded := _crowded(spectrum, lines)).any():
-        every = np.arange(spectrum.lines.size)
-        left = np.abs(spectrum.lines - leakage(spectrum, lines, every))
-        lower = np.minimum(threshold, _threshold(spectrum, left, smallest, false_alarm))
+        noise = _noise_beside(spectrum, lines)
+        lower = np.minimum(threshold, _threshold(spectrum, noise, smallest, false_alarm))
         threshold, before = np.where(crowded, lower, threshold), lines
         lines = _lines_above(threshold, spectrum, before)
         if lines.bins.size == before.bins.size:
@@ -141,6 +140,16 @@ def _threshold(spectrum: Spectrum, left: Reals, smallest: float, false_alarm: fl
     floor = smallest * spectrum.amplitude[1:].max(initial=0.0)
     shape = spectrum.noise_shape
     return np.asarray(np.maximum(shape * noise_threshold(left / shape, false_alarm), floor))
+
+
+def _noise_beside(spectrum: Spectrum, lines: Lines) -> Reals:
+    """Return what lines leave at each bin, and at those to which they are fitted what was there of noise.
+
+    A place and a complex amplitude take half of the noise of three complex values.
+    """
+    left = np.abs(spectrum.lines - leakage(spectrum, lines, np.arange(spectrum.lines.size)))
+    left[np.unique(bins_near(lines.bins, 1))] *= math.sqrt(2.0)
+    return np.asarray(left)
 
 
 def _crowded(spectrum: Spectrum, lines: Lines) -> Flags:

@@ -161,3 +161,14 @@ def test_a_comb_of_close_lines_is_found_whole(noise: float) -> None:
     np.testing.assert_array_less(off, 4.0 * uncertain + 1e-9)
     assert uncertain.max() < 0.2 * noise + 1e-9
     np.testing.assert_allclose([peak.amplitude for peak in shown], sizes, rtol=0.5 * noise + 1e-9)
+
+
+def test_lines_that_leave_no_bin_apart_are_as_certain_as_they_say() -> None:
+    """Each bin is within the main lobe of one, so that noise is taken from what all together leave."""
+    places, times = np.arange(6.2, 195.0, 8.6), np.arange(400) / 400
+    values = np.cos(2 * np.pi * np.outer(times, places) + np.arange(22)).sum(axis=1)
+    values += 0.01 * np.random.default_rng(3).normal(size=400)
+    shown = found(values, Window.BLACKMAN_HARRIS)
+    assert all(peak.resolved for peak in shown)
+    off = np.array([peak.frequency for peak in shown]) - places
+    assert 0.5 < np.std(off / [peak.frequency_uncertainty for peak in shown]) < 1.5
