@@ -9,7 +9,8 @@ from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.differences import monodromy, once_around
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import random_mechanism
-from trimmer import forced_orbit
+from trimmer import Mechanism, forced_orbit, simulate
+from trimmer.mechanism import Body, Force, Friction, Link
 from trimmer.response.orbit import MechanismOrbit
 
 # Seeds of mechanisms that settle, and the drive periods after which they repeat.
@@ -45,6 +46,33 @@ def hold_against_differences(seed: int, periods: int) -> None:
         nearest = min(left, key=lambda other, value=value: abs(other - value))
         assert abs(nearest - value) < 2e-6
         left.remove(nearest)
+
+
+def test_stick_takes_a_dimension_from_a_driven_orbit() -> None:
+    """While the first block is held its velocity is lost: one multiplier is 0, the rest as of differences."""
+    made = Mechanism(
+        bodies={"first": Body(1.0), "second": Body(2.0)},
+        links={"wall": Link(("ground", "first"), 40.0, 0.3), "between": Link(("first", "second"), 25.0, 0.2)},
+        frictions={"floor": Friction(("ground", "first"), 1.0, 1.3)},
+        forces={"push": Force("second", 0.0, 3.0)},
+        frequency=0.3,
+    )
+    orbit = forced_orbit(made, settling=200)
+    assert orbit.measures.frictions["floor"].stick > 0.1
+    sizes = np.sort(abs(orbit.multipliers))
+    assert sizes[0] < 1e-14 < 0.1 < sizes[1]
+    begin, period = orbit.instant.state[:4], 1 / 0.3
+    columns = []
+    for number in range(4):
+        ends = []
+        for sign in (1, -1):
+            state = begin.copy()
+            state[number] += sign * 1e-6
+            start = {"first": (state[0], state[2]), "second": (state[1], state[3])}
+            ends.append(simulate(made, period, state=start).states([period]).ravel()[:4])
+        columns.append((ends[0] - ends[1]) / 2e-6)
+    differences = sorted_by_size(np.linalg.eigvals(np.array(columns).T))
+    np.testing.assert_allclose(sorted_by_size(orbit.multipliers), differences, atol=1e-6)
 
 
 @pytest.mark.parametrize(("seed", "periods"), QUICK.items())

@@ -74,6 +74,22 @@ def test_noise_in_the_result_is_as_told(size: float) -> None:
         assert "noise" in conversion.signal.trusted.lowest_reason
 
 
+@pytest.mark.parametrize(("quantity", "integrals"), [("velocity", 1), ("displacement", 2)])
+def test_integrated_white_noise_falls_with_the_frequency(quantity: str, integrals: int) -> None:
+    """Of power 2/rate per hertz over (2 pi f)^(2 n), most of it at low frequencies; flanks add the same."""
+    power = 1 - 2 * integrals
+    told, white = np.empty(2), np.empty(2)
+    for row, lowest in enumerate((200.0, 1000.0)):
+        options = {"lowest": lowest, "highest": 3000.0}
+        told[row] = made(exact(TIMES, 2) + 3.0 * NOISE, 2, quantity, **options).noise
+        alone = made(3.0 * NOISE, 2, quantity, **options).signal.values.std()
+        assert told[row] == pytest.approx(alone, rel=0.1)
+        density = 2.0 * 9.0 / RATE * (2 * np.pi) ** (-2 * integrals)
+        white[row] = np.sqrt(density * (3000.0**power - lowest**power) / power)
+    assert told[0] / told[1] == pytest.approx(white[0] / white[1], rel=0.1)
+    assert (told > white).all()
+
+
 def test_noise_bounds_the_band_above_when_differentiating() -> None:
     conversion = made(exact(TIMES, 0) + 1e-5 * NOISE, 0, "acceleration")
     assert 330.0 < conversion.signal.trusted.highest < 1500.0

@@ -140,3 +140,14 @@ def test_more_than_4_gib_are_refused_before_the_work(tmp_path: Path, bits: BitDe
     samples = (2**32 - 64) // (200 * bits.value // 8) + 1  # 40 Hz become 8000 Hz
     with pytest.raises(SignalError, match=f"{samples} samples at 40 Hz make a WAV file of more than 4 GiB"):
         write_wav(tmp_path / "a.wav", np.zeros(samples), 40.0, bits)
+
+
+def test_a_rounded_ratio_of_rates_changes_the_pitch_as_returned(tmp_path: Path) -> None:
+    """47999.6 to 48000 Hz is a ratio of no whole numbers below 50000: the samples are played as they are."""
+    rate = 47999.6
+    sine = np.sin(2 * np.pi * 733.6 * np.arange(48_000) / rate)
+    written = write_wav(tmp_path / "a.wav", sine, rate, 24)
+    assert written.pitch_error == pytest.approx(48000 / rate - 1, rel=1e-9)
+    played, samples, _ = samples_of(tmp_path / "a.wav")
+    (found,) = peaks(amplitude_spectrum(samples, played), limit=1)
+    assert found.frequency / 733.6 - 1 == pytest.approx(written.pitch_error, rel=1e-3)
