@@ -6,6 +6,7 @@ import math
 import operator
 import os
 import signal
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,7 +17,7 @@ from trimmer.errors import WorkerError
 from trimmer.maps.motion_map import motion_map
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.chunks import AHEAD
-from trimmer.runners.cluster import ClusterRunner, _done, _programs
+from trimmer.runners.cluster import ClusterRunner
 from trimmer.runners.runner import SerialRunner
 
 distributed = pytest.importorskip("distributed")
@@ -105,10 +106,24 @@ def test_a_scheduler_without_workers_is_told_in_a_sentence() -> None:
             list(runner.results(operator.neg, [1]))
 
 
-def test_a_worker_with_other_versions_is_refused() -> None:
-    others = tuple((name, "0.0") if name == "numpy" else (name, number) for name, number in _programs())
-    with pytest.raises(WorkerError, match=r"has numpy .* and this computer 0.0: install the same"):
-        _done(operator.neg, others, [1])
+def put_first(folder: str) -> None:
+    sys.path.insert(0, folder)
+
+
+def test_a_worker_with_other_versions_is_refused(cluster, tmp_path: Path) -> None:
+    (tmp_path / "numpy-0.1.dist-info").mkdir()
+    (tmp_path / "numpy-0.1.dist-info" / "METADATA").write_text("Name: numpy\nVersion: 0.1\n", "utf-8")
+    with distributed.Client(cluster, set_as_default=False) as client:
+        client.run(put_first, str(tmp_path))
+        try:
+            with pytest.raises(WorkerError, match=r"has numpy 0\.1, and this computer .*: install the same"):
+                list(ClusterRunner(cluster.scheduler_address).results(operator.neg, [1]))
+        finally:
+            client.run(sys_path_without, str(tmp_path))
+
+
+def sys_path_without(folder: str) -> None:
+    sys.path.remove(folder)
 
 
 @pytest.mark.parametrize("chunk", [0, -1])
