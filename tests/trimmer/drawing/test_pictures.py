@@ -1,0 +1,169 @@
+"""All results draw what they did, into axes that are given, and into the files of ``--plot``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+import trimmer
+from tests.trimmer import results
+from tests.trimmer.command_line.alike import NUMBER
+from tests.trimmer.drawing.pictures import FIGURES, PLOTS, SAMPLED, in_words, kept, new_axes, pictures
+from trimmer.command_line.main import main
+from trimmer.errors import WrongTypeError
+
+ROUNDING = 3e-4
+"""What noise leaves of a fit, and the last of five digits."""
+
+
+@pytest.fixture(autouse=True)
+def without_window() -> Iterator[None]:
+    with matplotlib.rc_context({"backend": "agg"}):
+        pyplot.close("all")
+        yield
+        pyplot.close("all")
+
+
+@cache
+def small(name: str) -> Axes:
+    """Draw a result into axes that leave little room, and into nothing else."""
+    settings = dict(matplotlib.rcParams)
+    axes = Figure(figsize=(3.5, 3.2), layout="constrained").add_subplot()
+    assert PLOTS[name](axes) is axes
+    assert dict(matplotlib.rcParams) == settings
+    assert not pyplot.get_fignums()
+    return axes
+
+
+@pytest.mark.parametrize("name", pictures())
+def test_a_picture_is_what_it_was(name: str) -> None:
+    before, now = kept()[name], in_words(FIGURES[name]() if name in FIGURES else small(name).figure)
+    assert [NUMBER.sub("#", line) for line in now.splitlines()] == [
+        NUMBER.sub("#", line) for line in before.splitlines()
+    ]
+    for one, other in zip(now.splitlines(), before.splitlines(), strict=True):
+        numbers = [[float(each) for each in NUMBER.findall(line)] for line in (one, other)]
+        np.testing.assert_allclose(*numbers, rtol=ROUNDING, atol=1e-10, err_msg=other)
+
+
+def test_all_public_results_with_a_plot_are_drawn() -> None:
+    public = {name: getattr(trimmer, name) for name in trimmer.__all__}
+    with_plot = {name for name, each in public.items() if isinstance(each, type) and hasattr(each, "plot")}
+    elements = {name for name in with_plot if issubclass(public[name], trimmer.Element)}
+    assert with_plot - elements <= {name.split(",")[0] for name in PLOTS}
+    assert len(elements) > 5
+    assert list(kept()) == list(pictures())
+
+
+@pytest.mark.parametrize("name", PLOTS)
+def test_axes_that_are_given_are_drawn_into_and_no_others(name: str) -> None:
+    axes = small(name)
+    assert_all_is_seen(axes)
+    for wrong in (axes.figure, "axes", 3):
+        with pytest.raises(WrongTypeError, match="ax must be Matplotlib axes"):
+            PLOTS[name](wrong)
+
+
+def assert_all_is_seen(axes: Axes) -> None:
+    """Assert that the labels lie in the figure, and the legend in it too and clear of the data."""
+    figure = axes.figure
+    figure.draw_without_rendering()
+    texts, paper = [axes.xaxis.label, axes.yaxis.label], figure.bbox.padded(1)
+    if axes.get_legend() is not None:
+        texts.append(axes.get_legend())
+        assert not axes.get_window_extent().overlaps(axes.get_legend().get_window_extent())
+    for text in texts:
+        box = text.get_window_extent()
+        assert paper.contains(box.x0, box.y0)
+        assert paper.contains(box.x1, box.y1)
+
+
+@pytest.mark.parametrize(("width", "beside"), [(4.0, True), (3.99, False)])
+def test_a_legend_stands_beside_axes_from_four_inches_on_and_else_under_them(
+    width: float, beside: bool
+) -> None:
+    axes = Figure(figsize=(2 * width, 10.0)).add_axes((0.1, 0.5, 0.5, 0.25))
+    results.balance().plot(axes)
+    assert_all_is_seen(axes)
+    data, legend = axes.get_window_extent(), axes.get_legend().get_window_extent()
+    gap = (legend.x0 - data.x1) / data.width if beside else (data.y0 - legend.y1) / axes.figure.dpi * 72
+    assert gap == pytest.approx(0.02 if beside else 36.0, rel=1e-3)  # 3.6 font sizes
+    assert (legend.y1 == pytest.approx(data.y1)) if beside else (legend.x0 == pytest.approx(data.x0))
+
+
+def test_axes_of_a_part_of_a_figure_have_a_legend_too() -> None:
+    part = Figure(figsize=(10.0, 4.0)).subfigures(1, 2)[0]
+    assert results.time_response().plot(part.subplots()).get_legend() is not None
+
+
+def test_new_axes_are_of_pyplot_and_are_not_shown(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pyplot, "show", lambda *_, **__: pytest.fail("shown"))
+    settings = dict(matplotlib.rcParams)
+    axes = results.signal().plot()
+    assert axes.figure is pyplot.gcf()
+    assert axes.figure.get_layout_engine().__class__.__name__ == "ConstrainedLayoutEngine"
+    assert dict(matplotlib.rcParams) == settings
+
+
+TWIN = "examples/thesis-play.toml"
+LOOP = ("--element", "viscous", "--gap", "4e-5", "--time-constant", "1e-3")
+BALANCE = ["real part", "imaginary part", "G(jω)"]
+MOTION = ["time, ms", "displacement, mm", "stroke", "bridge, contact", "blade, stick"]
+PLANE = ["stroke, mm", "rate of stroke, m/s"]
+FILES: dict[str, tuple[int, list[str], tuple[str, ...]]] = {
+    "linear": (2, ["From the pin to q2-q4", "magnitude, dB", "phase, degrees"], ()),
+    "limit-cycles": (2, [*BALANCE, "all of G(jω)", "around the limit cycles"], LOOP),
+    "identify": (1, ["M/D of the load, s"], ("--gap", "4e-5", "--frequency", "740")),
+    "orbits": (1, ["input of the element, µm"], ("--gap", "4e-5", "--element", "friction")),
+    "simulate": (2, ["Trimmer of the thesis, with play", *MOTION, *PLANE], (TWIN, "--duration", "0.02")),
+    "respond": (3, [*MOTION, *PLANE, "phase plane"], (TWIN, "--set", "frictions.blade.force=1")),
+    "map": (
+        1,
+        ["plays.bridge.gap, µm", "stroke, peak to peak, mm", "period 1"],
+        (TWIN, "--vary", "plays.bridge.gap=40um:60um:2", "--jobs", "1", "--set", "frictions.blade.force=1"),
+    ),
+    "sample": (4, ["peak to peak of x, m", "samples"], ("stop.toml", "--count", "4", "--jobs", "1")),
+    "spectrum": (1, ["amplitude, m", "110", "unexplained"], ("stroke.csv", "--column", "stroke")),
+    "overlay": (
+        2,
+        ["measured lines", "simulated, shifted", "displacement about its mean, mm"],
+        ("stroke.csv", "--against", TWIN),
+    ),
+}
+
+
+@pytest.mark.parametrize("command", FILES)
+def test_a_file_has_all_panels_and_names(
+    command: str, project_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    count, names, words = FILES[command]
+    (tmp_path / "examples").symlink_to(project_folder / "examples")
+    (tmp_path / "stop.toml").write_text(SAMPLED, "utf-8")
+    monkeypatch.chdir(tmp_path)
+    if "stroke.csv" in words:
+        main(["simulate", TWIN, "--duration", "0.4", "--csv", "stroke.csv"])
+    assert main([command, *words, "--plot", "a.svg"]) == 0, capsys.readouterr().err
+    drawn = Path("a.svg").read_text("utf-8")
+    assert len(re.findall(r'id="axes_\d+"', drawn)) == count
+    texts = re.findall("<!-- (.*?) -->", drawn)
+    assert not set(names) - set(texts), texts
+    assert not pyplot.get_fignums()
+
+
+def test_lines_are_told_apart_without_their_colours(tmp_path: Path) -> None:
+    """Each of six lines has dashes of its own, the first has none."""
+    response = trimmer.TimeResponse(np.arange(3.0), np.ones((5, 3)), np.ones((1, 3)), np.ones((1, 3)))
+    axes = response.plot(new_axes())
+    assert [each.get_linestyle() for each in axes.lines] == ["-", *(5 * ["--"])]
+    axes.figure.savefig(tmp_path / "a.svg")
+    drawn = (tmp_path / "a.svg").read_text("utf-8")
+    assert len(set(re.findall('stroke-dasharray: ([^;"]*)', drawn))) == 5
