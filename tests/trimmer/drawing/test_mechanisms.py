@@ -27,7 +27,7 @@ from trimmer.design.targets import Measure
 from trimmer.drawing.mechanisms.branch import branch_figure
 from trimmer.drawing.mechanisms.response import motion_figure, response_figure
 from trimmer.drawing.mechanisms.scatter import sample_figure
-from trimmer.mechanism import Output
+from trimmer.mechanism import Body, Force, Link, Mechanism, Output
 
 FOLD = 8.566394 / (2 * np.pi)
 """Published of pyHarm's example, see ``machines.impact_oscillator``; Hz."""
@@ -244,3 +244,25 @@ def test_samples_that_are_all_alike_are_one_bar() -> None:
     alike = replace(samples(), trials=(samples().trials[0],) * 3)
     panel = sample_figure(alike).axes[0]
     assert sorted(each.get_height() for each in panel.patches) == [0, 3]
+
+
+@pytest.mark.parametrize("drive", [None, 0.2])
+def test_eight_periods_are_shown_of_vibrations_that_never_meet_again(drive: float | None) -> None:
+    """Two equal bodies between three equal springs, at 1 Hz and sqrt(3) Hz; without a drive of the slower."""
+    stiffness = (2.0 * np.pi) ** 2
+    between = {"left": ("ground", "one"), "middle": ("one", "other"), "right": ("other", "ground")}
+    machine = Mechanism(
+        {"one": Body(1.0), "other": Body(1.0)},
+        frequency=drive,
+        links={name: Link(ends, stiffness=stiffness) for name, ends in between.items()},
+        forces={} if drive is None else {"push": Force("one", amplitude=1.0)},
+        outputs={"x": Output({"one": 1.0})},
+    )
+    response = trimmer.respond(machine, state={"one": (1.0, 0.0)})
+    axes = response.plot(new_axes())
+    assert response.motion.linear is not None
+    assert axes.get_xlim() == pytest.approx((0.0, 8.0 / (drive or 1.0)))
+    if drive is None:
+        times, values = points(axes, "x").T
+        wave = (np.cos(2 * np.pi * times) + np.cos(2 * np.pi * np.sqrt(3) * times)) / 2
+        np.testing.assert_allclose(values, wave, atol=1e-9)

@@ -52,7 +52,7 @@ def test_a_picture_is_what_it_was(name: str) -> None:
     ]
     for one, other in zip(now.splitlines(), before.splitlines(), strict=True):
         numbers = [[float(each) for each in NUMBER.findall(line)] for line in (one, other)]
-        np.testing.assert_allclose(*numbers, rtol=ROUNDING, atol=1e-10, err_msg=other)
+        np.testing.assert_allclose(*numbers, rtol=ROUNDING, atol=2e-11, err_msg=other)
 
 
 def test_all_public_results_with_a_plot_are_drawn() -> None:
