@@ -27,12 +27,13 @@ maps: .venv/for-use ## compute the maps and branches of the twin again, report/d
 	@OPENBLAS_NUM_THREADS=1 python -m report.twin.make_maps
 
 # The tests of a file share what they make once. Bytecode is kept, also where the environment forbids it: or else
-# each process, and the tests start many, compiles all sources again.
+# each process, and the tests start many, compiles all sources again. BLAS has one thread, as the matrices are small and
+# the processes of the tests use all cores; test-kernels asks with one and with two.
 test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to pytest
-	@PYTHONDONTWRITEBYTECODE= python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
+	@PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
 
 test-all: .venv/for-development ## run all tests, the slow ones too
-	@PYTHONDONTWRITEBYTECODE= python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
+	@PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
 
 # Claims and digits are the same on every processor and Python; scripts/kernels says how others are imitated here.
 test-kernels: .venv/for-development ## run the tests that rest on digits as on other processors and Pythons; ARGS="--list" says which; half an hour
