@@ -31,6 +31,12 @@ def test_every_symbol_has_a_meaning_and_a_unit_once():
         (A * sympy.sin(2 * sympy.pi * f * t), LENGTH),
         (sympy.sqrt(k1 / m1), TIME**-1),
         (sympy.Integer(3), NUMBER),
+        (sympy.sqrt(q1 * q2) ** 3, LENGTH**3),
+        (sympy.Derivative(k1 * q1, q1, evaluate=False), MASS / TIME**2),
+        (sympy.Derivative(sympy.Integer(0) * q1, t, evaluate=False), None),
+        (sympy.Add(sympy.Integer(0), q1, q2, evaluate=False), LENGTH),
+        (sympy.Mul(q1, sympy.Integer(0), evaluate=False), None),
+        ((q1 / q2) ** (A / q1), NUMBER),
     ],
 )
 def test_dimension_of_an_expression(expression, expected):
@@ -39,7 +45,16 @@ def test_dimension_of_an_expression(expression, expected):
 
 @pytest.mark.parametrize(
     "expression",
-    [q1 + q1.diff(t), sympy.sin(q1), k1 * q1 + c1 * q1, sympy.exp(t), 1 + A, 2**q1, q1**f],
+    [
+        q1 + q1.diff(t),
+        sympy.sin(q1),
+        k1 * q1 + c1 * q1,
+        sympy.exp(t),
+        1 + A,
+        2**q1,
+        q1**f,
+        sympy.atan2(q1, q2),
+    ],
 )
 def test_inconsistent_expressions_are_refused(expression):
     with pytest.raises(DimensionError):

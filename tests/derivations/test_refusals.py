@@ -8,14 +8,14 @@ import sympy
 
 from derivations.algebra.identity import UnprovenError
 from derivations.dimension_checks import DimensionCheck, dimension_checks, require_consistent
-from derivations.dimensions import ENERGY, LENGTH, MASS, NUMBER, POWER, TIME, DimensionError, dimension_of
+from derivations.dimensions import ENERGY, LENGTH, MASS, NUMBER, POWER, DimensionError
 from derivations.elements.proven_step import antiderivative_on
 from derivations.elements.waveform import THETA, Segment
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.loop.dissipation import dissipation_step
 from derivations.mechanism import trimmer
 from derivations.newton_euler import require_newton_euler
-from derivations.symbols import DIMENSIONS, A, c1, f, k1, m1, q1, q2, t, u
+from derivations.symbols import A, f, m1, q1
 
 
 @pytest.mark.parametrize("kind", ["springs", "dampers"])
@@ -69,29 +69,3 @@ def test_powers_are_checked_and_zero_has_any_dimension() -> None:
     require_consistent((DimensionCheck("nothing", sympy.Integer(0), POWER),))
     require_consistent((DimensionCheck("own symbols", m1 * q1, NUMBER, {m1: MASS, q1: MASS**-1}),))
     assert (str(ENERGY), str(NUMBER), str(MASS / LENGTH)) == ("kg m^2 s^-2", "1", "kg m^-1")
-
-
-@pytest.mark.parametrize(
-    ("expression", "expected"),
-    [
-        (sympy.sqrt(q1 * q2) ** 3, LENGTH**3),
-        (q1.diff(t, 3), LENGTH / TIME**3),
-        (sympy.Derivative(k1 * q1, q1, evaluate=False), MASS / TIME**2),
-        (sympy.Derivative(sympy.Integer(0) * q1, t, evaluate=False), None),
-        (sympy.Add(sympy.Integer(0), q1, u, evaluate=False), LENGTH),
-        (sympy.Mul(q1, sympy.Integer(0), evaluate=False), None),
-        (sympy.atan2(q1 / q2, 3), NUMBER),
-        ((q1 / q2) ** (A / u), NUMBER),
-    ],
-)
-def test_dimensions_by_hand(expression: sympy.Expr, expected: object) -> None:
-    assert dimension_of(expression, DIMENSIONS) == expected
-
-
-@pytest.mark.parametrize(
-    "expression",
-    [sympy.atan2(q1, q2), q1 ** (q1 / q2), (q1 / q2) ** q1, q1 + 2 * q2 + k1 * q1 / c1, q1 ** sympy.sqrt(2)],
-)
-def test_what_has_no_dimension_is_refused(expression: sympy.Expr) -> None:
-    with pytest.raises(DimensionError):
-        dimension_of(expression, DIMENSIONS)
