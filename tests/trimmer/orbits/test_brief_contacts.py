@@ -8,6 +8,7 @@ import pytest
 
 from trimmer import (
     ClosedLoop,
+    EventKind,
     FrictionBacklash,
     InertiaBacklash,
     PeriodicOrbit,
@@ -67,3 +68,33 @@ def test_loads_that_slow_down_return_after_a_whole_period() -> None:
     (orbit,) = (each for each in periodic_orbits(SERVO, element) if each.stable)
     assert_returns(orbit)
     assert orbit.amplitude == pytest.approx(final_amplitude(SERVO, element, orbit.period), rel=1e-5)
+
+
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_the_multipliers_of_contacts_of_no_length_are_those_of_differences() -> None:
+    """A load that only touches leaves with the pin's state, which tells all of the next touch but one.
+
+    So the map from touch to touch a period later has the multipliers but that of the flow, and zeros.
+    """
+    system = control.ss([[-4.7, 0.0], [1.0, 0.0]], [[1.0], [0.0]], [[20.0, 8.5]], 0)
+    (orbit,) = periodic_orbits(system, InertiaBacklash(1.0))
+    motion, order = orbit.motion, 2
+    touch, leaving = motion.events[0], motion.events[1]
+    assert (touch.kind, leaving.kind, leaving.time) == (EventKind.IMPACT, EventKind.SEPARATION, touch.time)
+    begin = motion.state(touch.time)[:order]
+    side = np.sign(motion.element_input(touch.time) - motion.element_output(touch.time))
+
+    def returned(state: np.ndarray) -> np.ndarray:
+        again = simulate(motion.loop, 1.2 * orbit.period, initial_state=state, element_output=-1e9 * side)
+        ends = [each.time for each in again.events if each.kind is EventKind.IMPACT]
+        last = min(ends, key=lambda time: abs(time - orbit.period))
+        return np.asarray(again.state(last)[:order])
+
+    assert returned(begin) == pytest.approx(begin, rel=1e-9)
+    shifts = 1e-6 * np.diag(abs(begin))
+    columns = [(returned(begin + each) - returned(begin - each)) / (2 * each.sum()) for each in shifts]
+    differences = np.sort(abs(np.linalg.eigvals(np.array(columns).T)))
+    sizes = np.sort(abs(orbit.multipliers))
+    assert sizes[-1] == pytest.approx(1.0, abs=1e-9)
+    assert sizes[1:-1] == pytest.approx(differences, rel=1e-5)
+    assert sizes[0] < 1e-12
