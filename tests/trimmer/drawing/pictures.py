@@ -228,7 +228,9 @@ def _of_axes(axes: Axes) -> Iterator[str]:
         return
     for each, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
         grid = "with grid" if each.get_gridlines()[0].get_visible() else "without grid"
-        yield f"{each.axis_name}: {each.get_label_text()!r}, {each.get_scale()}, {_pair(limits)}, {grid}"
+        # How much room a logarithm leaves above depends on the least that is drawn, which may be rounding.
+        shown = limits[:1] if (each.axis_name, each.get_scale()) == ("y", "log") else limits
+        yield f"{each.axis_name}: {each.get_label_text()!r}, {each.get_scale()}, {_pair(shown)}, {grid}"
     if axes.get_title():
         yield f"title: {axes.get_title()!r}"
     if axes.get_legend() is not None:
