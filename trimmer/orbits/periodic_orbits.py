@@ -20,6 +20,7 @@ from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same
 from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
+from trimmer.orbits.realization import restated
 from trimmer.orbits.relay_orbits import relay_orbits
 from trimmer.orbits.search import (
     OrbitSearch,
@@ -82,13 +83,14 @@ def periodic_orbits(
     """
     if search is not None:
         require_instance("search", search, OrbitSearch, "a trimmer.OrbitSearch")
+    known = restated(loop)
     orbits: list[PeriodicOrbit] = []
     predicted = guesses is None or isinstance(guesses, HarmonicBalance)
     tried = _guesses(loop, guesses)
     failed = 0
     for guess in tried:
         amplitude, omega = (guess.amplitude, guess.omega) if isinstance(guess, LimitCycle) else guess
-        orbit = _near(loop, amplitude, omega, guess if isinstance(guess, LimitCycle) else None)
+        orbit = _near(known.loop, amplitude, omega, guess if isinstance(guess, LimitCycle) else None)
         if orbit is None:
             failed += 1
             warnings.warn(
@@ -99,9 +101,9 @@ def periodic_orbits(
         else:
             _add(orbits, [orbit])
     settings = OrbitSearch() if search is None and predicted else search
-    relay, simulated = _wider(loop, settings, orbits, failed > 0 or not tried)
+    relay, simulated = _wider(known.loop, settings, orbits, failed > 0 or not tried)
     searched = OrbitSearched(len(tried), predicted, failed, relay, simulated)
-    by_amplitude, families = by_families(orbits)
+    by_amplitude, families = by_families([known.told(orbit) for orbit in orbits])
     found = PeriodicOrbits(by_amplitude, searched, families)
     if simulated is not None and simulated.interrupted:
         raise OrbitSearchInterrupted(found)

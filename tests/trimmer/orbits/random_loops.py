@@ -52,6 +52,16 @@ def random_loop(number: int) -> RandomLoop:
     return RandomLoop(control.ss(*matrices), elements[(number // 4) % 4], generator)
 
 
+def mixed_states(system: control.StateSpace, seed: int) -> control.StateSpace:
+    """The same system in states that each mix all of its own ones, with a condition of 10 at most."""
+    generator, order = np.random.default_rng(seed), system.nstates
+    left, right = (np.linalg.qr(generator.normal(size=(order, order)))[0] for _ in range(2))
+    turn = left @ np.diag(10.0 ** generator.uniform(-0.5, 0.5, order)) @ right
+    return control.ss(
+        np.linalg.solve(turn, system.A @ turn), np.linalg.solve(turn, system.B), system.C @ turn, 0
+    )
+
+
 def roots(generator: np.random.Generator, count: int, unstable: float) -> np.ndarray:
     """Draw roots in conjugate pairs, and a real one if their number is odd or chance wills."""
     found: list[complex] = []

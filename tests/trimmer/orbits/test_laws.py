@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 import scipy.signal
 
+from tests.trimmer.orbits.random_loops import mixed_states
 from trimmer import (
     CoulombFriction,
     DeadZone,
     FrictionBacklash,
     InertiaBacklash,
     InputChannels,
+    LoopSignal,
     OrbitSearch,
     PeriodicOrbit,
     PeriodicOrbits,
@@ -92,12 +94,50 @@ def test_orbits_scale_in_amplitude_and_time(name: str) -> None:
 def test_factors_of_the_element_may_be_those_of_the_system_in_other_states(name: str) -> None:
     system, element = LOOPS[name]
     turn = np.diag(10.0 ** np.resize([-1, 1, 0, 2, -2], system.nstates))
-    if system.nstates < 8:  # Those of the trimmer are displacements and velocities, with nothing in common.
+    if system.nstates < 8:  # Those of the trimmer, which have nothing in common, are mixed below.
         turn = turn @ np.triu(np.ones_like(turn))
     other = control.ss(
         np.linalg.solve(turn, system.A @ turn), np.linalg.solve(turn, system.B) / -2.5, system.C @ turn, 0
     )
     assert_alike(periodic_orbits(other, -2.5 * element(1.0, 1.0)), orbits_of(name), 1.0, 1.0)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("name", [name for name in LOOPS if name.endswith("trimmer")])
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_orbits_are_the_same_where_states_mix_displacements_and_velocities(name: str, seed: int) -> None:
+    """But for the rounding of the mixed entries, by which they are those of another system."""
+    system, element = LOOPS[name]
+    mixed, expected = mixed_states(system, seed), orbits_of(name)
+    mixed = control.ss(mixed.A, mixed.B / -2.5, mixed.C, 0)
+    found = periodic_orbits(mixed, -2.5 * element(1.0, 1.0))
+    assert len(found) == len(expected) == 2
+    for one, other in zip(found, expected, strict=True):
+        assert one.period == pytest.approx(other.period, rel=1e-6)
+        assert one.amplitude == pytest.approx(other.amplitude, rel=1e-6)
+        assert one.steadiness == other.steadiness
+        assert np.sort(abs(one.multipliers)) == pytest.approx(np.sort(abs(other.multipliers)), abs=1e-5)
+        np.testing.assert_allclose(abs(one.harmonics), abs(other.harmonics), atol=1e-4 * other.amplitude)
+        assert len(one.switching_times) == len(other.switching_times)
+        input_, times = LoopSignal.ELEMENT_INPUT, np.linspace(0.0, one.period, 99)
+        assert one.stroke_of(input_) == pytest.approx(2.0 * other.amplitude, rel=1e-4)
+        outputs = mixed.C[0] @ one.motion.state(times)[:8]
+        assert np.ptp(outputs) == pytest.approx(2.0 * other.amplitude, rel=1e-2)
+
+
+@pytest.mark.parametrize("mixing", [1e-3, 1e-2, 1e-1, 1.0, 1e2])
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_orbits_are_the_same_however_far_states_are_mixed(mixing: float) -> None:
+    """From states in which displacements and velocities are alike to those in which the latter hide them."""
+    expected = orbits_of("friction-controlled trimmer")
+    speeds = np.repeat([1.0, 1.0 / (4000.0 * mixing)], 4)
+    alike = control.ss(
+        speeds[:, None] * TRIMMER.A / speeds, speeds[:, None] * TRIMMER.B, TRIMMER.C / speeds, 0
+    )
+    found = periodic_orbits(mixed_states(alike, 5), FrictionBacklash(1.0))
+    assert len(found) == len(expected)
+    assert [one.period for one in found] == pytest.approx([one.period for one in expected], rel=1e-6)
+    assert [one.steadiness for one in found] == [one.steadiness for one in expected]
 
 
 def begun(orbit: PeriodicOrbit, load: bool) -> tuple[np.ndarray, float]:
