@@ -11,17 +11,20 @@ from trimmer.errors import OrbitNotFoundError
 from trimmer.motion.initial import initial_segment
 from trimmer.motion.loops import require_loop
 from trimmer.orbits.describe import orbit_of
+from trimmer.orbits.realization import restated
 from trimmer.orbits.return_map import arcs, flow, follow
 from trimmer.orbits.shooting import Return, solve
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.loops import Loop
+    from trimmer.motion.loops import Drive, Loop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 
 SETTLING = (8, 64, 512)
 """Periods after which Newton's method is tried, one after the other, if no number is given."""
+RESONANT = 1e-7
+"""Distance of a pole from a multiple of the drive's frequency, as a share: a double one is known to that."""
 
 
 def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
@@ -40,8 +43,8 @@ def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
 
     Raises:
         ValueError: if the loop has no drive, or ``settling`` is negative.
-        OrbitNotFoundError: if Newton's method finds no motion with the period of the drive, or if events
-            accumulate.
+        OrbitNotFoundError: if Newton's method finds no motion with the period of the drive, as at the
+            resonance of an undamped mode, or if events accumulate.
     """
     require_loop(loop)
     drive = loop.modes.system.drive
@@ -49,6 +52,8 @@ def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
     if settling is not None:
         whole_number("settling", settling, 0)
+    known = restated(loop)
+    loop = known.loop
     mode, state = initial_segment(loop, loop.modes, None, 0.0, 0.0)
     followed = 0
     for periods in SETTLING if settling is None else (settling,):
@@ -57,10 +62,25 @@ def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
         problem = Return(loop.modes, mirrored=False, driven=True, sizes=_sizes(loop, mode, state))
         shot = solve(problem, mode, state, drive.period)
         if shot is not None:
-            return orbit_of(loop, problem, shot, None)
+            return known.told(orbit_of(loop, problem, shot, None))
     raise OrbitNotFoundError(
         f"no motion with the period of the drive, {drive.period:.6g} s, was found after {followed} periods; "
-        "the motion may repeat only after several periods, or not at all"
+        f"{_reason(loop, drive)}"
+    )
+
+
+def _reason(loop: Loop, drive: Drive) -> str:
+    """Return why there may be no motion with the period of the drive, in words."""
+    poles = np.linalg.eigvals(loop.modes.system.A)
+    harmonics = np.rint(poles.imag / drive.omega)
+    away = abs(poles - 1j * harmonics * drive.omega)
+    near = (harmonics >= 1.0) & (away <= RESONANT * abs(poles))
+    if not near.any():
+        return "the motion may repeat only after several periods, or not at all"
+    told = " and ".join(f"{n:.0f} times" if n > 1 else "once" for n in np.unique(harmonics[near]))
+    return (
+        f"the linear system has an undamped pole at {told} the frequency of the drive; an input that "
+        "contains that moves it farther in each period, and nothing bounds it"
     )
 
 

@@ -23,6 +23,10 @@ MOST_LENGTHENED = 4.0
 """Factor by which Newton's method may lengthen the span; longer ones have lost the orbit, and take ages."""
 CLOSED = 1e-10
 """Miss of the return, relative to the sizes of the states, below which the orbit counts as closed."""
+SINGULAR = 1e-12
+"""Singular value of Newton's matrix, as a share of the largest one or of 1, that is rounding."""
+TOLD_APART = CLOSED / float(np.finfo(float).eps)
+"""State over its size beyond which its rounding alone is more than the miss of a closed return."""
 SETTLED = 1e-14
 """Miss at which Newton's method stops, since only rounding is left."""
 
@@ -147,7 +151,21 @@ def solve(
         if following is None:
             break
         shot = following
-    return shot if shot is not None and shot.miss <= CLOSED else None
+    return shot if shot is not None and shot.miss <= CLOSED and not _gone_away(problem, shot) else None
+
+
+def _gone_away(problem: Return, shot: Shot) -> bool:
+    """Say whether the state is so large that it returns to rounding, whatever moves it on in each period.
+
+    So Newton's method answers at the resonance of an undamped mode, where there is no orbit.
+    """
+    free = slice(problem.count)
+    scale = problem.sizes[free]
+    if not problem.driven or (abs(shot.state[free]) <= TOLD_APART * scale).all():
+        return False
+    matrix = (shot.slope[free, free] - np.eye(problem.count)) * scale / scale[:, None]
+    values = np.linalg.svd(matrix, compute_uv=False)
+    return bool(values.min() <= SINGULAR * max(1.0, values.max()))
 
 
 def _improved(problem: Return, shot: Shot, longest: float) -> Shot | None:

@@ -6,6 +6,7 @@ import control
 import numpy as np
 import pytest
 
+from tests.trimmer.orbits.random_loops import mixed_states
 from trimmer import (
     Body,
     BodyFriction,
@@ -19,6 +20,7 @@ from trimmer import (
     InputChannels,
     OpenLoop,
     OrbitNotFoundError,
+    Saturation,
     TrimmerLoop,
     TrimmerParameters,
     ViscousBacklash,
@@ -102,10 +104,65 @@ def test_a_motion_that_does_not_settle_is_told() -> None:
     growing, drive = control.tf([1], [1, -1, 0]), Drive(2.0, 1.0)
     with pytest.raises(OrbitNotFoundError, match="events accumulate"):
         forced_orbit(OpenLoop(growing, FrictionBacklash(1.0), drive))
-    drifting = OpenLoop(control.tf([1], [1, 0, 0]), FrictionBacklash(1.0), drive)
+    resonant = OpenLoop(control.tf([1], [1, 0, 1]), FrictionBacklash(1.0), drive)
     for settling, periods in ((None, 512), (5, 5)):
         with pytest.raises(OrbitNotFoundError, match=rf"6\.28319 s, was found after {periods} periods"):
-            forced_orbit(drifting, settling=settling)
+            forced_orbit(resonant, settling=settling)
+
+
+@pytest.mark.parametrize("element", [FrictionBacklash(1.0), ViscousBacklash(1.0, 0.3), Saturation(1.0, 1.0)])
+@pytest.mark.parametrize(
+    ("system", "omega", "told"),
+    [
+        (control.tf([1], [1, 0, 1]), 1.0, "once the frequency"),
+        (control.tf([1], [1, 0, 9]), 1.0, "3 times the frequency"),
+        (control.tf([1], [1, 0, 1e8]), 1e4, "once the frequency"),
+        (control.tf([1], [1, 0, 1, 0]), 1.0, "once the frequency"),
+        (control.tf([1], [1, 0, 2, 0, 1]), 1.0, "once the frequency"),
+    ],
+    ids=["resonance", "of a harmonic", "fast", "with an integrator", "double"],
+)
+def test_at_an_undamped_resonance_there_is_no_orbit(
+    element: Element, system: control.TransferFunction, omega: float, told: str
+) -> None:
+    with pytest.raises(OrbitNotFoundError, match=f"undamped pole at {told}"):
+        forced_orbit(OpenLoop(system, element, Drive(2.0, omega)))
+
+
+@pytest.mark.parametrize(("damping", "detuning"), [(1e-3, 0.0), (1e-6, 0.0), (0.0, 1e-6)])
+def test_beside_an_undamped_resonance_there_is_one(damping: float, detuning: float) -> None:
+    """As large as the first harmonic of the output asks for, beside which the others are small."""
+    system = control.tf([1.0], [1.0, damping, 1.0 + detuning])
+    drive, element = Drive(2.0, 1.0), FrictionBacklash(1.0)
+    orbit = forced_orbit(OpenLoop(system, element, drive))
+    gain = abs(system(1j)) * abs(element.describing_function(2.0, 1.0))
+    assert 0.5 * orbit.stroke_of() == pytest.approx(2.0 * gain, rel=max(1e-2 * damping, 1e-4))
+
+
+@pytest.mark.parametrize("denominator", [[1, 0], [1, 0, 4]])
+def test_an_undamped_pole_that_the_output_does_not_drive_leaves_a_neutral_orbit(
+    denominator: list[float],
+) -> None:
+    """An odd element gives no constant and no even harmonics."""
+    loop = OpenLoop(control.tf([1], denominator), FrictionBacklash(1.0), Drive(2.0, 1.0))
+    orbit = forced_orbit(loop)
+    model, half = orbit.motion.loop.model, 0.5 * orbit.period
+    assert orbit.neutral
+    assert orbit.stroke_of() < 10.0
+    begin, end = orbit.motion.state(0.0), orbit.motion.state(2.0 * half)
+    assert end[: model.nstates] == pytest.approx(begin[: model.nstates], abs=1e-9)
+
+
+def test_the_forced_motion_does_not_depend_on_the_states_of_the_system() -> None:
+    loop = open_loop(FrictionBacklash(2e-4))
+    mixed = mixed_states(loop.system, 3)
+    other = forced_orbit(OpenLoop(mixed, loop.element, loop.drive))
+    expected = forced_orbit(loop)
+    times = np.linspace(0.0, other.period, 50)
+    size = expected.stroke_of()
+    assert other.motion.output(times) == pytest.approx(expected.motion.output(times), abs=1e-4 * size)
+    assert other.stroke_of() == pytest.approx(size, rel=1e-5)
+    assert other.residual < 1e-10
 
 
 @pytest.mark.parametrize("settling", [0, 2, 20])
