@@ -39,11 +39,12 @@ test-all: .venv/for-development ## run all tests, the slow ones too
 test-kernels: .venv/for-development ## run the tests that rest on digits as on other processors and Pythons; ARGS="--list" says which; half an hour
 	@python -m scripts.kernels $(ARGS)
 
-lint: .venv/for-development ## ruff (rules and format), mypy, import-linter; changes nothing
+lint: .venv/for-development ## ruff (rules and format), mypy, import-linter, tests by doors; changes nothing
 	@ruff check .
 	@ruff format --check .
 	@mypy
 	@lint-imports
+	@python -m scripts.doors
 
 format: .venv/for-development ## sort imports and format the sources
 	@ruff check --select I --fix .
