@@ -94,7 +94,7 @@ def _texts() -> dict[str, str]:
 def _signals(noise: np.ndarray) -> dict[str, str]:
     times = np.arange(20_000) / 20_000
     parts = {109.845: 1e-3, 3 * 109.845: 5e-5, 553.59: 3e-5, 900.0: 1e-5}
-    motion = 2e-6 + 1e-9 * noise + sum(size * np.cos(math.tau * f * times) for f, size in parts.items())
+    motion = 2e-6 + 2e-8 * noise + sum(size * np.cos(math.tau * f * times) for f, size in parts.items())
     measured, short = _acceleration(noise), 1e-3 * np.cos(math.tau * 110 * times[::10])
     kept = np.r_[0:9000, 9400:20_000]
     logged = (f"{TIMES[k]:.3f};{measured[k]:.4f}".replace(".", ",") for k in kept)
