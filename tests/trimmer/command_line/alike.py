@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from typing import Any
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
@@ -11,6 +12,8 @@ ROUNDING = 1e-7
 """Relative difference of two numbers that a processor's rounding can make, amplified by what is solved."""
 NOTHING = 1e-10
 """What is below stands for zero: residuals, phases and multipliers that are rounding."""
+OF_LIST = 1e-12
+"""Share of the largest number of a list by which rounding moves its others, as in harmonics."""
 LONG = 5
 """Digits from which the last one may be rounded either way."""
 MOST = 8
@@ -28,12 +31,21 @@ def alike(kept: str, found: str) -> bool:
     if first == second or len(first) != len(second):
         return False
     words = ([piece.split() for piece in NUMBER.split(each)] for each in (kept, found))
-    return next(words) == next(words) and all(map(_close, first, second))
+    return next(words) == next(words) and all(map(_close, first, second, _of_lists(kept)))
 
 
-def _close(kept: str, found: str) -> bool:
+def _of_lists(text: str) -> Iterator[float]:
+    """Yield for each number the largest one of its list; 0 for one that is not in a list."""
+    for line in text.splitlines():
+        sizes = [abs(float(each)) for each in NUMBER.findall(line)]
+        yield from [
+            max(sizes, default=0.0) if line.lstrip().partition(": ")[2].startswith("[") else 0.0
+        ] * len(sizes)
+
+
+def _close(kept: str, found: str, largest: float) -> bool:
     one, other = float(kept), float(found)
-    if max(abs(one), abs(other)) < NOTHING:
+    if max(abs(one), abs(other)) < NOTHING or abs(one - other) <= OF_LIST * largest:
         return True
     digits = max(_digits(kept), _digits(found))
     step = min(_step(kept), _step(found)) if digits >= LONG else 0.0
