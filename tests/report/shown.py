@@ -1,0 +1,95 @@
+"""Numbers and formulas that a report shows, in files that are read in a diff when they change.
+
+``python -m tests.report.shown`` writes the files anew. Of prose only the numbers are kept, so that words may
+change; what the thesis prints is left out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from pathlib import Path
+from typing import Any
+
+from report.derivation.number_steps import number_steps
+from report.document.figure import Figure
+from report.evidence import Evidence, gather
+from report.finding import Finding
+from report.inventory import read_inventory
+from report.judge import judge
+from report.overview.answers import answers
+from report.overview.corrected_results import corrected_results
+from report.overview.opening import opening
+from report.twin.chapter import SECTIONS
+from report.twin.observation import ObservationRecord
+
+FOLDER = Path(__file__).with_name("shown_numbers")
+NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+WHOLE = {"latex", "digits", "unit", "largest", "holds", "symbols"}
+"""Fields that are kept with their words: formulas, and what stands in a cell by itself."""
+LEFT_OUT = {
+    *("id", "title", "label", "item", "section", "lines", "paragraph", "source", "code", "svg"),
+    *("printed", "thesis", "question", "claim", "claims", "quantity", "caption", "alternative_text"),
+}
+"""Fields that say what something is and where it stands, and what the thesis prints."""
+
+
+def told(thing: Any, name: str = "") -> Iterator[str]:
+    """Yield a line for each field, at any depth, that shows a number or a formula."""
+    if is_dataclass(thing):
+        for field in fields(thing):
+            if field.name not in LEFT_OUT:
+                yield from told(getattr(thing, field.name), field.name)
+    elif isinstance(thing, str):
+        shown = thing if name in WHOLE else " ".join(NUMBER.findall(thing))
+        if shown:
+            yield f"{name}: {' '.join(shown.split())}"
+    elif isinstance(thing, Mapping | Iterable):
+        for each in thing.values() if isinstance(thing, Mapping) else thing:
+            yield from told(each, name)
+
+
+def headed(things: Mapping[str, Any]) -> str:
+    """Return what things show, each below its name; those that show nothing are left out."""
+    return "".join(
+        f"# {name}\n{chr(10).join(lines)}\n" for name, thing in things.items() if (lines := [*told(thing)])
+    )
+
+
+def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]:
+    """Return the contents of the files by their names: findings by chapter, derivation, and first pages."""
+    steps = {step.id: step for step in number_steps(known)}
+    screen = opening(known, tuple(findings.values()), Figure("opening", "", "", "", ""))
+    pages = {
+        "opening": screen,
+        **{f"answer {number}": each for number, each in enumerate(answers(known), start=1)},
+        **{f"{row.claim}, {row.quantity}": row for row in corrected_results(known)},
+    }
+    seen = {
+        each.id: each.observation(known)
+        for section in SECTIONS
+        for each in section.items
+        if isinstance(each, ObservationRecord)
+    }
+    chapters = {
+        f"findings-{chapter}": headed(
+            {name: each for name, each in findings.items() if each.section[0] == chapter}
+        )
+        for chapter in sorted({each.section[0] for each in findings.values()})
+    }
+    return {**chapters, "steps": headed(steps), "overview": headed(pages), "twin": headed(seen)}
+
+
+def _renew() -> None:
+    from report.collect import collect
+
+    known, inventory = gather(), read_inventory()
+    records = collect(inventory).by_id
+    findings = {name: judge(records[name].claim(known), entry) for name, entry in inventory.items()}
+    for name, text in texts(known, findings).items():
+        (FOLDER / f"{name}.txt").write_text(text, "utf-8")
+
+
+if __name__ == "__main__":
+    _renew()
