@@ -10,6 +10,7 @@ from tests.trimmer.response.mechanisms import example
 from trimmer import Mechanism, MotionKind, Response, respond, simulate
 from trimmer.mechanism import Body, Force, Link, Output, Stop
 from trimmer.response.response_json import response_json
+from trimmer.response.window import joined, watch
 
 SAMPLES = 400
 """In each drive period."""
@@ -53,6 +54,28 @@ def test_a_torus_has_the_numbers_of_samples_of_the_same_motion(torus: Response) 
     assert "stays near it" in torus.message
     assert abs(content["lyapunov"]["value"]) < 3 * content["lyapunov"]["uncertainty"]
     json.dumps(content, allow_nan=False)
+
+
+def test_two_windows_after_one_another_are_one(torus: Response) -> None:
+    whole = torus.motion.window
+    first = watch(whole.flow, whole.begin, 200)
+    second = watch(first.flow, first.end, whole.periods - 200)
+    both = joined(first, second)
+    assert (both.periods, both.ending, both.end.phase) == (whole.periods, whole.ending, whole.end.phase)
+    states = whole.flow.strobe(whole.begin, whole.periods).states
+    np.testing.assert_allclose(both.states, states[:-1], rtol=0, atol=1e-9 * abs(states).max())
+    np.testing.assert_allclose(both.end.state, states[-1], rtol=0, atol=1e-9 * abs(states).max())
+    for name, total in whole.rms.items():
+        assert both.rms[name].value == pytest.approx(total.value, rel=1e-9)
+        assert both.rms[name].uncertainty == pytest.approx(total.uncertainty, rel=1e-6)
+        assert both.output_means[name].value == pytest.approx(whole.output_means[name].value, abs=1e-9)
+        assert both.peak_to_peak[name] == pytest.approx(whole.peak_to_peak[name], rel=1e-9)
+        assert both.harmonics[name] == pytest.approx(whole.harmonics[name], rel=1e-6)
+        assert both.spectrum[1][name] == pytest.approx(whole.spectrum[1][name], rel=1e-6)
+    assert both.exponents[0].value == pytest.approx(
+        first.growth[:, 0].mean() * 200 / whole.periods
+        + second.growth[:, 0].mean() * (1 - 200 / whole.periods)
+    )
 
 
 def bouncing(amplitude: float = 1.0) -> Mechanism:
