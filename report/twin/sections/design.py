@@ -109,6 +109,7 @@ def speed(known: Evidence) -> Observed:
     numbers = known.twin.speed
     inside = (numbers.second >= 146.0) & (numbers.second <= 164.0)
     around = (numbers.second >= 96.0) & (numbers.second <= 108.0)
+    slower, nominal = numbers.reach(108.0), numbers.reach(110.0)
     yield text("""
         With 0.5 N, drives of 146 to 164 Hz bear gaps up to [[ calm | f0 ]] µm at the least, those of 96 to
         108 Hz no more than [[ rough | f0 ]] µm at the best. 110 Hz lies beside that rough band: a motor
@@ -116,14 +117,14 @@ def speed(known: Evidence) -> Observed:
     """).given(
         calm=1e6 * float(numbers.reaches[inside].min()),
         rough=1e6 * float(numbers.reaches[around].max()),
-        slower=1e6 * numbers.reach(108.0),
-        nominal=1e6 * numbers.reach(110.0),
+        slower=1e6 * slower,
+        nominal=1e6 * nominal,
     )
     yield so(
         "the worst of the one band bears more than the best of the other",
         float(numbers.reaches[inside].min()) > float(numbers.reaches[around].max()),
     )
-    yield so("108 Hz bears less than 110 Hz", numbers.reach(108.0) < numbers.reach(110.0))
+    yield so("108 Hz bears less than 110 Hz", slower < nominal)
 
 
 SECTION = SectionRecord("twin-design", "For the designer", (design_limits, gap, friction_, stiffness, speed))

@@ -44,7 +44,7 @@ def every_case(known: Evidence) -> Record:
     yield assertion(
         "kinds of backlash",
         "each has one limit cycle or two",
-        min(counts) >= 1 and max(counts) <= 2,
+        set(counts) <= {1, 2},
         f"{min(counts)} to {max(counts)} for {len(counts)} loads between the limits, two at either limit",
         method=ALL_LOADS,
         second=by_matching_real_parts(system, 0.0, 2),
