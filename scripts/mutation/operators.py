@@ -122,6 +122,8 @@ UNORDERED = frozenset(
     ]
 )
 """Functions whose arguments, when swapped, give the same or an error at once."""
+CONFIRMING = frozenset(["close", "equal", "same"])
+"""Confirmations of the report: first their words, then two ways to one thing, in whatever order."""
 
 
 def changes(node: ast.AST, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
@@ -244,6 +246,7 @@ def _call(node: ast.Call, outer: Outer) -> Iterator[tuple[Kind, ast.AST]]:
         first, second = plain[place : place + 2]
         if (
             name not in UNORDERED
+            and not (name in CONFIRMING and place == 1)
             and not _differ_in_type(first, second)
             and ast.dump(first) != ast.dump(second)
         ):

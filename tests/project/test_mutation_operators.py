@@ -45,6 +45,7 @@ def changes(folder: Path, source: str) -> dict[str, Kind]:
         ("if x:\n    raise E('a')", Kind.REMOVAL, {"if x:\n    pass", "pass"}),
         ("y = abs(x)", Kind.CALL, {"y = x"}),
         ("y = f(a, b)", Kind.ARGUMENTS, {"y = f(b, a)"}),
+        ("y = close(a, b, c, d)", Kind.ARGUMENTS, {"y = close(b, a, c, d)", "y = close(a, b, d, c)"}),
         ("y = np.sin(x)", Kind.FUNCTION, {"y = np.cos(x)"}),
         ("y = z.real", Kind.FUNCTION, {"y = z.imag"}),
         ("def f(a, b):\n    return a", Kind.RETURN, {"def f(a, b):\n    return b"}),
