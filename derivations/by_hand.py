@@ -43,6 +43,8 @@ def worked_equation(derivation: LinearTrimmer) -> Step:
         ("force of the damper on the cutter", by_rate, dissipation.diff(q2.diff(t))),
         ("balance of the cutter", balance, euler_lagrange(lagrangian, dissipation, q2)),
         ("terms with the cutter", total(moving, -stored).diff(q2), lagrangian.diff(q2)),
+        ("energy of the cutter", moving.diff(q2.diff(t)), momentum),
+        ("power that the damper loses", lost.diff(q2.diff(t)), by_rate),
     ):
         require_equal(name, _flat(written), _flat(derived))
     return Step(
