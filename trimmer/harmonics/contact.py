@@ -124,8 +124,8 @@ class Contact:
         for side, offset in self.offsets.items():
             gap = Waveform(self.distance.coefficients, self.distance.omega, decay).shifted(-offset)
             skipped = SKIPPED * period if side == released else 0.0
-            for begin in (time, time + period):
-                moments = crossings(gap, begin + (skipped if begin == time else 0.0), begin + period)
+            for begin, end in ((time + skipped, time + period), (time + period, time + 2.0 * period)):
+                moments = crossings(gap, begin, end)
                 entered = moments[np.sign(gap.slope(moments)) == side]
                 if len(entered):
                     found.append((float(entered[0]), side))
