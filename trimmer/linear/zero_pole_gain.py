@@ -190,7 +190,7 @@ def _gain_and_zeros(system: control.StateSpace) -> tuple[float, NDArray[np.inexa
     A, column, row = _balanced(system)
     given, held = row, 0
     markov = bound = direct = float(system.D[0, 0])
-    while abs(markov) <= _ROUNDING * abs(bound):
+    while abs(markov) <= _ROUNDING * bound:
         if held == system.nstates:
             raise _zero_system()
         held += 1
