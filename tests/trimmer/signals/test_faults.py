@@ -140,3 +140,18 @@ def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(
     told = clipping(values)
     assert told is not None
     assert (told.certainty, told.largest, told.runs) == (Certainty.LIKELY, 7, 3)
+
+
+def test_two_runs_at_one_end_are_only_possibly_clipped_though_a_sample_is_at_the_opposite_level() -> None:
+    values = 0.1 * NOISE
+    values[500:504] = values[2500:2504] = 1.0
+    values[1500] = -1.0
+    told = clipping(values)
+    assert told is not None
+    assert (told.certainty, told.runs, told.smallest) == (Certainty.POSSIBLE, 2, 0)
+
+
+def test_a_record_of_nothing_but_cut_ends_does_not_tell_whether_it_is_cut() -> None:
+    told = clipping(np.array([0.0, *[1.0, 1.0, 1.0, -1.0, -1.0, -1.0] * 4]))
+    assert told is not None
+    assert (told.certainty, told.runs) == (Certainty.POSSIBLE, 8)

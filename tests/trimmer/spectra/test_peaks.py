@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
@@ -144,3 +146,13 @@ def test_lines_below_a_ten_thousandth_of_the_largest_are_left_out_unless_asked_f
     assert [round(peak.frequency) for peak in peaks(given, smallest=0.7e-4)] == [50, 100, 150]
     with pytest.raises(WrongTypeError, match="spectrum"):
         peaks(np.zeros(100))  # type: ignore[arg-type]
+
+
+def test_a_line_in_noise_that_falls_with_frequency_is_as_uncertain_as_in_white_noise_of_its_level() -> None:
+    values = sines([200.3], [1.0], [0.4]) + 0.5 * np.random.default_rng(4).normal(size=SAMPLES)
+    white = amplitude_spectrum(values, RATE)
+    falling = (np.maximum(np.arange(white.lines.size), 1) / 200.3) ** -2.0
+    (one,), (two,) = peaks(white), peaks(replace(white, lines=white.lines * falling, colour=-2))
+    assert two.frequency == pytest.approx(one.frequency, abs=0.01)
+    assert two.frequency_uncertainty == pytest.approx(one.frequency_uncertainty, rel=0.1)
+    assert two.amplitude_uncertainty == pytest.approx(one.amplitude_uncertainty, rel=0.1)
