@@ -199,3 +199,23 @@ def test_an_orbit_is_told_once_whichever_motion_led_to_it() -> None:
         assert asked.search.simulations is not None
         assert asked.search.simulations.settled > 4
         assert_alike(asked, orbits_of(name), 1.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        lambda size: Relay(size),
+        lambda size: Relay(size, 0.1, 0.05),
+        lambda size: 4.0 * size * Saturation(0.1),
+        lambda size: 4.0 * size * DeadZone(0.1),
+    ],
+)
+def test_two_elements_that_always_switch_together_are_one(part) -> None:
+    """Whatever comes first of two events at one instant, the orbit and its multipliers are those of one."""
+    plant = control.tf([1.0], [1.0, 2.0, 2.0, 1.0])
+    alone, both = (periodic_orbits(plant, each).orbits for each in (part(3.0), part(1.0) + part(2.0)))
+    assert len(alone) == len(both) > 0
+    for one, other in zip(alone, both, strict=True):
+        assert other.period == pytest.approx(one.period, rel=1e-10)
+        assert other.multipliers == pytest.approx(one.multipliers, abs=1e-9)
+        assert (other.stable, other.amplitude) == (one.stable, pytest.approx(one.amplitude, rel=1e-10))
