@@ -11,14 +11,17 @@ import ast
 import csv
 import sys
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[1]
 LISTED = "tests/insides.csv"
 PACKAGES = frozenset({"derivations", "trimmer", "report", "scripts", "benchmarks"})
 OF_NAMED_TUPLES = frozenset({"_replace", "_asdict", "_fields", "_make"})
-REPLACING = frozenset({"setattr", "delattr", "patch", "object", "dict", "setitem", "delitem"})
-"""Methods of pytest's monkeypatch and of unittest.mock that replace something."""
+REPLACING = frozenset({"setattr", "delattr", "patch"})
+"""Functions of Python, pytest's monkeypatch and unittest.mock that replace something."""
+REPLACING_METHODS = REPLACING | {"object", "dict", "setitem", "delitem"}
+"""The same, and what replaces only as a method: ``dict(...)`` by itself makes one."""
 
 
 def main() -> int:
@@ -83,13 +86,16 @@ def _is_private(name: str) -> bool:
     return name.startswith("_") and not name.startswith("__") and name not in OF_NAMED_TUPLES
 
 
-def _is_named(node: ast.AST, names: set[str]) -> bool:
+def _is_named(node: ast.AST, names: AbstractSet[str]) -> bool:
     return isinstance(node, ast.Name) and node.id in names
 
 
 def _replaces(node: ast.Call, ours: set[str]) -> bool:
-    called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-    if called not in REPLACING or not node.args:
+    if isinstance(node.func, ast.Attribute):
+        replaces = node.func.attr in REPLACING_METHODS
+    else:
+        replaces = _is_named(node.func, REPLACING)
+    if not replaces or not node.args:
         return False
     first = node.args[0]
     if isinstance(first, ast.Constant):

@@ -40,6 +40,8 @@ PUSHING = (PLUS, MINUS, ALWAYS)
 """Statuses of a contact that exerts a force."""
 SIDES = {PLUS: 1, RELEASED_PLUS: 1, MINUS: -1, RELEASED_MINUS: -1}
 """Statuses of a contact on either side of the slot."""
+ROUNDING = 16 * float(np.finfo(float).eps)
+"""Rounding of a sum of products as a share of the moduli of its terms."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,10 +59,6 @@ class EventFunction:
     action: int
     row: Reals
     signs: tuple[int, ...] = ()
-
-
-ROUNDING = 16 * float(np.finfo(float).eps)
-"""Rounding of a sum of products as a share of the moduli of its terms."""
 
 
 @dataclass(frozen=True, eq=False)
