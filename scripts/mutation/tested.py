@@ -56,7 +56,7 @@ def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
 
 
 def _watch_entries() -> set[str]:
-    from trimmer.motion import compilation
+    from trimmer.hybrid import compilation
 
     called: set[str] = set()
     original = compilation.kept

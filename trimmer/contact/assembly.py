@@ -28,7 +28,7 @@ from trimmer.contact.statuses import (
     RETURNED,
     STICK,
 )
-from trimmer.motion.frictions.dry_friction import elementary_vectors
+from trimmer.hybrid.dry_friction import elementary_vectors
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -6,15 +6,14 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.compilation import sources
 from trimmer.contact.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow
 from trimmer.contact.statuses import NOTHING, STICK_BEGUN
 from trimmer.contact.step_event import NO_EVENT
 from trimmer.contact.tables import Tables
 from trimmer.contact.tabulated_change import change, is_tabulated
 from trimmer.contact.work import Log, Work
-from trimmer.motion.compilation import inlined, kept
-from trimmer.motion.linear_combination import combine, copy
+from trimmer.hybrid.compilation import inlined, kept, sources
+from trimmer.hybrid.linear_combination import combine, copy
 
 REACHED_END, LOG_FULL, TO_DECIDE, CYCLING, DIVERGED, STEP_LIMIT, GOES_ON = range(7)
 """Why the integration stopped, or that it goes on."""
@@ -158,7 +157,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources())
+_compiled_entry = _entry(sources("contact"))
 
 
 def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:

@@ -1,7 +1,7 @@
 """Several frictions at rest at one instant: which stick, and which begin to slide where.
 
 The relative accelerations follow from a linear complementarity problem,
-``trimmer.motion.frictions.dry_friction``. A friction whose static force is greater than its kinetic one
+``trimmer.hybrid.dry_friction``. A friction whose static force is greater than its kinetic one
 resists with the latter once it breaks away; then all are decided again.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from trimmer.contact.assembly import flow_without_stick
 from trimmer.contact.statuses import ARRIVED, BACKWARD, FORWARD, STICK
-from trimmer.motion.frictions.dry_friction import complementary_forces
+from trimmer.hybrid.dry_friction import complementary_forces
 
 if TYPE_CHECKING:
     from trimmer.arrays import Places, Reals

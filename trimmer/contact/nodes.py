@@ -10,12 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.compilation import sources
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Log
-from trimmer.motion.compilation import inlined, kept
-from trimmer.motion.linear_combination import combine, copy, evaluate_terms
-from trimmer.motion.taylor import DEGREE
+from trimmer.hybrid.compilation import inlined, kept, sources
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms
+from trimmer.hybrid.taylor import DEGREE
 
 NODES = 26
 """Nodes on a step: exact for products of two polynomials of the degree of the flow."""
@@ -88,7 +87,7 @@ def _entry(sources: bytes) -> Callable[..., None]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources())
+_compiled_entry = _entry(sources("contact"))
 
 
 @cache

@@ -12,9 +12,9 @@ from __future__ import annotations
 import math
 
 from trimmer.arrays import Reals
-from trimmer.motion.compilation import compiled
-from trimmer.motion.first_event import NOWHERE, halve
-from trimmer.motion.linear_combination import any_below, copy
+from trimmer.hybrid.compilation import compiled
+from trimmer.hybrid.first_root import NOWHERE, halve
+from trimmer.hybrid.linear_combination import any_below, copy
 
 UNSURE = -1.0
 """In place of a fraction of the step: shorter steps must decide."""

@@ -11,9 +11,9 @@ import math
 from trimmer.contact.step_event import NO_EVENT, first_event
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Work
-from trimmer.motion.compilation import inlined
-from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
-from trimmer.motion.taylor import LEVELS
+from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
+from trimmer.hybrid.taylor import LEVELS
 
 LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed."""

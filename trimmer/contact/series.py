@@ -1,6 +1,6 @@
 """The flow of a mode over one step as a polynomial, and its event functions in Bernstein form: compiled.
 
-It is what ``trimmer.motion.taylor`` does, which says where the length of a step comes from.
+It is what ``trimmer.hybrid.taylor`` does, which says where the length of a step comes from.
 """
 
 from __future__ import annotations
@@ -12,9 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.compilation import sources
-from trimmer.motion.compilation import compiled, kept
-from trimmer.motion.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER
+from trimmer.hybrid.compilation import compiled, kept, sources
+from trimmer.hybrid.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER
 
 STEP = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1))
 """Length of a step times the growth of its flow."""
@@ -191,7 +190,7 @@ def _entry(sources: bytes) -> Callable[..., float]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources())
+_compiled_entry = _entry(sources("contact"))
 
 
 def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:

@@ -1,4 +1,4 @@
-"""The first event within a step, compiled; zeros are found as in ``trimmer.motion.first_event``."""
+"""The first event within a step, compiled; zeros are found as in ``trimmer.hybrid.first_root``."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from trimmer.arrays import Reals
 from trimmer.contact.relaxing_root import UNSURE, relaxing_root
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Work
-from trimmer.motion.compilation import inlined
-from trimmer.motion.first_event import NOWHERE, ROUNDING, first_root
-from trimmer.motion.linear_combination import (
+from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
+from trimmer.hybrid.linear_combination import (
     any_below,
     combine,
     combined_moduli,
     within,
 )
-from trimmer.motion.taylor import DEGREE, MOST_ZEROS
+from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
 
 NO_EVENT = -1
 """In place of the number of an event function."""

@@ -15,7 +15,7 @@ from trimmer.contact.machine import Machine
 from trimmer.contact.series import ModeTables, tabulate
 from trimmer.contact.statuses import FREE, RELAXING
 from trimmer.contact.transitions import transition
-from trimmer.motion.taylor import DEGREE, LEVELS, bernstein_from_taylor
+from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
 UNKNOWN = -1
 """In place of a mode to go on in: not tabulated yet."""
@@ -49,7 +49,7 @@ class Tables(NamedTuple):
         relaxing_state: Place of the spring of each contact in the state, -1 for none, (m,).
         relaxation: Rates of the springs that relax, 1/s, 0 for others, (modes, m).
         gap: Size of the gap, m, by which it is measured what is negligible, (m,).
-        bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
+        bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
 
     statuses: Integers

@@ -6,8 +6,8 @@ from trimmer.arrays import Integers
 from trimmer.contact.statuses import ARRIVED, AT_LIMIT, CONTACT_BROKEN, NOTHING, REVERSED, STICK_BEGUN
 from trimmer.contact.tables import Tables
 from trimmer.contact.work import Log, Work
-from trimmer.motion.compilation import inlined
-from trimmer.motion.linear_combination import combine, copy
+from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.linear_combination import combine, copy
 
 NEGLIGIBLE_STRETCH = 2.0**-56
 """Share of the gap and of the stretch at release below which the spring behind a slot counts as relaxed."""

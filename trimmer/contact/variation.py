@@ -15,7 +15,7 @@ import numpy as np
 
 from trimmer.contact.machine import free_springs
 from trimmer.contact.tabulated_change import AT_REST
-from trimmer.motion.taylor import DEGREE
+from trimmer.hybrid.taylor import DEGREE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

@@ -8,8 +8,8 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.contact.tables import Tables
-from trimmer.motion.first_event import DEEPEST
-from trimmer.motion.taylor import DEGREE
+from trimmer.hybrid.first_root import DEEPEST
+from trimmer.hybrid.taylor import DEGREE
 
 
 class Work(NamedTuple):

@@ -12,10 +12,10 @@ from trimmer.arguments import require_instance
 from trimmer.displacement import Body
 from trimmer.errors import UnsupportedMotionError
 from trimmer.generated import linear_trimmer
+from trimmer.hybrid.taylor import DEGREE
 from trimmer.linear.model import InputChannels
 from trimmer.motion.components_of_elements import components_of
 from trimmer.motion.motion import Motion
-from trimmer.motion.taylor import DEGREE
 from trimmer.motion.trimmer_loop import TrimmerLoop
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table

@@ -8,11 +8,12 @@ from collections.abc import Callable
 import numpy as np
 
 from trimmer.arrays import Integers
-from trimmer.motion.compilation import compiled, inlined, kept, sources
-from trimmer.motion.first_event import DEEPEST, first_event
-from trimmer.motion.linear_combination import combine, copy, evaluate_terms, within
+from trimmer.hybrid.compilation import compiled, inlined, kept, sources
+from trimmer.hybrid.first_root import DEEPEST
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
+from trimmer.hybrid.taylor import DEGREE, LEVELS
+from trimmer.motion.first_event import first_event
 from trimmer.motion.tables import TOGETHER, Limits, Log, Pause, Tables, Work
-from trimmer.motion.taylor import DEGREE, LEVELS
 
 REACHED_END, FULL, UNKNOWN_MODE, CYCLING, EVENT_LIMIT, DIVERGED, STEP_LIMIT = range(7)
 """Reasons why the integration stopped."""
@@ -224,7 +225,7 @@ def _know_held(tables: Tables, mode: int, before: int, known: Integers, unknown:
             known[each] = 1
 
 
-_compiled_march = _entry(sources())
+_compiled_march = _entry(sources("motion"))
 
 
 def integrate(

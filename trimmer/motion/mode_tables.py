@@ -9,13 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
-from trimmer.motion.frictions.coupled_relays import CoupledRelays, attracting
-from trimmer.motion.frictions.stick import projection
-from trimmer.motion.interconnection import Layout
-from trimmer.motion.mode import Change, ModeEventFunction, SwitchedMode, assemble
-from trimmer.motion.relay_component import HELD, RelayComponent
-from trimmer.motion.tables import Tables
-from trimmer.motion.taylor import (
+from trimmer.hybrid.taylor import (
     DEGREE,
     LEVELS,
     StepSeries,
@@ -24,6 +18,12 @@ from trimmer.motion.taylor import (
     step_series,
     sufficient_terms,
 )
+from trimmer.motion.frictions.coupled_relays import CoupledRelays, attracting
+from trimmer.motion.frictions.stick import projection
+from trimmer.motion.interconnection import Layout
+from trimmer.motion.mode import Change, ModeEventFunction, SwitchedMode, assemble
+from trimmer.motion.relay_component import HELD, RelayComponent
+from trimmer.motion.tables import Tables
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.arguments import real_values
+from trimmer.hybrid.taylor import DEGREE
 from trimmer.motion.integration import changes
 from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
 from trimmer.motion.tables import TOGETHER, Log
-from trimmer.motion.taylor import DEGREE
 from trimmer.showing.shown import Record, Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 
@@ -190,7 +190,7 @@ class Motion(Tabular):
 
         For friction this is its force, also while it sticks, where the force is what holding needs. Where
         several stick and the motion does not determine how they share the force, it is the share within the
-        limits that ``trimmer.motion.frictions.dry_friction.admissible_split`` gives. Shape (components,) +
+        limits that ``trimmer.hybrid.dry_friction.admissible_split`` gives. Shape (components,) +
         shape of the times (s).
 
         Raises:

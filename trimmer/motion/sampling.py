@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.motion.compilation import compiled, kept, sources
-from trimmer.motion.linear_combination import combine, copy, evaluate_polynomial
+from trimmer.hybrid.compilation import compiled, kept, sources
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_polynomial
+from trimmer.hybrid.taylor import DEGREE
 from trimmer.motion.tables import Log, Tables
-from trimmer.motion.taylor import DEGREE
 
 BLOCK = 512
 """Samples that are evaluated together."""
@@ -98,7 +98,7 @@ def _within_step(  # noqa: PLR0913
         done += used
 
 
-_compiled_entry = _entry(sources())
+_compiled_entry = _entry(sources("motion"))
 
 
 def sample(

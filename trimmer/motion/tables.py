@@ -37,7 +37,7 @@ class Tables(NamedTuple):
             none are told: (modes, event functions, 2, numbers).
         continuous: How many of these no jump of another component's output takes away: (modes, functions).
         reset: The state afterwards, transposed, in either case: (modes, event functions, n, n).
-        bernstein_from_taylor: Matrices of ``trimmer.motion.taylor.bernstein_from_taylor``.
+        bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
 
     known: Flags

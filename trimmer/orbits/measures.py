@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.taylor import DEGREE
+from trimmer.hybrid.taylor import DEGREE
 from trimmer.orbits.return_map import flow
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.taylor import DEGREE
 from trimmer.motion.integration import integrate_on, new_log
 from trimmer.motion.kernel import REACHED_END
 from trimmer.motion.tables import TOGETHER
-from trimmer.motion.taylor import DEGREE
 from trimmer.orbits.saltation import jump
 
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 Sliding gives the force of a friction, and stick of one alone gives what holds it. Where frictions that stick
 depend on each other, as two side by side or three in a ring, the motion determines only the resultant on
 each body. Then the share is that with the least sum of squares of the forces relative to their static limits,
-among those within the limits (``trimmer.motion.frictions.dry_friction.admissible_split``): it exists whenever
+among those within the limits (``trimmer.hybrid.dry_friction.admissible_split``): it exists whenever
 all can stick, is unique, moves continuously with the resultant, is the same for equal frictions, and does not
 depend on the order of the parts.
 """
@@ -17,7 +17,7 @@ import numpy as np
 from trimmer.contact.assembly import flow_without_stick
 from trimmer.contact.machine import independent
 from trimmer.contact.statuses import FORWARD, STICK
-from trimmer.motion.frictions.dry_friction import DEPENDENT, admissible_split, least_shares
+from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, least_shares
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Places, Reals

@@ -11,11 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trimmer.contact.compilation import sources
 from trimmer.contact.relaxing_root import UNSURE, relaxing_root
-from trimmer.motion.compilation import kept
-from trimmer.motion.first_event import NOWHERE
-from trimmer.motion.taylor import DEGREE, bernstein_from_taylor
+from trimmer.hybrid.compilation import kept, sources
+from trimmer.hybrid.first_root import NOWHERE
+from trimmer.hybrid.taylor import DEGREE, bernstein_from_taylor
 
 COUNT = DEGREE + 1
 GRID = np.linspace(0.0, 1.0, 4_001)
@@ -31,7 +30,7 @@ def entry(sources: bytes) -> Callable[..., float]:
     return kept(compiled_search)
 
 
-COMPILED_SEARCH = entry(sources())
+COMPILED_SEARCH = entry(sources("contact"))
 
 
 def search(taylor: list[float], stretch: float, decay: float) -> float:

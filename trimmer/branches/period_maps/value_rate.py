@@ -15,13 +15,12 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.contact.assembly import EventFunction, Mode, assemble
-from trimmer.contact.compilation import sources
 from trimmer.contact.flow import Course
 from trimmer.contact.machine import Machine, free_springs
 from trimmer.contact.variation import changes
-from trimmer.motion.compilation import kept
-from trimmer.motion.linear_combination import copy
-from trimmer.motion.taylor import DEGREE
+from trimmer.hybrid.compilation import kept, sources
+from trimmer.hybrid.linear_combination import copy
+from trimmer.hybrid.taylor import DEGREE
 
 
 def _entry(sources: bytes) -> Callable[..., None]:
@@ -52,7 +51,7 @@ def _entry(sources: bytes) -> Callable[..., None]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources())
+_compiled_entry = _entry(sources("contact"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.dry_friction import complementary_forces, elementary_vectors
 from trimmer.motion.frictions.coupled_relays import direction, symmetrizing_scales
-from trimmer.motion.frictions.dry_friction import complementary_forces, elementary_vectors
 from trimmer.motion.relay_component import HELD, MINUS, PLUS, RelayComponent
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def complementary_mode(modes: ModeTables, number: int, state: Reals, relays: tup
     """Return the mode that relays go on in whose switching functions are zero.
 
     First the rates of the switching functions decide, by the complementarity problem of
-    ``trimmer.motion.frictions.dry_friction``. Where they are zero and what is held is at a limit of all, the
+    ``trimmer.hybrid.dry_friction``. Where they are zero and what is held is at a limit of all, the
     next derivatives do, as often as needed.
 
     Args:

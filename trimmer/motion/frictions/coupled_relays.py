@@ -1,7 +1,7 @@
 """Relays and frictions whose switching functions depend on each other, as those of a ring of three bodies.
 
 Where they are all held, the motion determines the resultant of their outputs and not how they share it
-(``trimmer.motion.frictions.dry_friction``). So what ends the hold belongs to all of them: one event function
+(``trimmer.hybrid.dry_friction``). So what ends the hold belongs to all of them: one event function
 for each side of each facet, at which several begin to slide at once. And where some are held, others may be
 held too, because their velocities follow from those.
 """
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.frictions.dry_friction import DEPENDENT, admissible_split, closure, elementary_vectors
+from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, closure, elementary_vectors
 from trimmer.motion.interconnection import effect
 from trimmer.motion.relay_component import HELD, RelayComponent
 

@@ -6,8 +6,8 @@ Results are written into an array of the caller, the last argument.
 from __future__ import annotations
 
 from trimmer.arrays import Reals
-from trimmer.motion.compilation import compiled
-from trimmer.motion.taylor import DEGREE
+from trimmer.hybrid.compilation import compiled
+from trimmer.hybrid.taylor import DEGREE
 
 
 @compiled

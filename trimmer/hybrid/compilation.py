@@ -20,28 +20,19 @@ compiled: Callable[[_Function], _Function] = numba.njit(fastmath={"contract"}, *
 """Compile when a compiled function calls it. Product and sum may be one instruction, which rounds once."""
 inlined = numba.njit(inline="always")
 """Compile as a part of the function that calls it: passing many arrays to another function costs time."""
-SOURCES = (
-    "compilation",
-    "first_event",
-    "kernel",
-    "linear_combination",
-    "sampling",
-    "tables",
-    "taylor",
-)
-"""Modules that compiled code is made of."""
 
 
 @cache
-def sources() -> bytes:
-    """Return a digest of ``SOURCES``, the modules that compiled code is made of, 32 bytes.
+def sources(*folders: str) -> bytes:
+    """Return a digest of the modules of this folder, and of some beside it such as "motion", 32 bytes.
 
     Numba keeps machine code by the file of a function and by what the function closes over, but it does not
     notice a change in a function that is called. So every entry point closes over this digest.
     """
-    digest = hashlib.sha256()
-    for module in SOURCES:
-        digest.update(Path(__file__).with_name(f"{module}.py").read_bytes())
+    here, digest = Path(__file__).parent, hashlib.sha256()
+    for folder in (here, *(here.parent / name for name in folders)):
+        for module in sorted(folder.glob("*.py")):
+            digest.update(module.read_bytes())
     return digest.digest()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,8 @@ import numba
 import pytest
 from numba.core import caching
 
-from trimmer.motion import compilation as compiled
+import trimmer
+from trimmer.hybrid import compilation as compiled
 
 IMPORT_ALONE = """
 import numba
@@ -21,7 +23,7 @@ def refuse(self, signature):
     raise AssertionError(f"{self.py_func.__qualname__} is compiled at import")
 
 Dispatcher.compile = refuse
-import trimmer.motion.kernel, trimmer.motion.sampling
+import trimmer.branches.follow, trimmer.contact.flow, trimmer.motion.kernel, trimmer.motion.sampling
 """
 
 
@@ -73,11 +75,32 @@ def test_other_errors_are_not_hidden() -> None:
         compiled.kept(failing)(1.0)
 
 
-def test_every_module_with_compiled_code_is_in_the_digest() -> None:
-    folder = Path(compiled.__file__).parent
+def test_a_change_in_any_module_with_compiled_code_is_noticed(tmp_path: Path) -> None:
+    package = Path(trimmer.__file__).parent
+    words = ("@compiled", "@inlined", "kept(entry)")
     using = {
-        path.relative_to(folder).with_suffix("").as_posix()
-        for path in folder.rglob("*.py")
-        if any(f"@{name}" in path.read_text(encoding="utf-8") for name in ("compiled", "inlined"))
+        path.relative_to(package)
+        for path in package.rglob("*.py")
+        if any(word in path.read_text(encoding="utf-8") for word in words)
     }
-    assert using | {"compilation", "tables", "taylor"} == set(compiled.SOURCES)
+    # Entry points may also stand elsewhere: Numba itself notices a change in their own files.
+    assert {path.parent.as_posix() for path in using} == {
+        "hybrid",
+        "contact",
+        "motion",
+        "branches/period_maps",
+    }
+    copied = shutil.copytree(package, tmp_path / "trimmer", ignore=shutil.ignore_patterns("__pycache__"))
+    command = [
+        sys.executable,
+        "-c",
+        "from trimmer.hybrid.compilation import *; print(sources('contact', 'motion'))",
+    ]
+    digests = set[bytes]()
+    for path in ("", "hybrid/taylor.py", "contact/segment.py", "motion/kernel.py"):
+        if path:
+            (copied / path).write_text((copied / path).read_text() + "\n# changed\n")
+        digests.add(
+            subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120).stdout
+        )
+    assert len(digests) == 4

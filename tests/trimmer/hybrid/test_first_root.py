@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trimmer.motion.compilation import kept, sources
-from trimmer.motion.first_event import DEEPEST, NOWHERE, first_root
-from trimmer.motion.taylor import DEGREE, bernstein_from_taylor
+from trimmer.hybrid.compilation import kept, sources
+from trimmer.hybrid.first_root import DEEPEST, NOWHERE, first_root
+from trimmer.hybrid.taylor import DEGREE, bernstein_from_taylor
 
 COUNT = DEGREE + 1
 ROUNDING = 1e-14

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog, lsq_linear
 
 from trimmer.arrays import Reals
-from trimmer.motion.frictions.dry_friction import (
+from trimmer.hybrid.dry_friction import (
     admissible_split,
     always_at_limit,
     closure,
