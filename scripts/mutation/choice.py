@@ -16,7 +16,6 @@ BATCHES = (4.0, 16.0, 60.0)
 """Recorded times, s, up to which test files are collected and run together."""
 JUDGING = "tests/report/"
 """Tests of the report, which are run for changes of the report: claims tell of the other packages."""
-LISTED = re.compile(r"SOURCES = \(([^)]*)\)")
 
 
 def chosen(mutant: Mutant, known: LineMap, root: Path) -> list[TestFile]:
@@ -59,21 +58,20 @@ def batches(files: Sequence[TestFile]) -> Iterator[list[TestFile]]:
 
 @cache
 def compiled_sources(root: Path) -> frozenset[str]:
-    """Return the sources that compiled code is made of: listed, or with a function that Numba compiles."""
+    """Return the sources of compiled code: with functions that Numba compiles, or imported beside such."""
     found = {"trimmer/arrays.py"}
     for path in (root / "trimmer").rglob("*.py"):
         text, name = path.read_text("utf-8"), path.relative_to(root).as_posix()
-        if (listed := LISTED.search(text)) is not None:
+        if "kept(" in text or "@compiled" in text or "@inlined" in text:
             folder = name.rpartition("/")[0]
-            found |= {name, *(f"{folder}/{module}.py" for module in re.findall(r'"(\w+)"', listed[1]))}
-        elif "kept(" in text or "@compiled" in text or "@inlined" in text:
-            found.add(name)
+            beside = re.findall(rf"from {folder.replace('/', '[.]')}[.](\w+) import", text)
+            found |= {name, *(f"{folder}/{module}.py" for module in beside)}
     return frozenset(found)
 
 
 def _enters(file: TestFile, path: str, root: Path) -> bool:
     folder = path.rpartition("/")[0]
-    if folder == "trimmer/motion" or path == "trimmer/arrays.py":
+    if folder == "trimmer/hybrid" or path == "trimmer/arrays.py":
         entered = bool(file.entries)
     else:
         entered = path in file.entries or any(each.startswith(folder) for each in file.entries)

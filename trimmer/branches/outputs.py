@@ -47,7 +47,7 @@ def output_measures(mechanism: Mechanism, course: Course) -> dict[str, OutputMea
         course: Its motion over a whole number of drive periods, after which it repeats, in the frame that
             advances with it; without a drive over its own period.
     """
-    layout, found = course.modes.layout, {}
+    layout, found = course.modes.system.layout, {}
     speeds = output_speeds(mechanism, layout)
     omega = layout.omega or 2.0 * np.pi / course.duration
     for name, row in output_rows(mechanism, layout).items():
@@ -69,7 +69,7 @@ def body_coefficients(course: Course, periods: int, count: int) -> Complexes:
     Returns:
         Coefficients, m, shape (bodies, count + 1).
     """
-    layout, nodes = course.modes.layout, course.nodes
+    layout, nodes = course.modes.system.layout, course.nodes
     displacements = nodes.states[:, : len(layout.bodies)]
     mean = nodes.weights @ displacements / course.duration
     waves = fourier(course, displacements, layout.omega / periods, count)

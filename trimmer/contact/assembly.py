@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.machine import NO_STATE, independent, relaxing_springs
+from trimmer.contact.machine import free_springs, independent, relaxing_springs
 from trimmer.contact.statuses import (
     ALWAYS,
-    ARRIVED,
-    AT_LIMIT,
     BROKEN,
     FORWARD,
     FREE,
-    JOINTLY,
     LEFT,
     MADE_MINUS,
     MADE_PLUS,
@@ -29,6 +25,7 @@ from trimmer.contact.statuses import (
     STICK,
 )
 from trimmer.hybrid.dry_friction import elementary_vectors
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, EventFunction, Mode
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -42,40 +39,6 @@ SIDES = {PLUS: 1, RELEASED_PLUS: 1, MINUS: -1, RELEASED_MINUS: -1}
 """Statuses of a contact on either side of the slot."""
 ROUNDING = 16 * float(np.finfo(float).eps)
 """Rounding of a sum of products as a share of the moduli of its terms."""
-
-
-@dataclass(frozen=True, eq=False)
-class EventFunction:
-    """A functional that is positive while the mode lasts.
-
-    Attributes:
-        owner: The part that it belongs to, contacts first; ``JOINTLY`` for several frictions.
-        action: What it means that it falls to zero.
-        row: The functional, (N,).
-        signs: Directions in which frictions begin to slide, (p,).
-    """
-
-    owner: int
-    action: int
-    row: Reals
-    signs: tuple[int, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class Mode:
-    """The equations of a mode.
-
-    Attributes:
-        statuses: Of all contacts, then of all frictions.
-        flow: The matrix M of Z' = M Z, (N, N).
-        functions: The event functions.
-        hold: The state, made to fit what is held: springs in contact, and velocities of what sticks, (N, N).
-    """
-
-    statuses: tuple[int, ...]
-    flow: Reals
-    functions: tuple[EventFunction, ...]
-    hold: Reals
 
 
 def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
@@ -110,7 +73,23 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
             direction = 1.0 if status == FORWARD else -1.0
             row = direction * machine.friction_rate[friction]
             functions.append(EventFunction(contacts + friction, ARRIVED, row))
-    return Mode(statuses, flow, tuple(functions), hold)
+    relaxing = {contact: _rate(machine, contact) for contact, _ in relaxing_springs(machine)}
+    decay = [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
+    return Mode(
+        statuses,
+        flow,
+        tuple(functions),
+        hold,
+        held=tuple(contacts + int(friction) for friction in sticking),
+        settled=(*(FREE if each == RELAXING else each for each in statuses[:contacts]), *statuses[contacts:]),
+        decay=np.array(decay),
+        decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
+    )
+
+
+def _rate(machine: Machine, contact: int) -> float:
+    """Return the rate at which the spring behind a slot relaxes, 1/s."""
+    return float(machine.stiffness[contact] / machine.damping[contact])
 
 
 def _difference(whole: Reals, part: Reals, moduli: Reals) -> Reals:
@@ -138,7 +117,7 @@ def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Pl
             if z != NO_STATE:
                 flow[z] = machine.contact_rate[contact]
         elif status == RELAXING:
-            flow[z, z] = -machine.stiffness[contact] / machine.damping[contact]
+            flow[z, z] = -_rate(machine, contact)
     for friction, status in enumerate(statuses[contacts:]):
         if status != STICK and (left_out is None or friction not in left_out):
             resisted = machine.kinetic[friction] * (1.0 if status == FORWARD else -1.0)

@@ -12,20 +12,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.contact.assembly import force_of
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.joint import decide
-from trimmer.contact.machine import NO_STATE, machine_of
-from trimmer.contact.nodes import Nodes, nodes, sample
+from trimmer.contact.machine import machine_of
 from trimmer.contact.statuses import (
     ALWAYS,
-    ARRIVED,
     BACKWARD,
     FORWARD,
     FREE,
     MINUS,
-    NOTHING,
     PLUS,
     RELAXES,
     RELAXING,
@@ -34,10 +30,14 @@ from trimmer.contact.statuses import (
     STICK,
     TRUNCATES,
 )
-from trimmer.contact.tables import Modes
-from trimmer.contact.tabulated_change import AT_REST
-from trimmer.contact.variation import propagated
-from trimmer.contact.work import Log
+from trimmer.contact.system import MechanismSystem
+from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
+from trimmer.hybrid.nodes import Nodes, nodes, sample
+from trimmer.hybrid.system import ARRIVED, NO_STATE, NOTHING
+from trimmer.hybrid.tables import Modes
+from trimmer.hybrid.tabulated_change import AT_REST
+from trimmer.hybrid.variation import propagated
+from trimmer.hybrid.work import Log
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -65,7 +65,7 @@ class Course:
         log: Its segments; times count from its start.
     """
 
-    modes: Modes
+    modes: Modes[MechanismSystem]
     begin: Instant
     end: Instant
     ending: Ending
@@ -99,7 +99,7 @@ class Course:
         turned = cut, Log._make(each[count:] for each in later[0]), later[1].first(count)
         begin = replace(
             self.begin,
-            state=extended[: self.modes.layout.state_count],
+            state=extended[: self.modes.system.layout.state_count],
             statuses=self.modes[mode].statuses,
             periods=0,
             phase=phase,
@@ -114,14 +114,14 @@ class Course:
 
         In a frame that follows leaders a distance in which all that they lead is shifted is none.
         """
-        frame = self.modes.layout.frame
+        frame = self.modes.system.layout.frame
         at_start = frame.reduced(at_start.T).T if frame.follows else at_start
         return propagated(self.modes, self.log, self.duration, at_start)
 
     @property
     def monodromy(self) -> Reals:
         """The derivative of the state at the end by that at the start, (n, n)."""
-        return self.tangents(np.eye(self.modes.layout.state_count))
+        return self.tangents(np.eye(self.modes.system.layout.state_count))
 
     @property
     def times(self) -> Reals:
@@ -176,24 +176,24 @@ class ExactFlow:
         return cls(mechanism, frame_of(mechanism))
 
     @cached_property
-    def modes(self) -> Modes:
-        """The modes that were met so far, with ``machine`` and ``layout``."""
-        return Modes(*machine_of(self.mechanism, self.frame))
+    def modes(self) -> Modes[MechanismSystem]:
+        """The modes that were met so far, with their ``system``."""
+        return Modes(MechanismSystem(*machine_of(self.mechanism, self.frame)))
 
     @property
     def size(self) -> int:
         """Number n of states."""
-        return self.modes.layout.state_count
+        return self.modes.system.layout.state_count
 
     @property
     def period(self) -> float:
         """Period of the drive, s; 0 without one."""
-        return self.modes.layout.period
+        return self.modes.system.layout.period
 
     @cached_property
     def names(self) -> tuple[str, ...]:
         """What the states are, such as ``motor``, ``motor'`` and ``bridge``."""
-        layout = self.modes.layout
+        layout = self.modes.system.layout
         return (*layout.bodies, *(f"{body}'" for body in layout.bodies), *layout.relaxing)
 
     def rest(self, start: Mapping[str, tuple[float, float]] | None = None) -> Instant:
@@ -201,7 +201,7 @@ class ExactFlow:
 
         The others are where the mechanism's own start puts them, or at rest at 0.
         """
-        layout = self.modes.layout
+        layout = self.modes.system.layout
         count = len(layout.bodies)
         state = np.zeros(self.size)
         for name, (displacement, velocity) in {**self.mechanism.start, **(start or {})}.items():
@@ -221,7 +221,7 @@ class ExactFlow:
             like: An instant of a neighbouring motion, whose contacts hold and whose frictions stick in this
                 one too; the state is made to fit.
         """
-        machine, layout = self.modes.machine, self.modes.layout
+        machine, layout = self.modes.system.machine, self.modes.system.layout
         extended = np.concatenate([state, layout.forcing_at(phase)])
         if like is not None:
             held = self.modes[self.modes.number(like.statuses)].hold @ extended
@@ -247,7 +247,7 @@ class ExactFlow:
 
     def _contact(self, contact: int, extended: Reals, stretched: bool) -> int:
         """Return the status of a contact, and set the stretch of its spring if that is not given."""
-        machine = self.modes.machine
+        machine = self.modes.system.machine
         z = machine.relaxing_state[contact]
         relaxes = z != NO_STATE
         distance = machine.contact_distance[contact] @ extended
@@ -277,7 +277,7 @@ class ExactFlow:
     def strobe(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Strobe:
         """Go on for a number of drive periods, at least 1, and keep the state between them."""
         # What moves on for ever forces each period in a way of its own.
-        portions = ([1] * periods if self.modes.layout.ramp else []) or [periods]
+        portions = ([1] * periods if self.modes.system.layout.ramp else []) or [periods]
         states, counts, end = [instant.state[None]], [], instant
         for portion in portions:
             stretch = advance(self.modes, end, portion, self.period, False, most_steps)
@@ -313,7 +313,7 @@ class ExactFlow:
         done, count = 0, 1
         while done < periods and ending is Ending.REACHED_END:
             # What moves on for ever forces each period in a way of its own.
-            count = 1 if self.modes.layout.ramp else min(count, periods - done)
+            count = 1 if self.modes.system.layout.ramp else min(count, periods - done)
             stretch = advance(self.modes, end, count, self.period, True, most_steps, done)
             logs.append(stretch.log)
             end, ending, done = stretch.end, stretch.ending, done + count
@@ -325,10 +325,10 @@ class ExactFlow:
 
         There a motion that repeats up to a shift returns to where it was; without leaders nothing changes.
         """
-        frame = self.modes.layout.frame
+        frame = self.modes.system.layout.frame
         if not frame.follows or not self.shifts:
             return self, course
-        bodies, nodes = len(self.modes.layout.bodies), course.nodes
+        bodies, nodes = len(self.modes.system.layout.bodies), course.nodes
         flow = self.moving(nodes.weights @ nodes.states[:, bodies : 2 * bodies] / course.duration)
         periods = course.end.periods - course.begin.periods
         if periods and course.end.phase == course.begin.phase:
@@ -338,21 +338,21 @@ class ExactFlow:
     @property
     def shifts(self) -> int:
         """Number of directions along which bodies may be shifted without a change of any force."""
-        return len(self.modes.layout.frame.leading)
+        return len(self.modes.system.layout.frame.leading)
 
     def advances(self, sizes: Reals) -> bool:
         """Say whether the frame moves on, beyond rounding, beside a motion with the sizes of states, (n,)."""
-        velocities = self.modes.layout.frame.velocities
+        velocities = self.modes.system.layout.frame.velocities
         fastest = sizes[len(velocities) : 2 * len(velocities)].max(initial=0.0)
         return bool((abs(velocities) > NEGLIGIBLE * fastest).any())
 
     def reduced(self, states: Reals) -> Reals:
         """Return states, (..., n), shifted along all directions in which no force changes to leaders at 0."""
-        return self.modes.layout.frame.reduced(states)
+        return self.modes.system.layout.frame.reduced(states)
 
     def moving(self, mean: Reals) -> ExactFlow:
         """Return the same in a frame that moves evenly, at mean velocities, m/s, (bodies,), of leaders."""
-        return ExactFlow(self.mechanism, self.modes.layout.frame.steady(mean))
+        return ExactFlow(self.mechanism, self.modes.system.layout.frame.steady(mean))
 
     def _joined(
         self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None

@@ -10,6 +10,7 @@ from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.frame import HELD, Frame
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
+from trimmer.hybrid.system import NO_STATE
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 
 if TYPE_CHECKING:
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 
     from trimmer.mechanism.mechanism import Mechanism
 
-NO_STATE = -1
-"""In place of the place of z of a contact without a relaxing spring."""
 _LAWS = {ContactLaw.RELAXING: RELAXES, ContactLaw.TRUNCATED: TRUNCATES, ContactLaw.PULLING: PULLS}
 
 

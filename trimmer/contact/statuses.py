@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from trimmer.hybrid.system import OWN_ACTIONS, OWN_KINDS
+
 FREE, RELAXING, PLUS, MINUS, RELEASED_PLUS, RELEASED_MINUS, ALWAYS = range(7)
 """A contact: without force and relaxed; without force, its spring relaxing; in contact where the end is far
 from the start, or on the other side; beyond the gap without force; a play without gap, always in contact."""
@@ -11,12 +13,8 @@ FORWARD, BACKWARD, STICK = range(3)
 RELAXES, TRUNCATES, PULLS = range(3)
 """The contact laws. Without damping they are one, which is held as the last."""
 
-MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT, ARRIVED, AT_LIMIT = range(7)
-"""Event functions: contact made on either side, broken; the force of a contact that was released is a push
-again, or it left the range of contact; a sliding velocity is zero; sticking frictions are at their limit."""
-JOINTLY = -1
-"""In place of a part: several frictions."""
-
-NOTHING, CONTACT_MADE, CONTACT_BROKEN, REVERSED, STICK_BEGUN, STICK_ENDED = range(6)
-"""What begins a segment of the motion: nothing that counts, or an event."""
-KINDS = 6
+MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT = range(OWN_ACTIONS, OWN_ACTIONS + 5)
+"""Event functions of contacts: contact made on either side, broken; the force of a contact that was released
+is a push again, or it left the range of contact."""
+CONTACT_MADE, CONTACT_BROKEN = range(OWN_KINDS, OWN_KINDS + 2)
+"""What contacts do that begins a segment of the motion."""

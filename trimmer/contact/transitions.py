@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trimmer.contact.statuses import (
-    ARRIVED,
-    AT_LIMIT,
     BACKWARD,
     BROKEN,
     CONTACT_BROKEN,
     CONTACT_MADE,
     FORWARD,
     FREE,
-    JOINTLY,
     LEFT,
     MADE_MINUS,
     MADE_PLUS,
     MINUS,
-    NOTHING,
     PLUS,
     PULLS,
     RELAXES,
@@ -28,30 +23,12 @@ from trimmer.contact.statuses import (
     RELEASED_PLUS,
     RETURNED,
     STICK,
-    STICK_BEGUN,
-    STICK_ENDED,
 )
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, HOLD_ENDED, JOINTLY, NOTHING, Transition
 
 if TYPE_CHECKING:
-    from trimmer.contact.assembly import EventFunction
     from trimmer.contact.machine import Machine
-
-
-@dataclass(frozen=True)
-class Transition:
-    """The change of one part.
-
-    Attributes:
-        statuses: Of all parts afterwards.
-        kind: What it counts as.
-        action: An event function of the part afterwards of which some derivatives vanish.
-        zeros: How many, counting the zeroth; 0 for none.
-    """
-
-    statuses: tuple[int, ...]
-    kind: int
-    action: int = -1
-    zeros: int = 0
+    from trimmer.hybrid.system import EventFunction
 
 
 def transition(
@@ -75,7 +52,7 @@ def transition(
         part for part in range(contacts, len(statuses)) if part != function.owner and statuses[part] == STICK
     ]
     if function.action == ARRIVED:
-        return None if others else Transition(_with(statuses, function.owner, STICK), STICK_BEGUN)
+        return None if others else Transition(_with(statuses, function.owner, STICK), HOLD_BEGUN)
     if function.owner == JOINTLY:
         return None
     friction = function.owner - contacts
@@ -84,7 +61,7 @@ def transition(
         return None
     direction = FORWARD if function.signs[friction] > 0 else BACKWARD
     zeros = 1 if drops or jumped else 2
-    return Transition(_with(statuses, function.owner, direction), STICK_ENDED, ARRIVED, zeros)
+    return Transition(_with(statuses, function.owner, direction), HOLD_ENDED, ARRIVED, zeros)
 
 
 def _with(statuses: tuple[int, ...], part: int, status: int) -> tuple[int, ...]:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target
+from trimmer.hybrid.advance import Ending
 from trimmer.response.measures import ContactMeasures, FrictionMeasures, Measures, OutputMeasures
 from trimmer.response.motion_signals import along, contact_force, durations, output_rows, while_status
 from trimmer.response.response import MotionKind
@@ -203,7 +203,7 @@ def _hand_arm(
 
 
 def _signals(flow: ExactFlow, course: Course, share: float) -> Signals:
-    layout, log = flow.modes.layout, course.log
+    layout, log = flow.modes.system.layout, course.log
     end = share * course.duration
     times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])
     states = course.states(times)

@@ -80,7 +80,7 @@ def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) ->
         omega: Frequency at which it repeats, rad/s.
         rms: Root of the mean square acceleration of each body, m/s².
     """
-    layout = course.modes.layout
+    layout = course.modes.system.layout
     count = min(int(np.ceil(2 * np.pi * HIGHEST / omega)), MOST_LINES)
     displacements = course.nodes.states[:, : len(layout.bodies)]
     mean = course.nodes.weights @ displacements / course.duration
@@ -118,7 +118,7 @@ def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -
     frequency = np.fft.rfftfreq(count, course.duration / count)
     weights = abs(hand_arm_weighting(frequency))
     found = {}
-    for body, name in enumerate(course.modes.layout.bodies):
+    for body, name in enumerate(course.modes.system.layout.bodies):
         signal = along(course, acceleration(course.modes, body), rows, states)
         power = abs(np.fft.rfft((signal - signal.mean()) * taper)) ** 2
         share = float(weights**2 @ power / power.sum()) if power.sum() > 0 else 0.0

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.design.targets import Measure, Target
 from trimmer.errors import TrimmerError
+from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
 from trimmer.response.measures import Measures

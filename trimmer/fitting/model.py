@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.advance import Instant
+    from trimmer.hybrid.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.orbit import MechanismOrbit
 
@@ -125,7 +125,7 @@ class Model:
 
     def _lines(self, orbit: MechanismOrbit) -> Complexes:
         course = orbit.course
-        rows = output_rows(orbit.mechanism, course.modes.layout)
+        rows = output_rows(orbit.mechanism, course.modes.system.layout)
         signals = course.nodes.states @ np.array([rows[name] for name in self.outputs]).T
         omega = 2 * np.pi / course.duration
         orders = np.arange(1, self.count + 1)[:, None]

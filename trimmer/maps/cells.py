@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import TrimmerError
+from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
@@ -22,7 +22,7 @@ from trimmer.response.shooting import CLOSED
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
+    from trimmer.hybrid.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import MechanismOrbit
@@ -163,7 +163,7 @@ def start_scales(flow: ExactFlow) -> Reals:
     length = max(lengths, default=0.0) or 1e-3
     scales = np.full(flow.size, length)
     bodies = len(mechanism.bodies)
-    scales[bodies : 2 * bodies] *= flow.modes.layout.omega
+    scales[bodies : 2 * bodies] *= flow.modes.system.layout.omega
     return scales
 
 

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.statuses import CONTACT_MADE, KINDS, NOTHING, STICK
+from trimmer.contact.statuses import CONTACT_MADE, STICK
+from trimmer.hybrid.system import NOTHING
 from trimmer.response import measures as exact
 from trimmer.response.motion_signals import output_rows
 
@@ -72,7 +73,7 @@ def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
         course: A window of the motion.
         periods: Drive periods that it lasts.
     """
-    mechanism, log, machine = flow.mechanism, course.log, flow.modes.machine
+    mechanism, log, machine = flow.mechanism, course.log, flow.modes.system.machine
     count, bodies = periods * SAMPLES, len(mechanism.bodies)
     times = course.duration * (np.arange(count) + 0.5) / count
     rows = np.searchsorted(log.start, times, side="right") - 1
@@ -80,7 +81,7 @@ def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
     accelerations = _accelerations(course, rows, states, bodies)
     speeds = abs(product(states, machine.friction_rate))
     speeds[flow.modes.tables.statuses[log.mode[rows], len(machine.stiffness) :] == STICK] = 0.0
-    powers = dict(zip(flow.modes.layout.frictions, machine.kinetic * speeds.mean(axis=0), strict=True))
+    powers = dict(zip(flow.modes.system.layout.frictions, machine.kinetic * speeds.mean(axis=0), strict=True))
     return Measures(
         _swings(flow, course, times, states),
         dict(zip(mechanism.bodies, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
@@ -92,9 +93,9 @@ def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
 def _of_events(course: Course, periods: int) -> tuple[float, float, float]:
     """Return events and impacts per drive period, and the largest speed of an impact."""
     log = course.log
-    counts = np.bincount(log.kind, minlength=KINDS)
+    counts = np.bincount(log.kind, minlength=course.modes.system.kind_count)
     made = np.flatnonzero(log.kind == CONTACT_MADE)
-    speeds = (course.modes.machine.contact_rate[log.part[made]] * log.state[made]).sum(axis=1)
+    speeds = (course.modes.system.machine.contact_rate[log.part[made]] * log.state[made]).sum(axis=1)
     events = float((len(log.kind) - counts[NOTHING]) / periods)
     return events, float(counts[CONTACT_MADE] / periods), float(abs(speeds).max(initial=0.0))
 
@@ -122,7 +123,7 @@ def _swings(flow: ExactFlow, course: Course, times: Reals, states: Reals) -> dic
     times = np.concatenate([course.log.start, times])
     order = np.argsort(times, kind="stable")
     states = np.concatenate([course.log.state, states])[order]
-    rows = output_rows(flow.mechanism, flow.modes.layout)
+    rows = output_rows(flow.mechanism, flow.modes.system.layout)
     if not rows:
         return {}
     functionals = np.array(list(rows.values()))
@@ -162,10 +163,10 @@ def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
         lines: Its lines.
         motion: It.
     """
-    flow, contacts = motion.flow, len(motion.flow.modes.machine.stiffness)
+    flow, contacts = motion.flow, len(motion.flow.modes.system.machine.stiffness)
     sliding = np.array(motion.instant.statuses[contacts:]) != STICK
-    speeds = [abs(motion.seen_by(row)[0]) for row in flow.modes.machine.friction_rate]
-    powers = flow.modes.machine.kinetic * np.array(speeds) * sliding
-    of_each = dict(zip(flow.modes.layout.frictions, powers.tolist(), strict=True))
+    speeds = [abs(motion.seen_by(row)[0]) for row in flow.modes.system.machine.friction_rate]
+    powers = flow.modes.system.machine.kinetic * np.array(speeds) * sliding
+    of_each = dict(zip(flow.modes.system.layout.frictions, powers.tolist(), strict=True))
     wear = {name: float(of_each.get(name, 0.0)) for name in flow.mechanism.frictions}
     return Measures(dict(lines.peak_to_peak), dict(lines.rms_acceleration), wear, 0.0, 0.0, 0.0)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
+from trimmer.hybrid.advance import Ending
 from trimmer.response.growth import OLDER, grows
 from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import orbit_of
@@ -27,8 +27,8 @@ from trimmer.response.solved import rest_of, solved
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
+    from trimmer.hybrid.advance import Instant
     from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import MechanismOrbit
 

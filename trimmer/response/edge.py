@@ -2,7 +2,7 @@
 
 So it is where a contact just touches at rest, where a force in stick stays at its limit, or where a sliding
 velocity touches zero: a disturbance to one side meets an event that one to the other does not. The derivative
-of the return (``trimmer.contact.variation``), and its eigenvalues, the multipliers, then belong to one side.
+of the return (``trimmer.hybrid.variation``), and its eigenvalues, the multipliers, then belong to one side.
 Whether what jumps between sides dies out, they do not say: two sides that are stable by themselves may be
 unstable together (di Bernardo, Budd, Champneys and Kowalczyk, Piecewise-smooth Dynamical Systems, 2008).
 
@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
+from trimmer.hybrid.advance import Ending
 from trimmer.sides import DIFFERENT, DISTANCES, Sides
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.hybrid.advance import Instant
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +93,7 @@ class _Beside:
 
     def _set_free(self, change: Reals) -> Instant:
         """Return the start of the orbit, with what a change of velocities tears out of stick sliding."""
-        machine, begin = self.flow.modes.machine, self.course.begin
+        machine, begin = self.flow.modes.system.machine, self.course.begin
         rates = machine.friction_rate[:, : len(change)]
         speeds, contacts = rates @ change, len(machine.stiffness)
         moves = abs(speeds) > DIFFERENT * (abs(rates) @ abs(change))

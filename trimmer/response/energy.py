@@ -114,7 +114,8 @@ class _Balance:
             {name: self.of_force(name) for name in self.mechanism.forces},
             {name: self.integral(link.damping * self.rate(*link.between) ** 2)
              for name, link in self.mechanism.links.items()},
-            {name: self.of_contact(number) for number, name in enumerate(self.course.modes.layout.contacts)},
+            {name: self.of_contact(number)
+             for number, name in enumerate(self.course.modes.system.layout.contacts)},
             {name: self.of_friction(name) for name in self.mechanism.frictions},
             tuple(
                 name for name in undetermined(self.course)
@@ -130,7 +131,7 @@ class _Balance:
     @cached_property
     def rows(self) -> dict[str, tuple[Reals, Reals]]:
         """Displacement and velocity of each end as functionals."""
-        rows = Rows(self.mechanism, self.course.modes.layout)
+        rows = Rows(self.mechanism, self.course.modes.system.layout)
         ends = (GROUND, *self.mechanism.bodies, *self.mechanism.pins)
         return {end: (rows.displacement(end), rows.velocity(end)) for end in ends}
 
@@ -156,7 +157,7 @@ class _Balance:
         for link in self.mechanism.links.values():
             start, end = link.between
             energy += 0.5 * link.stiffness * ((self.rows[end][0] - self.rows[start][0]) @ state) ** 2
-        for contact, stiffness in enumerate(self.course.modes.machine.stiffness):
+        for contact, stiffness in enumerate(self.course.modes.system.machine.stiffness):
             energy += 0.5 * stiffness * (self.stretch(contact)(mode) @ state) ** 2
         return float(energy)
 
@@ -165,12 +166,12 @@ class _Balance:
         modes = self.course.modes
 
         def row(mode: int) -> Reals:
-            status, found = modes[mode].statuses[contact], np.zeros(modes.layout.size)
+            status, found = modes[mode].statuses[contact], np.zeros(modes.system.layout.size)
             if status in PUSHING:
-                found = modes.machine.contact_distance[contact].copy()
-                found[-1] -= offset(modes.machine, contact, status)
+                found = modes.system.machine.contact_distance[contact].copy()
+                found[-1] -= offset(modes.system.machine, contact, status)
             elif status == RELAXING:
-                found[modes.machine.relaxing_state[contact]] = 1.0
+                found[modes.system.machine.relaxing_state[contact]] = 1.0
             return found
 
         return row
@@ -178,9 +179,9 @@ class _Balance:
     def of_contact(self, contact: int) -> float:
         """Return what a contact loses: to its damper, and what its spring holds when the law forgets it."""
         modes, log = self.course.modes, self.course.log
-        machine = modes.machine
+        machine = modes.system.machine
         rate = machine.contact_rate[contact]
-        idle = np.zeros(modes.layout.size)
+        idle = np.zeros(modes.system.layout.size)
         pushes = self.of(lambda mode: rate if modes[mode].statuses[contact] in PUSHING else idle)
         lost = machine.damping[contact] * self.integral(pushes**2)
         stretch, rows = self.stretch(contact), np.arange(len(log.mode))
@@ -195,7 +196,7 @@ class _Balance:
 
     def relaxed(self, contact: int, squares: Reals) -> Reals:
         """Return the squares of a stretch after it has relaxed for the time of each segment."""
-        machine = self.course.modes.machine
+        machine = self.course.modes.system.machine
         if machine.damping[contact] == 0:
             return squares
         times = np.diff(np.append(self.course.log.start, self.course.duration))
@@ -207,11 +208,11 @@ class _Balance:
         friction = self.mechanism.frictions[name]
         speeds = self.rate(*friction.between)
         lost = friction.viscous * self.integral(speeds**2)
-        if name in self.course.modes.layout.frictions:
-            number = self.course.modes.layout.frictions.index(name)
-            contacts = len(self.course.modes.machine.stiffness)
+        if name in self.course.modes.system.layout.frictions:
+            number = self.course.modes.system.layout.frictions.index(name)
+            contacts = len(self.course.modes.system.machine.stiffness)
             sticks = while_status(self.course, contacts + number, (STICK,))[self.course.nodes.rows]
-            kinetic = float(self.course.modes.machine.kinetic[number])
+            kinetic = float(self.course.modes.system.machine.kinetic[number])
             lost += kinetic * self.integral(np.where(sticks, 0.0, abs(speeds)))
         return lost
 
@@ -219,7 +220,7 @@ class _Balance:
     def dry(self) -> Mapping[str, Reals]:
         """The dry force of each friction as a tension at the nodes, N."""
         forces = dry_forces(self.course, self.course.nodes.rows, self.course.nodes.states)
-        return dict(zip(self.course.modes.layout.frictions, forces.T, strict=True))
+        return dict(zip(self.course.modes.system.layout.frictions, forces.T, strict=True))
 
     def of_pin(self, name: str) -> float:
         """Return the work of what moves a pin, against the tensions of all that it is an end of."""
@@ -232,7 +233,7 @@ class _Balance:
     @cached_property
     def tensions(self) -> list[tuple[tuple[str, str], Reals]]:
         """Ends and tension at the nodes, N, of each part."""
-        mechanism, layout = self.mechanism, self.course.modes.layout
+        mechanism, layout = self.mechanism, self.course.modes.system.layout
         found = []
         for link in mechanism.links.values():
             start, end = link.between
@@ -249,7 +250,7 @@ class _Balance:
         return found
 
     def of_force(self, name: str) -> float:
-        force, layout = self.mechanism.forces[name], self.course.modes.layout
+        force, layout = self.mechanism.forces[name], self.course.modes.system.layout
         row = np.zeros(layout.size)
         amplitude = force.amplitude + force.unbalance * (force.order * layout.omega) ** 2
         if amplitude:

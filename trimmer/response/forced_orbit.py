@@ -91,8 +91,8 @@ def _with_edge(orbit: MechanismOrbit) -> MechanismOrbit:
 
 
 def _driven(flow: ExactFlow, periods: int, guess: Start, settling: int | None) -> MechanismOrbit:
-    from trimmer.contact.advance import Ending
     from trimmer.errors import OrbitNotFoundError
+    from trimmer.hybrid.advance import Ending
     from trimmer.response.orbit import orbit_of
     from trimmer.response.shooting import Return, solve
     from trimmer.response.starts import instant_of
@@ -120,7 +120,7 @@ def require_repeating(flow: ExactFlow) -> None:
     Raises:
         UnsupportedMotionError: if pins go on for ever and pull at springs that something else holds.
     """
-    if flow.modes.layout.ramp:
+    if flow.modes.system.layout.ramp:
         raise UnsupportedMotionError(
             "nothing repeats, because a pin goes on for ever, and what leans on it is held elsewhere too; "
             "simulate() follows it"

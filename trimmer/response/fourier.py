@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.nodes import NODES
+from trimmer.hybrid.nodes import NODES
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals

@@ -22,7 +22,8 @@ from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, least_share
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Places, Reals
     from trimmer.contact.flow import Course
-    from trimmer.contact.tables import Modes
+    from trimmer.contact.system import MechanismSystem
+    from trimmer.hybrid.tables import Modes
 
 
 def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:
@@ -37,7 +38,7 @@ def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:
         Array (count, frictions), in the order of the layout.
     """
     modes = course.modes
-    forces = np.empty((len(rows), len(modes.machine.kinetic)))
+    forces = np.empty((len(rows), len(modes.system.machine.kinetic)))
     mode_of_each = course.log.mode[rows]
     for mode in np.unique(mode_of_each):
         here = mode_of_each == mode
@@ -54,11 +55,11 @@ def undetermined(course: Course) -> tuple[str, ...]:
         if len(sticking) > 1:
             _, free = _shares(modes, sticking, np.zeros((len(sticking), 1)))
             found |= set(sticking[(abs(free) > DEPENDENT).any(axis=1)].tolist())
-    return tuple(name for number, name in enumerate(modes.layout.frictions) if number in found)
+    return tuple(name for number, name in enumerate(modes.system.layout.frictions) if number in found)
 
 
-def _forces_in_mode(modes: Modes, mode: int, states: Reals) -> Reals:
-    machine, statuses = modes.machine, modes[mode].statuses
+def _forces_in_mode(modes: Modes[MechanismSystem], mode: int, states: Reals) -> Reals:
+    machine, statuses = modes.system.machine, modes[mode].statuses
     directions = np.array(statuses[len(machine.stiffness) :])
     slides = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
     forces = np.tile(slides, (len(states), 1))
@@ -77,24 +78,24 @@ def _forces_in_mode(modes: Modes, mode: int, states: Reals) -> Reals:
     return forces
 
 
-def _sticking(modes: Modes, mode: int) -> Places:
-    statuses = modes[mode].statuses[len(modes.machine.stiffness) :]
+def _sticking(modes: Modes[MechanismSystem], mode: int) -> Places:
+    statuses = modes[mode].statuses[len(modes.system.machine.stiffness) :]
     return np.flatnonzero(np.array(statuses, dtype=np.int64) == STICK)
 
 
-def _directions(modes: Modes, sticking: Places) -> Reals:
-    bodies = len(modes.layout.bodies)
-    directions: Reals = modes.machine.friction_rate[sticking, bodies : 2 * bodies]
+def _directions(modes: Modes[MechanismSystem], sticking: Places) -> Reals:
+    bodies = len(modes.system.layout.bodies)
+    directions: Reals = modes.system.machine.friction_rate[sticking, bodies : 2 * bodies]
     return directions
 
 
-def _shares(modes: Modes, sticking: Places, split: Reals) -> tuple[Reals, Reals]:
-    return least_shares(_directions(modes, sticking), modes.machine.static[sticking], split)
+def _shares(modes: Modes[MechanismSystem], sticking: Places, split: Reals) -> tuple[Reals, Reals]:
+    return least_shares(_directions(modes, sticking), modes.system.machine.static[sticking], split)
 
 
-def _some_split(modes: Modes, mode: int, sticking: Places) -> Reals:
+def _some_split(modes: Modes[MechanismSystem], mode: int, sticking: Places) -> Reals:
     """Return the forces in stick as functionals, (sticking, N), where those that close a ring are zero."""
-    machine, bodies = modes.machine, len(modes.layout.bodies)
+    machine, bodies = modes.system.machine, len(modes.system.layout.bodies)
     flow = flow_without_stick(machine, modes[mode].statuses)
     tree = independent(machine.vertices, sticking)
     rates, push = machine.friction_rate[tree], machine.friction_push[tree]

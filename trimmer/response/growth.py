@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
+from trimmer.hybrid.advance import Ending
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
+    from trimmer.hybrid.advance import Instant
 
 BLOCK = 32
 """Drive periods over which the size of a motion is taken."""
@@ -72,7 +72,7 @@ def is_bounded(flow: ExactFlow) -> bool:
     if any(pin.velocity for pin in flow.mechanism.pins.values()):
         return False
     roots = np.sqrt([body.mass for body in flow.mechanism.bodies.values()])
-    count, base = len(roots), flow.modes.machine.base
+    count, base = len(roots), flow.modes.system.machine.base
     for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
         resisting = -base[count : 2 * count, block] * roots[:, None] / roots
         values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
@@ -95,6 +95,6 @@ def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
 
 def state_sizes(flow: ExactFlow, states: Reals) -> Reals:
     """Return the largest displacement, m, and the largest velocity, m/s, among states, (2,)."""
-    count = len(flow.modes.layout.bodies)
+    count = len(flow.modes.system.layout.bodies)
     moduli = abs(states).max(axis=0)
     return np.array([moduli[:count].max(initial=0.0), moduli[count : 2 * count].max(initial=0.0)])

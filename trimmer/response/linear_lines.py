@@ -33,7 +33,7 @@ class LinearLines:
 
     @cached_property
     def _of_outputs(self) -> Mapping[str, tuple[Complexes, Reals]]:
-        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.layout)
+        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.system.layout)
         return {name: self._lines(row) for name, row in rows.items()}
 
     def _lines(self, row: Reals) -> tuple[Complexes, Reals]:
@@ -46,14 +46,14 @@ class LinearLines:
     @property
     def mean(self) -> Mapping[str, float]:
         """Mean of each output, m."""
-        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.layout)
+        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.system.layout)
         return {name: self.motion.seen_by(row)[0] for name, row in rows.items()}
 
     @property
     def advance(self) -> Mapping[str, float]:
         """Shift of each output over a drive period, or a second without a drive, m."""
         flow = self.motion.flow
-        speeds = output_speeds(flow.mechanism, flow.modes.layout)
+        speeds = output_speeds(flow.mechanism, flow.modes.system.layout)
         return {name: speed * (flow.period or 1.0) for name, speed in speeds.items()}
 
     @property
@@ -91,7 +91,7 @@ class LinearLines:
         mode = modes.number(self.motion.instant.statuses)
         return {
             name: _rms(*self._lines(acceleration(modes, body)(mode)))
-            for body, name in enumerate(modes.layout.bodies)
+            for body, name in enumerate(modes.system.layout.bodies)
         }
 
 

@@ -19,9 +19,9 @@ from trimmer.contact.assembly import flow_without_stick
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.contact.advance import Instant
-    from trimmer.contact.assembly import Mode
     from trimmer.contact.flow import ExactFlow
+    from trimmer.hybrid.advance import Instant
+    from trimmer.hybrid.system import Mode
 
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Rounding of a sum as a share of the moduli of its terms."""
@@ -73,7 +73,7 @@ class LinearMotion:
     def sizes(self) -> Reals:
         """Scale of each state, (n,): those of one kind share theirs."""
         terms = abs(self.mean) + abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
-        count, sizes = len(self.flow.modes.layout.bodies), np.empty(self.flow.size)
+        count, sizes = len(self.flow.modes.system.layout.bodies), np.empty(self.flow.size)
         moving = abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
         fastest = float(moving[count : 2 * count].max(initial=0.0))
         sizes[:] = terms[:count].max(initial=0.0)
@@ -117,13 +117,13 @@ class LinearMotion:
     @property
     def still(self) -> bool:
         """Whether no body moves once what decays is gone."""
-        moved = self.waves[:, : 2 * len(self.flow.modes.layout.bodies)]
+        moved = self.waves[:, : 2 * len(self.flow.modes.system.layout.bodies)]
         return not self.alive.any() and not moved.any() and not self.moves_on
 
     @property
     def moves_on(self) -> bool:
         """Whether bodies go on at a constant velocity, beyond rounding, as they may with the frame."""
-        frame, count = self.flow.modes.layout.frame, len(self.flow.modes.layout.bodies)
+        frame, count = self.flow.modes.system.layout.frame, len(self.flow.modes.system.layout.bodies)
         if not frame.follows and not frame.velocities.any():
             return False
         mean, velocities = abs(self.mean), slice(count, 2 * count)
@@ -143,7 +143,7 @@ class LinearMotion:
 
         The waves are those of the orders, (m,), the free parts those of the rates, (r,).
         """
-        layout, size = self.flow.modes.layout, self.flow.size
+        layout, size = self.flow.modes.system.layout, self.flow.size
         forcing, waves = row[size:], self.waves @ row[:size]
         for place, order in enumerate(layout.orders):
             sine = layout.sine(order) - size
@@ -165,7 +165,7 @@ def linear_motion(flow: ExactFlow, instant: Instant) -> LinearMotion | None:
         flow: The motion of the mechanism.
         instant: Where it is.
     """
-    if flow.modes.layout.ramp:
+    if flow.modes.system.layout.ramp:
         return None
     mode = _mode(flow, instant)
     held = _Held.of(flow, mode)
@@ -186,7 +186,7 @@ def grows_for_ever(flow: ExactFlow, instant: Instant) -> bool:
     damps.
     """
     mode = _mode(flow, instant)
-    if flow.modes.layout.ramp or mode.functions:
+    if flow.modes.system.layout.ramp or mode.functions:
         return False
     held = _Held.of(flow, mode)
     modal = _modal(flow, mode, held)
@@ -219,7 +219,7 @@ class _Held(NamedTuple):
 
     @classmethod
     def of(cls, flow: ExactFlow, mode: Mode) -> _Held:
-        layout, size = flow.modes.layout, flow.size
+        layout, size = flow.modes.system.layout, flow.size
         A, B = mode.flow[:size, :size], mode.flow[:size, size:]
         hold, shift = mode.hold[:size, :size], mode.hold[:size, size:]
         rank = round(float(np.trace(hold)))
@@ -233,7 +233,7 @@ class _Held(NamedTuple):
         moved = 1j * omegas[:, None] * (forcing @ shift.T)
         push = (forcing @ (A @ shift + B).T - moved) @ basis
         # Stick takes forces away, whose rounding stays.
-        whole = abs(flow_without_stick(flow.modes.machine, mode.statuses))[:size]
+        whole = abs(flow_without_stick(flow.modes.system.machine, mode.statuses))[:size]
         moduli = abs(forcing) @ (whole[:, :size] @ abs(shift) + whole[:, size:]).T + abs(moved)
         reach = abs(basis) + np.finfo(float).eps
         return cls(basis, shift, basis.T @ A @ basis, push, moduli @ reach, forcing, omegas)
@@ -289,7 +289,7 @@ def _damping(flow: ExactFlow, mode: Mode, states: Complexes, rates: Complexes, m
     The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of
     m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is zero.
     """
-    bodies = len(flow.modes.layout.bodies)
+    bodies = len(flow.modes.system.layout.bodies)
     masses = np.array([body.mass for body in flow.mechanism.bodies.values()])
     moved = states[bodies : 2 * bodies]  # Velocities of a free part are λ times its displacements.
     damping = -masses[:, None] * mode.flow[bodies : 2 * bodies, bodies : 2 * bodies]
@@ -324,7 +324,7 @@ def _motion(flow: ExactFlow, instant: Instant, held: _Held, modal: _Modal) -> Li
     parts, rates = parts[~steady], modal.rates[~steady]
     left = held.basis.T @ (instant.state - states.sum(axis=0).real - parts.sum(axis=0).real)
     mean = states[0].real + held.basis @ (modal.places @ (modal.onto_places @ left))
-    orders = np.array(flow.modes.layout.orders, dtype=np.float64)
+    orders = np.array(flow.modes.system.layout.orders, dtype=np.float64)
     return LinearMotion(flow, instant, mean, orders, states[1:], rates, parts, bool(modal.places.size))
 
 

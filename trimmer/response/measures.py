@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING
-from trimmer.contact.statuses import CONTACT_MADE, NOTHING, STICK
+from trimmer.contact.statuses import CONTACT_MADE, STICK
+from trimmer.hybrid.system import NOTHING
 from trimmer.response.extremes import extremes
 from trimmer.response.fourier import fourier
 from trimmer.response.motion_signals import (
@@ -137,7 +138,7 @@ class Measures:
     @cached_property
     def outputs(self) -> Mapping[str, OutputMeasures]:
         """Of each output."""
-        rows = output_rows(self.flow.mechanism, self.course.modes.layout)
+        rows = output_rows(self.flow.mechanism, self.course.modes.system.layout)
         if not rows:
             return {}
         nodes, duration = self.course.nodes, self.course.duration
@@ -146,7 +147,7 @@ class Measures:
         apart = signals - means
         rms = np.sqrt(nodes.weights @ apart**2 / duration)
         count = self.period_count
-        speeds = output_speeds(self.flow.mechanism, self.course.modes.layout)
+        speeds = output_speeds(self.flow.mechanism, self.course.modes.system.layout)
         omega = 2 * np.pi * self.periods / (duration * count)
         amplitudes = fourier(self.course, apart, omega, HARMONICS * count)
         return {
@@ -164,7 +165,7 @@ class Measures:
     @cached_property
     def peak_to_peak(self) -> Mapping[str, float]:
         """Of each output, m, without the rest of its measures."""
-        rows = output_rows(self.flow.mechanism, self.course.modes.layout)
+        rows = output_rows(self.flow.mechanism, self.course.modes.system.layout)
         ranges = {name: extremes(self.course, steady(row)) for name, row in rows.items()}
         return {name: largest - smallest for name, (smallest, largest) in ranges.items()}
 
@@ -173,7 +174,7 @@ class Measures:
         """Of each body, m/s²; the acceleration jumps where the force of a contact or a friction does."""
         return {
             name: float(np.sqrt(self._integral(self._at_nodes(body) ** 2) / self.course.duration))
-            for body, name in enumerate(self.course.modes.layout.bodies)
+            for body, name in enumerate(self.course.modes.system.layout.bodies)
         }
 
     def _at_nodes(self, body: int) -> Reals:
@@ -186,13 +187,13 @@ class Measures:
     @cached_property
     def contacts(self) -> Mapping[str, ContactMeasures]:
         """Of each play and stop that exerts a force."""
-        layout = self.course.modes.layout
+        layout = self.course.modes.system.layout
         return {name: self._contact(part) for part, name in enumerate(layout.contacts)}
 
     def _contact(self, part: int) -> ContactMeasures:
         course, modes = self.course, self.course.modes
         made = (course.log.part == part) & (course.log.kind == CONTACT_MADE)
-        speeds = abs(course.log.state[made] @ modes.machine.contact_rate[part])
+        speeds = abs(course.log.state[made] @ modes.system.machine.contact_rate[part])
         touching = while_status(course, part, PUSHING)
         largest = max(abs(each) for each in extremes(course, contact_force(modes, part)))
         return ContactMeasures(
@@ -205,11 +206,11 @@ class Measures:
     @cached_property
     def frictions(self) -> Mapping[str, FrictionMeasures]:
         """Of each friction that exerts a force."""
-        layout = self.course.modes.layout
+        layout = self.course.modes.system.layout
         return {name: self._friction(number) for number, name in enumerate(layout.frictions)}
 
     def _friction(self, number: int) -> FrictionMeasures:
-        course, machine = self.course, self.course.modes.machine
+        course, machine = self.course, self.course.modes.system.machine
         sticking = while_status(course, len(machine.stiffness) + number, (STICK,))
         nodes = course.nodes
         speeds = abs(nodes.states @ machine.friction_rate[number])

@@ -11,9 +11,10 @@ import numpy as np
 from trimmer.arguments import real_values
 from trimmer.choices import Choice
 from trimmer.contact import statuses
-from trimmer.contact.advance import Ending
 from trimmer.contact.layout import Rows
 from trimmer.errors import MechanismError
+from trimmer.hybrid import system
+from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
 from trimmer.response.energy import MechanismEnergy, energy_of
@@ -47,9 +48,9 @@ class MechanismEventKind(Choice):
 KINDS = {
     statuses.CONTACT_MADE: MechanismEventKind.CONTACT_MADE,
     statuses.CONTACT_BROKEN: MechanismEventKind.CONTACT_BROKEN,
-    statuses.REVERSED: MechanismEventKind.REVERSED,
-    statuses.STICK_BEGUN: MechanismEventKind.STICK_BEGUN,
-    statuses.STICK_ENDED: MechanismEventKind.STICK_ENDED,
+    system.REVERSED: MechanismEventKind.REVERSED,
+    system.HOLD_BEGUN: MechanismEventKind.STICK_BEGUN,
+    system.HOLD_ENDED: MechanismEventKind.STICK_ENDED,
 }
 
 
@@ -108,7 +109,7 @@ class MechanismMotion(Tabular):
     @cached_property
     def events(self) -> tuple[MechanismEvent, ...]:
         """All events in order of time."""
-        layout = self.course.modes.layout
+        layout = self.course.modes.system.layout
         parts = (*layout.contacts, *layout.frictions)
         return tuple(
             MechanismEvent(time, parts[part], KINDS[kind]) for time, part, kind in self.course.events
@@ -140,7 +141,7 @@ class MechanismMotion(Tabular):
             MechanismError: if there is no such output.
             ValueError: if a time lies outside the motion.
         """
-        rows = output_rows(self.mechanism, self.course.modes.layout)
+        rows = output_rows(self.mechanism, self.course.modes.system.layout)
         _require("output", name, rows)
         return self._signal(steady(rows[name]), times)
 
@@ -173,7 +174,7 @@ class MechanismMotion(Tabular):
             MechanismError: if there is no such play or stop, or it exerts no force.
             ValueError: if a time lies outside the motion.
         """
-        contacts = self.course.modes.layout.contacts
+        contacts = self.course.modes.system.layout.contacts
         _require("play or stop", name, contacts)
         return self._signal(contact_force(self.course.modes, contacts.index(name)), times)
 
@@ -188,7 +189,7 @@ class MechanismMotion(Tabular):
             MechanismError: if there is no such friction, or it exerts no force.
             ValueError: if a time lies outside the motion.
         """
-        frictions = self.course.modes.layout.frictions
+        frictions = self.course.modes.system.layout.frictions
         _require("friction", name, frictions)
         number = frictions.index(name)
         return self._at(times, lambda rows, states: dry_forces(self.course, rows, states)[:, number])
@@ -230,11 +231,11 @@ class MechanismMotion(Tabular):
 
     @property
     def _size(self) -> int:
-        return self.course.modes.layout.size
+        return self.course.modes.system.layout.size
 
     def _rows(self, name: str) -> tuple[Reals, Reals]:
         _require("body or pin", name, (*self.mechanism.bodies, *self.mechanism.pins, GROUND))
-        rows = Rows(self.mechanism, self.course.modes.layout)
+        rows = Rows(self.mechanism, self.course.modes.system.layout)
         return rows.displacement(name), rows.velocity(name)
 
     def _signal(self, signal: Signal, times: ArrayLike) -> Reals:

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Integers, Reals
     from trimmer.contact.flow import Course
     from trimmer.contact.layout import Layout
-    from trimmer.contact.tables import Modes
+    from trimmer.contact.system import MechanismSystem
+    from trimmer.hybrid.tables import Modes
     from trimmer.mechanism.mechanism import Mechanism
 
 Signal: TypeAlias = Callable[[int], "Reals"]
@@ -56,22 +57,26 @@ def steady(row: Reals) -> Signal:
     return lambda mode: row
 
 
-def acceleration(modes: Modes, body: int) -> Signal:
+def acceleration(modes: Modes[MechanismSystem], body: int) -> Signal:
     """Return the acceleration of a body by its number, m/s²."""
-    return lambda mode: np.asarray(modes[mode].flow[len(modes.layout.bodies) + body])
+    return lambda mode: np.asarray(modes[mode].flow[len(modes.system.layout.bodies) + body])
 
 
-def contact_force(modes: Modes, contact: int) -> Signal:
+def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
     """Return the force of a contact by its number, N, positive where it pulls the ends together."""
 
     def row(mode: int) -> Reals:
         status = modes[mode].statuses[contact]
-        return force_of(modes.machine, contact, status) if status in PUSHING else np.zeros(modes.layout.size)
+        return (
+            force_of(modes.system.machine, contact, status)
+            if status in PUSHING
+            else np.zeros(modes.system.layout.size)
+        )
 
     return row
 
 
-def rate(modes: Modes, signal: Signal) -> Signal:
+def rate(modes: Modes[MechanismSystem], signal: Signal) -> Signal:
     """Return the rate of a signal."""
     return lambda mode: np.asarray(signal(mode) @ modes[mode].flow)
 

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Complexes, Integers, Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.hybrid.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.edge import Edge
     from trimmer.response.measures import Measures

@@ -25,8 +25,8 @@ from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
+    from trimmer.hybrid.advance import Instant
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.rest import Rest
     from trimmer.response.self_excited import SelfExcited
@@ -175,7 +175,7 @@ class _Search:
 
     def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
-        moving = 2 * len(self.flow.modes.layout.bodies)
+        moving = 2 * len(self.flow.modes.system.layout.bodies)
         state = instant.state.copy()
         state[:moving] += NEIGHBOUR * sizes_of(self.flow.course(instant, 1))[:moving]
         settling = Settling(self.flow, self.flow.at(state, like=instant), self.known)
@@ -241,7 +241,7 @@ def _reached(flow: ExactFlow, motion: SettledMotion, start: Instant) -> dict[str
 
     Of one that comes to rest, or of which nothing is known, they are those on its way, at first.
     """
-    count = len(flow.modes.layout.bodies)
+    count = len(flow.modes.system.layout.bodies)
     if motion.orbit is not None:
         # The sizes of an orbit are those at its events, which say little where there are none.
         sizes = motion.orbit.sizes if motion.orbit.course.events else largest_states(motion.orbit)
@@ -255,7 +255,7 @@ def _reached(flow: ExactFlow, motion: SettledMotion, start: Instant) -> dict[str
         sizes = abs(course.states(times)[:, : flow.size]).max(axis=0)
     return {
         name: (float(sizes[place]), float(sizes[count + place]))
-        for place, name in enumerate(flow.modes.layout.bodies)
+        for place, name in enumerate(flow.modes.system.layout.bodies)
     }
 
 

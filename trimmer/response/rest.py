@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.hybrid.advance import Instant
 
 SAMPLES = 64
 """Instants in the period of the fastest wave at which forces are taken."""
@@ -51,7 +51,7 @@ class Rest:
     @property
     def positions(self) -> Mapping[str, float]:
         """Displacement of each body, m."""
-        bodies = self.flow.modes.layout.bodies
+        bodies = self.flow.modes.system.layout.bodies
         return dict(zip(bodies, self.instant.state[: len(bodies)].tolist(), strict=True))
 
     @cached_property
@@ -70,7 +70,7 @@ class Rest:
 
     @cached_property
     def _over_a_period(self) -> Mapping[str, Reals]:
-        layout, mechanism = self.flow.modes.layout, self.flow.mechanism
+        layout, mechanism = self.flow.modes.system.layout, self.flow.mechanism
         count = SAMPLES * max(layout.orders, default=1) if self.flow.period else 1
         times = self.course.duration * np.arange(count) / count
         motion, states = MechanismMotion(self.flow, self.course), self.course.states(times)

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
-from trimmer.contact.statuses import NOTHING
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
+from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.system import NOTHING
 from trimmer.one_orbit import SAME
 from trimmer.response.growth import grew, state_sizes
 from trimmer.response.linear_motion import grows_for_ever, linear_motion
@@ -25,8 +25,8 @@ from trimmer.response.solved import Solved, solved
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.hybrid.advance import Instant
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.shooting import Shot
 
@@ -150,7 +150,7 @@ def at_rest(course: Course, unit: float) -> bool:
         course: The motion.
         unit: A time in which it would move, s.
     """
-    layout, count = course.modes.layout, len(course.modes.layout.bodies)
+    layout, count = course.modes.system.layout, len(course.modes.system.layout.bodies)
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
     sizes = abs(states).max(axis=0)
     longest = sizes[:count].max(initial=0.0)

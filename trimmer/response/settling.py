@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
+from trimmer.hybrid.advance import Ending
 from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import orbit_of
 from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
+    from trimmer.hybrid.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.orbit import MechanismOrbit
 

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending, Instant
-from trimmer.contact.calm import amid_longest, is_amid
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.calm import amid_longest, is_amid
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -66,7 +66,7 @@ class Shot:
         """End less start as shares of the sizes, (n,)."""
         # What is held is exact at the start, and drifts by rounding.
         course, end = self.course, self.course.end
-        extended = np.concatenate([end.state, course.modes.layout.forcing_at(end.phase)])
+        extended = np.concatenate([end.state, course.modes.system.layout.forcing_at(end.phase)])
         held = course.modes[course.modes.number(end.statuses)].hold @ extended
         difference: Reals = (held[: len(end.state)] - course.begin.state) / self.sizes
         return difference
@@ -87,7 +87,7 @@ class Shot:
     def rates(self) -> tuple[Reals, Reals]:
         """Rates of the states at the start and at the end, each (n,)."""
         course = self.course
-        layout = course.modes.layout
+        layout = course.modes.system.layout
         return tuple(  # type: ignore[return-value]
             _rate(course, instant, layout.forcing_at(instant.phase)) for instant in (course.begin, course.end)
         )
@@ -176,10 +176,10 @@ def sizes_of(course: Course) -> Reals:
     Where bodies may be shifted without a change of any force, it is that beside their leader. What is much
     smaller than the others of its kind is measured by a share of theirs, and what does not move at all by 1.
     """
-    layout = course.modes.layout
+    layout = course.modes.system.layout
     count = len(layout.bodies)
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
-    if len(states) == 2 and course.modes.layout.period:  # Without events both may pass by zero.
+    if len(states) == 2 and course.modes.system.layout.period:  # Without events both may pass by zero.
         times = np.linspace(0.0, course.duration, SAMPLES)
         states = np.vstack([states, course.states(times)[:, : layout.state_count]])
     sizes: Reals = abs(layout.frame.reduced(states)).max(axis=0)

@@ -18,8 +18,8 @@ from trimmer.response.window import watch
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.hybrid.advance import Instant
     from trimmer.response.orbit import MechanismOrbit
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)
@@ -88,7 +88,7 @@ def _in_place(motion: LinearMotion) -> LinearMotion:
     flow = motion.flow
     if not flow.shifts:
         return motion
-    count = len(flow.modes.layout.bodies)
+    count = len(flow.modes.system.layout.bodies)
     speeds = motion.mean[count : 2 * count] if motion.moves_on else np.zeros(count)
     return linear_motion(flow.moving(speeds), motion.instant) or motion
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from trimmer.arguments import finite_number, real_array, shown
-from trimmer.contact.advance import Instant
 from trimmer.errors import MechanismError, WrongTypeError
+from trimmer.hybrid.advance import Instant
 from trimmer.messages import listed, near_match
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def instant_of(flow: ExactFlow, start: Start) -> Instant:
 
 
 def _moving(flow: ExactFlow, name: str, pair: Any) -> tuple[float, float]:
-    bodies = flow.modes.layout.bodies
+    bodies = flow.modes.system.layout.bodies
     if name not in bodies:
         there = near_match(name, bodies) or f"there are {listed(bodies)}"
         raise MechanismError(f"the start names {name!r}, which is no body; {there}")

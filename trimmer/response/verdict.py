@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
+from trimmer.hybrid.advance import Ending
 from trimmer.response.growth import OLDER, grows
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
 
 if TYPE_CHECKING:
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import ExactFlow
+    from trimmer.hybrid.advance import Instant
     from trimmer.response.settling import Settling
 
 WINDOW = 512
@@ -140,7 +140,7 @@ class Seen:
     @property
     def orderly(self) -> bool:
         """Whether the 0-1 test calls the displacements orderly, seen once a drive period."""
-        bodies = len(self.flow.modes.layout.bodies)
+        bodies = len(self.flow.modes.system.layout.bodies)
         return all(growth_of_walk(series) < ORDERLY for series in self.window.states[:, :bodies].T)
 
 

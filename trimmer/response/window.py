@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.contact.advance import Ending
+from trimmer.hybrid.advance import Ending
 from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.extremes import extremes
 from trimmer.response.fourier import fourier
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.advance import Instant
     from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.hybrid.advance import Instant
 
 SAMPLES = 64
 """Samples in a drive period, for the spectrum."""
@@ -99,7 +99,7 @@ class Window:
     @cached_property
     def advance(self) -> Mapping[str, float]:
         """Shift of each output over a drive period in the mean, m, without which all else is measured."""
-        speeds = output_speeds(self.flow.mechanism, self.flow.modes.layout)
+        speeds = output_speeds(self.flow.mechanism, self.flow.modes.system.layout)
         return {name: speed * self.flow.period for name, speed in speeds.items()}
 
     @cached_property
@@ -145,9 +145,9 @@ def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window | None:
 
 def _advancing(flow: ExactFlow, instant: Instant, periods: int) -> ExactFlow:
     """Return the motion in the frame that moves as leaders do in the mean over some drive periods."""
-    if not flow.modes.layout.frame.follows or not flow.shifts:
+    if not flow.modes.system.layout.frame.follows or not flow.shifts:
         return flow
-    count = len(flow.modes.layout.bodies)
+    count = len(flow.modes.system.layout.bodies)
     still = flow.moving(np.zeros(count))
     states = still.strobe(instant, periods).states
     gone = states[-1, :count] - states[0, :count]
@@ -166,7 +166,7 @@ def joined(first: Window, second: Window) -> Window:
 class _Watch:
     def __init__(self, flow: ExactFlow, instant: Instant) -> None:
         self.flow, self.instant = flow, instant
-        layout = flow.modes.layout
+        layout = flow.modes.system.layout
         self.rows = np.array([*output_rows(flow.mechanism, layout).values()]).reshape(-1, layout.size)
         self.sizes = np.ones(flow.size)
         directions = np.random.default_rng(SEED).normal(size=(2, flow.size))
@@ -197,7 +197,7 @@ class _Watch:
             nodes.weights
             @ along(course, acceleration(course.modes, body), nodes.rows, nodes.states) ** 2
             / duration
-            for body in range(len(course.modes.layout.bodies))
+            for body in range(len(course.modes.system.layout.bodies))
         ]
         count = SAMPLES * TOGETHER
         sampled = course.states(course.duration * np.arange(count) / count)

@@ -111,8 +111,9 @@ def _second_harmonic(inputs: MapInputs, number: int, motion: CellMotion) -> floa
         return None
     flow = ExactFlow.returning(varied(inputs.mechanism, inputs.places, inputs.cell_values(number)))
     course = flow.course(flow.at(np.array(motion.states[0])), motion.period_count)
-    row = output_rows(inputs.mechanism, flow.modes.layout)[STROKE]
-    second = abs(fourier(course, (course.nodes.states @ row)[:, None], 2 * flow.modes.layout.omega, 1)[0, 0])
+    layout = flow.modes.system.layout
+    row = output_rows(inputs.mechanism, layout)[STROKE]
+    second = abs(fourier(course, (course.nodes.states @ row)[:, None], 2 * layout.omega, 1)[0, 0])
     return float(second) if second > VANISHING else 0.0
 
 

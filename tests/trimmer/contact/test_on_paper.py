@@ -12,7 +12,7 @@ from mpmath import mp, mpf
 from tests.mechanisms import cases, closed_forms
 from tests.mechanisms.oscillator_events import Oscillator, with_friction, with_stop
 from trimmer import ContactLaw, Mechanism, MechanismMotion, simulate
-from trimmer.contact.advance import Ending
+from trimmer.hybrid.advance import Ending
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 
 BETWEEN = ("ground", "body")

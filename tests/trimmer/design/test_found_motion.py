@@ -15,11 +15,11 @@ from tests.trimmer.design.made import (
     oscillator_amplitude,
 )
 from trimmer import Mechanism, MotionKind, forced_orbit
-from trimmer.contact.advance import Ending
 from trimmer.contact.flow import ExactFlow
 from trimmer.design.found_motion import of_orbit, of_settled
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples, hand_arm_weighting
 from trimmer.examples import example_text
+from trimmer.hybrid.advance import Ending
 from trimmer.mechanism import Friction
 
 

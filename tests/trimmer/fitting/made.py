@@ -27,7 +27,7 @@ def exact(
     orbit = respond(mechanism).motion.orbit
     assert orbit is not None
     course = orbit.course
-    signal = steady(output_rows(mechanism, course.modes.layout)[output])
+    signal = steady(output_rows(mechanism, course.modes.system.layout)[output])
     for _ in range(derivatives):
         signal = rate(course.modes, signal)
     times = (BEGIN + np.arange(samples) / sample_rate) % course.duration

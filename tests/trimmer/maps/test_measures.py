@@ -73,7 +73,7 @@ def test_impacts_and_their_speed_are_those_of_the_events() -> None:
     assert orbit is not None
     made = [time for time, _, kind in orbit.course.events if kind == 1]
     states = orbit.course.states(np.array(made))
-    speeds = abs(states @ flow.modes.machine.contact_rate[0])
+    speeds = abs(states @ flow.modes.system.machine.contact_rate[0])
     found = of_orbit(flow, orbit.course, 1)
     assert found.impacts == len(made)
     assert found.impact_speed == pytest.approx(speeds.max(), rel=1e-9)

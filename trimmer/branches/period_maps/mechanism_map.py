@@ -7,9 +7,9 @@ from functools import cached_property
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.mechanism_passage import MechanismPassage, mirrored
-from trimmer.contact.advance import Ending, Instant
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.hybrid.advance import Ending, Instant
 from trimmer.mechanism.mechanism import Mechanism
 
 DIFFERENCE = 1e-7
@@ -167,5 +167,5 @@ class MechanismMap:
         """Return an end as the beginning of the next passage."""
         if not self.mirrored:
             return end
-        statuses = mirrored(end.statuses, len(flow.modes.machine.stiffness))
+        statuses = mirrored(end.statuses, len(flow.modes.system.machine.stiffness))
         return replace(end, state=-end.state, statuses=statuses)

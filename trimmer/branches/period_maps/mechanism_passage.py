@@ -13,8 +13,6 @@ from trimmer.arrays import Integers, Reals
 from trimmer.branches.period_maps.period_map import Phase, Signature
 from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
-from trimmer.contact.advance import Instant
-from trimmer.contact.calm import amid_longest, is_amid
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.contact.frame import frame_of
 from trimmer.contact.machine import machine_of
@@ -27,6 +25,8 @@ from trimmer.contact.statuses import (
     RELEASED_PLUS,
     STICK,
 )
+from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.calm import amid_longest, is_amid
 
 if TYPE_CHECKING:
     from trimmer.branches.period_maps.mechanism_map import MechanismMap
@@ -102,7 +102,7 @@ class MechanismPassage:
         times = np.linspace(0.0, self.course.duration, 64)
         states = np.vstack([self.course.states(times), self.course.log.state])
         sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
-        bodies = len(self.flow.modes.layout.bodies)
+        bodies = len(self.flow.modes.system.layout.bodies)
         for kind in (sizes[:bodies], sizes[bodies : 2 * bodies]):
             kind[kind <= ROUNDING * kind.max()] = 0.0
         stretches = sizes[2 * bodies :]
@@ -121,7 +121,7 @@ class MechanismPassage:
         statuses = self.course.modes.tables.statuses[log.mode[goes_on]]
         before = np.roll(statuses, 1, axis=0)
         if self.map.mirrored:
-            before[0] = mirrored(tuple(before[0].tolist()), len(self.flow.modes.layout.contacts))
+            before[0] = mirrored(tuple(before[0].tolist()), len(self.flow.modes.system.layout.contacts))
         return log.start[goes_on], np.array([before, statuses])
 
     @cached_property
@@ -131,7 +131,7 @@ class MechanismPassage:
         What leaves half a period at its end comes in at its beginning on the other side, so that of a
         mirrored motion the sides are not told apart.
         """
-        layout, (_, (before, after)) = self.flow.modes.layout, self._segments
+        layout, (_, (before, after)) = self.flow.modes.system.layout, self._segments
         sides = {PLUS: Phase.UPPER, MINUS: Phase.LOWER}
         if self.map.mirrored:
             sides = dict.fromkeys(sides, Phase.EITHER)
@@ -155,7 +155,7 @@ class MechanismPassage:
 
     def _lengths(self, part: str, phase: Phase) -> tuple[Reals, Reals]:
         """Return how long the phases of a kind last, s, and how long the pauses between them."""
-        layout, (starts, (before, after)) = self.flow.modes.layout, self._segments
+        layout, (starts, (before, after)) = self.flow.modes.system.layout, self._segments
         number = (*layout.contacts, *layout.frictions).index(part)
         inside, was = (np.isin(each[:, number], STATUSES[phase]) for each in (after, before))
         changes = inside != was
@@ -221,7 +221,7 @@ class MechanismPassage:
         neighbour = self.map.neighbour(self.value)
         step = neighbour[0] - self.value
         machine, layout = machine_of(neighbour[1], frame_of(neighbour[1]))
-        own = self.flow.modes.layout
+        own = self.flow.modes.system.layout
         alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
         scale = layout.period / own.period if own.period else 1.0
         if not alike or (layout.frame.leaders != own.frame.leaders).any():

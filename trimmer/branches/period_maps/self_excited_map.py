@@ -17,9 +17,9 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.branches.period_maps.strobe import Restart
-from trimmer.contact.calm import amid_longest, is_amid
 from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import UnsupportedMotionError
+from trimmer.hybrid.calm import amid_longest, is_amid
 
 LONGEST = 4.0
 """Factor by which the period may differ from that of the plane; beyond it the motion is lost."""
@@ -50,7 +50,7 @@ class Section:
 
 def section_at(course: Course, time: float, returns: int) -> Section:
     """Return the plane across a motion over some returns at a time, s."""
-    count = course.modes.layout.state_count
+    count = course.modes.system.layout.state_count
     row = int(np.searchsorted(course.log.start, time, side="right")) - 1
     (extended,) = course.states(np.array([time]))
     rates = (course.modes[int(course.log.mode[row])].flow @ extended)[:count]
@@ -62,7 +62,7 @@ def section_at(course: Course, time: float, returns: int) -> Section:
 def _sizes(course: Course) -> Reals:
     """Return the largest modulus of each state over a motion, 1 for what does not move, (n,)."""
     states = np.vstack([course.states(np.linspace(0.0, course.duration, 64)), course.log.state])
-    sizes = abs(states[:, : course.modes.layout.state_count]).max(axis=0)
+    sizes = abs(states[:, : course.modes.system.layout.state_count]).max(axis=0)
     return np.where(sizes > 0.0, sizes, 1.0)
 
 
@@ -153,7 +153,7 @@ class SelfExcitedPassage(MechanismPassage):
     @cached_property
     def _end_rate(self) -> Reals:
         course = self.course
-        extended = np.concatenate([course.end.state, course.modes.layout.forcing_at(course.end.phase)])
+        extended = np.concatenate([course.end.state, course.modes.system.layout.forcing_at(course.end.phase)])
         mode = course.modes[course.modes.number(course.end.statuses)]
         return np.asarray((mode.flow @ extended)[: len(course.end.state)])
 

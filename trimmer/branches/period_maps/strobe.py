@@ -1,4 +1,4 @@
-"""An orbit of a branch as one that begins at another instant; see ``trimmer.contact.calm``."""
+"""An orbit of a branch as one that begins at another instant; see ``trimmer.hybrid.calm``."""
 
 from __future__ import annotations
 

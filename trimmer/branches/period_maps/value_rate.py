@@ -14,13 +14,14 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.assembly import EventFunction, Mode, assemble
+from trimmer.contact.assembly import assemble
 from trimmer.contact.flow import Course
-from trimmer.contact.machine import Machine, free_springs
-from trimmer.contact.variation import changes
+from trimmer.contact.machine import Machine
 from trimmer.hybrid.compilation import kept, sources
 from trimmer.hybrid.linear_combination import copy
+from trimmer.hybrid.system import EventFunction, Mode
 from trimmer.hybrid.taylor import DEGREE
+from trimmer.hybrid.variation import changes
 
 
 def _entry(sources: bytes) -> Callable[..., None]:
@@ -51,7 +52,7 @@ def _entry(sources: bytes) -> Callable[..., None]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources("contact"))
+_compiled_entry = _entry(sources())
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +105,7 @@ class ValueChange:
         """Return the derivative that fits what a mode holds."""
         own, other = self.course.modes[mode], self._other(mode)
         held: Reals = own.hold @ tangent + (other.hold - own.hold) @ state / self.step
-        for _, z in free_springs(self.course.modes.machine, own.statuses):
+        for z, _ in own.decayed:
             held[z] = tangent[z]
         return held
 
@@ -118,9 +119,8 @@ class ValueChange:
         stretched = tangent.copy()
         room = np.empty((4, len(state)))
         _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent, room)
-        for contact, z in free_springs(modes.machine, own.statuses):
-            rate = modes.machine.stiffness[contact] / modes.machine.damping[contact]
-            faster = self.other.stiffness[contact] / self.other.damping[contact] - rate
+        for (z, rate), (_, other_rate) in zip(own.decayed, other.decayed, strict=True):
+            faster = other_rate - rate
             decay = np.exp(-rate * duration)
             state[z] = begun[z] * decay
             tangent[z] = decay * (stretched[z] - faster / self.step * duration * begun[z])

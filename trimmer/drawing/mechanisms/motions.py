@@ -28,7 +28,7 @@ POINTS = 4000
 
 def signals_of(flow: ExactFlow) -> Mapping[str, Reals]:
     """Return what is drawn of a mechanism as functionals: its outputs, or its bodies if it has none."""
-    layout = flow.modes.layout
+    layout = flow.modes.system.layout
     bodies = dict(zip(layout.bodies, np.eye(len(layout.bodies), layout.size), strict=True))
     return output_rows(flow.mechanism, layout) or bodies
 
@@ -51,7 +51,7 @@ def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes
 
 def strips_of(flow: ExactFlow, course: Course) -> list[Strip]:
     """Return when each play and stop is in contact, and when each friction sticks."""
-    layout = flow.modes.layout
+    layout = flow.modes.system.layout
     contacts = [(f"{name}, contact", PUSHING, False) for name in layout.contacts]
     sticks = [(f"{name}, stick", (STICK,), True) for name in layout.frictions]
     return [
@@ -64,7 +64,7 @@ def draw_phase_plane(flow: ExactFlow, course: Course, ax: Axes | None = None) ->
     """Draw the rate of the first output, m/s, over itself, m; dots mark the starts of drive periods."""
     axes = axes_for(ax)
     (name, row), *_ = signals_of(flow).items()
-    rate = row @ flow.modes.machine.base
+    rate = row @ flow.modes.system.machine.base
     states = course.states(np.linspace(0.0, course.duration, POINTS))
     axes.plot(states @ row, states @ rate, color=line(0)["color"], linewidth=0.9)
     if flow.period:
@@ -88,8 +88,8 @@ def draw_section(axes: Axes, flow: ExactFlow, states: Reals, label: str, number:
         number: Number of the colour and of the mark.
     """
     (name, row), *_ = signals_of(flow).items()
-    rate = row @ flow.modes.machine.base
-    forcing = np.tile(flow.modes.layout.forcing_at(0.0), (len(states), 1))
+    rate = row @ flow.modes.system.machine.base
+    forcing = np.tile(flow.modes.system.layout.forcing_at(0.0), (len(states), 1))
     extended = np.hstack([states, forcing])
     mark, size = ("osD^v"[number % 5], 4.0) if len(states) < 50 else (".", 1.5)
     look = {"color": line(number)["color"], "markersize": size, "linestyle": "none"}

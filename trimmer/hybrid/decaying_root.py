@@ -1,10 +1,10 @@
-"""Where the gap closes while the spring behind the slot still relaxes, over one step.
+"""Where an event function falls to zero over one step while a state in it decays by itself.
 
-The spring does not act on what moves, so the event function is g(s) + z exp(-decay s): a polynomial and a
-known exponential. Where g stays above the modulus of the second term there is no zero, and where g falls
-everywhere faster than that term can change there is at most one. An interval is halved until one or the other
-is so, and its later half is taken only if the earlier one has no zero; so the zero that is found is the first
-one.
+It is g(s) + z exp(-decay s), a polynomial and a known exponential: so it is where a gap closes while the
+spring behind the slot still relaxes. Where g stays above the modulus of the second term there is no zero, and
+where g falls everywhere faster than that term can change there is at most one. An interval is halved until
+one or the other is so, and its later half is taken only if the earlier one has no zero; so the zero that is
+found is the first one.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ HALVINGS = 12
 
 
 @compiled
-def relaxing_root(bernstein: Reals, taylor: Reals, stretch: float, decay: float, pieces: Reals) -> float:
-    """Find the first zero of g(s) + stretch exp(-decay s) on [0, 1].
+def decaying_root(bernstein: Reals, taylor: Reals, state: float, decay: float, pieces: Reals) -> float:
+    """Find the first zero of g(s) + state exp(-decay s) on [0, 1].
 
     Args:
         bernstein: Bernstein coefficients of g.
         taylor: Its coefficients of s^k.
-        stretch: z, with the sign that it has in the event function, m.
+        state: z, with the sign that it has in the event function.
         decay: Its rate, at least 0.
         pieces: Room for three intervals.
 
@@ -38,7 +38,7 @@ def relaxing_root(bernstein: Reals, taylor: Reals, stretch: float, decay: float,
     """
     piece, left, right, count = pieces[0], pieces[1], pieces[2], taylor.size
     copy(bernstein, count, piece)
-    low, width, margin, root = 0.0, 1.0, abs(stretch), UNSURE
+    low, width, margin, root = 0.0, 1.0, abs(state), UNSURE
     for _ in range(HALVINGS if piece[0] > margin else 0):
         if not any_below(piece, count, margin):
             root = NOWHERE
@@ -47,14 +47,14 @@ def relaxing_root(bernstein: Reals, taylor: Reals, stretch: float, decay: float,
             piece[count - 1] < -margin
             and _steepest_rise(piece, count) * (count - 1) < -decay * width * margin
         ):
-            root = _fallen(taylor, stretch, decay, low, low + width)
+            root = _fallen(taylor, state, decay, low, low + width)
             break
         halve(piece, count, left, right)
         width *= 0.5
         if not any_below(left, count, margin):
             copy(right, count, piece)
             low += width
-            margin = abs(stretch) * math.exp(-decay * low)
+            margin = abs(state) * math.exp(-decay * low)
         elif left[count - 1] < -margin:
             copy(left, count, piece)
         else:
@@ -72,11 +72,11 @@ def _steepest_rise(bernstein: Reals, count: int) -> float:
 
 
 @compiled
-def _fallen(taylor: Reals, stretch: float, decay: float, low: float, high: float) -> float:
-    """Find the only zero of g(s) + stretch exp(-decay s) in an interval in which it falls (Newton)."""
+def _fallen(taylor: Reals, state: float, decay: float, low: float, high: float) -> float:
+    """Find the only zero of g(s) + state exp(-decay s) in an interval in which it falls (Newton)."""
     point = low
     for _ in range(100):
-        rest = stretch * math.exp(-decay * point)
+        rest = state * math.exp(-decay * point)
         value, slope = 0.0, 0.0
         for k in range(taylor.size - 1, -1, -1):
             slope = slope * point + value

@@ -9,28 +9,27 @@ matrix is singular.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.contact.machine import free_springs
-from trimmer.contact.tabulated_change import AT_REST
+from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from trimmer.arrays import Reals
-    from trimmer.contact.assembly import EventFunction
-    from trimmer.contact.tables import Modes
-    from trimmer.contact.work import Log
+    from trimmer.hybrid.system import EventFunction
+    from trimmer.hybrid.tables import Modes
+    from trimmer.hybrid.work import Log
 
 
-def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
+def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Reals:
     """Return what becomes of small distances from a motion.
 
     Args:
-        modes: The modes of the mechanism.
+        modes: The modes of the system.
         log: The segments of the motion, their times within one period or in all.
         end: Time at which it ends, s, counted as in the log.
         tangents: Distances at its start, (n, columns).
@@ -55,15 +54,15 @@ def propagated(modes: Modes, log: Log, end: float, tangents: Reals) -> Reals:
     return distances
 
 
-def _fitted(modes: Modes, mode: int, distances: Reals) -> Reals:
-    """Return distances that fit what a mode holds; a spring that has relaxed may have been stretched."""
+def _fitted(modes: Modes[Any], mode: int, distances: Reals) -> Reals:
+    """Return distances that fit what a mode holds; a state that has decayed may have begun elsewhere."""
     fitted: Reals = modes[mode].hold[: len(distances), : len(distances)] @ distances
-    for _, z in free_springs(modes.machine, modes[mode].statuses):
-        fitted[z] = distances[z]
+    for place, _ in modes[mode].decayed:
+        fitted[place] = distances[place]
     return fitted
 
 
-def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
+def _flow(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> None:
     """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
     tables, count = modes.tables, len(distances)
     settled = int(tables.settled[mode])
@@ -73,13 +72,12 @@ def _flow(modes: Modes, mode: int, duration: float, distances: Reals) -> None:
     flow = (powers @ tables.series[settled].reshape(size, DEGREE + 1, size)[:count, :, :count]).T
     whole = np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
     distances[:] = flow @ whole @ distances
-    machine = modes.machine
-    # Springs that relax, or that have relaxed, are left out of the flow.
-    for contact, z in free_springs(machine, modes[settled].statuses):
-        distances[z] *= np.exp(-machine.stiffness[contact] / machine.damping[contact] * duration)
+    # States that decay by themselves, or have done so, are left out of the flow.
+    for place, rate in modes[settled].decayed:
+        distances[place] *= np.exp(-rate * duration)
 
 
-def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> None:
+def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) -> None:
     """Multiply by the jumps of what happens at one instant, one after the other."""
     fired = [int(log.function[row]) for row in range(first, last + 1) if log.function[row] >= 0]
     if not fired:
@@ -96,7 +94,7 @@ def _jump(modes: Modes, log: Log, first: int, last: int, distances: Reals) -> No
 
 
 def changes(
-    modes: Modes, log: Log, first: int, last: int, fired: int
+    modes: Modes[Any], log: Log, first: int, last: int, fired: int
 ) -> Iterator[tuple[int, EventFunction, int]]:
     """Yield the changes of mode at one instant: the mode before, what fell to zero in it, the mode after.
 
@@ -105,7 +103,7 @@ def changes(
     follows from one of them and takes place with the last.
 
     Args:
-        modes: The modes of the mechanism.
+        modes: The modes of the system.
         log: The segments of the motion.
         first: Row of the first segment that begins at the instant.
         last: Row of the last one.
@@ -124,7 +122,7 @@ def changes(
         before = following
 
 
-def _falling(modes: Modes, before: int, fired: int, state: Reals) -> list[EventFunction]:
+def _falling(modes: Modes[Any], before: int, fired: int, state: Reals) -> list[EventFunction]:
     """Return what falls to zero at an event: what has fired, then one function of each other part.
 
     What is the same as one of them for all motions of the mode falls to zero with it in a neighbour too: two

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from trimmer.choices import Choice
-from trimmer.contact.integration import (
+from trimmer.hybrid.integration import (
     CYCLING,
     DIVERGED,
     LOG_FULL,
@@ -21,21 +21,11 @@ from trimmer.contact.integration import (
     Task,
     integrate,
 )
-from trimmer.contact.joint import after_event
-from trimmer.contact.statuses import (
-    ARRIVED,
-    AT_LIMIT,
-    KINDS,
-    NOTHING,
-    REVERSED,
-    STICK,
-    STICK_BEGUN,
-    STICK_ENDED,
-)
-from trimmer.contact.step_event import NO_EVENT
-from trimmer.contact.tables import Modes
-from trimmer.contact.tabulated_change import AT_REST
-from trimmer.contact.work import Log, work_for
+from trimmer.hybrid.step_event import NO_EVENT
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, HOLD_ENDED, NOTHING, REVERSED, Mode
+from trimmer.hybrid.tables import Modes
+from trimmer.hybrid.tabulated_change import AT_REST
+from trimmer.hybrid.work import Log, work_for
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Places, Reals
@@ -69,13 +59,13 @@ class Instant:
     """All that determines the motion from an instant on.
 
     Attributes:
-        state: Displacements, m, velocities, m/s, and stretches of relaxing springs, m, shape (n,).
-        statuses: Of all contacts, then of all frictions.
-        periods: Whole drive periods since the start.
+        state: The states, (n,).
+        statuses: Of all parts.
+        periods: Whole periods of what forces the states since the start.
         phase: Time since then, s.
-        known_zeros: For each part, how many derivatives of one of its event functions vanish, (m + p,).
-        known_action: Which one that is, (m + p,).
-        negligible: Stretches of relaxing springs that count as zero, m, (m,).
+        known_zeros: For each part, how many derivatives of one of its event functions vanish, (parts,).
+        known_action: Which one that is, (parts,).
+        negligible: Moduli of states that decay by themselves which count as zero, (m,).
     """
 
     state: Reals
@@ -109,7 +99,7 @@ class Stretch:
 
 
 def advance(
-    modes: Modes,
+    modes: Modes[Any],
     instant: Instant,
     periods: int,
     length: float,
@@ -120,10 +110,10 @@ def advance(
     """Go on for some periods of one length, s.
 
     Args:
-        modes: The modes of the mechanism; those that are met are added.
+        modes: The modes of the system; those that are met are added.
         instant: Where the motion begins.
         periods: Number of periods, at least 1.
-        length: Their length, s, that of the drive's period if there are several; of a part of it otherwise.
+        length: Their length, s, that of the layout's period if there are several; of a part of it otherwise.
         keeps: Whether all segments are logged.
         most_steps: Largest number of steps.
         before: Periods of the same length that the times of the log count too.
@@ -140,7 +130,7 @@ class _Progress:
     """The state of an integration between calls of the compiled code."""
 
     def __init__(
-        self, modes: Modes, instant: Instant, periods: int, length: float, keeps: bool, before: int
+        self, modes: Modes[Any], instant: Instant, periods: int, length: float, keeps: bool, before: int
     ) -> None:
         self.modes, self.instant, self.keeps, self.before = modes, instant, keeps, before
         self.begin = instant.phase
@@ -148,16 +138,16 @@ class _Progress:
         self.mode = modes.number(instant.statuses)
         self.work = work_for(modes.tables)
         self._take(instant)
-        self.log = Log.empty(ROWS, modes.layout.size)
-        self.states = np.empty((periods + 1, modes.layout.state_count))
+        self.log = Log.empty(ROWS, modes.system.layout.size)
+        self.states = np.empty((periods + 1, modes.system.layout.state_count))
         self.states[0] = instant.state
-        self.counts = np.zeros((periods, KINDS), dtype=np.int64)
+        self.counts = np.zeros((periods, modes.system.kind_count), dtype=np.int64)
         self.cascade: int
         self.cascade_at: tuple[int, float] | None = None
         self.continued: list[int] = []
 
     def _take(self, instant: Instant) -> None:
-        free = self.modes.layout.state_count
+        free = self.modes.system.layout.state_count
         self.work.state[:free] = instant.state
         self.work.known_zeros[:] = instant.known_zeros
         self.work.known_action[:] = instant.known_action
@@ -165,8 +155,9 @@ class _Progress:
 
     def _forcing(self) -> Reals:
         # Ramps count the time since the start of the motion, waves that since the start of the period.
-        layout, instant = self.modes.layout, self.instant
-        return layout.forcing_at(self.begin, instant.periods * layout.period)
+        layout, instant = self.modes.system.layout, self.instant
+        forcing: Reals = layout.forcing_at(self.begin, instant.periods * layout.period)
+        return forcing
 
     def run(self, most_steps: int) -> Stretch:
         task = Task(self.length, self.keeps, self._forcing(), self.states, self.counts)
@@ -196,53 +187,52 @@ class _Progress:
         return self.cascade <= LONGEST_CASCADE
 
     def _decided(self, place: Place) -> Place:
-        """Tabulate what follows an event, or do it where several frictions at rest have a say."""
+        """Tabulate what follows an event, or do it where several parts at rest have a say."""
         while place.row + len(self.instant.statuses) >= len(self.log.start):
             self.log = self.log.doubled()
-        event, function = (self.mode, place.fired, place.jumped), self.modes[self.mode].functions[place.fired]
+        mode, event = self.modes[self.mode], (self.mode, place.fired, place.jumped)
+        function = mode.functions[place.fired]
         at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
         alone = function.action not in (ARRIVED, AT_LIMIT) or len(at_rest) == 1
         if alone or (function.action == AT_LIMIT and not place.jumped):
             self.modes.follow(*event)
             if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] >= 0:
                 return place
-        machine, before = self.modes.machine, self.modes[self.mode].statuses
-        after, zeros = after_event(machine, before, self.work.state, function, place.jumped, at_rest)
-        row = self._change_together(place, (before, after), zeros, at_rest)
+        decide = self.modes.system.decide
+        after, zeros = decide(mode, self.work.state, function, place.jumped, at_rest)
+        row = self._change_together(place, mode, after, zeros, at_rest)
         return place._replace(row=row, mode=self.mode, fired=NO_EVENT, jumped=False)
 
     def _at_rest(self, arrived: int | None) -> Places:
-        """Return the frictions that are at rest now, by their numbers."""
-        contacts, tables = len(self.modes.machine.stiffness), self.modes.tables
-        state, statuses = self.work.state, self.modes[self.mode].statuses
-        at_rest = {
-            part
-            for part in range(contacts, len(statuses))
-            if statuses[part] == STICK or self.work.known_zeros[part] > 0 or part == arrived
-        }
-        for number, function in enumerate(self.modes[self.mode].functions):
+        """Return the parts whose switching functions are zero now, in order."""
+        tables, state, mode = self.modes.tables, self.work.state, self.modes[self.mode]
+        known = (self.work.known_zeros > 0) & (self.work.known_action == ARRIVED)
+        at_rest = {*mode.held, *np.flatnonzero(known).tolist()} | (
+            {arrived} if arrived is not None else set()
+        )
+        for number, function in enumerate(mode.functions):
             if function.action == ARRIVED:
                 sizes = tables.sizes[self.mode, number, :2].sum(axis=0)
                 if abs(function.row @ state) <= AT_REST * (sizes @ abs(state)):
                     at_rest.add(function.owner)
-        return np.array(sorted(at_rest), dtype=np.intp) - contacts
+        return np.array(sorted(at_rest), dtype=np.intp)
 
     def _change_together(
-        self, place: Place, change: tuple[tuple[int, ...], tuple[int, ...]], zeros: int, at_rest: Places
+        self, place: Place, mode: Mode, after: tuple[int, ...], zeros: int, at_rest: Places
     ) -> int:
         """Change the mode, and log what each part does in a row of its own; returns the number of rows."""
-        (before, after), contacts, work = change, len(self.modes.machine.stiffness), self.work
+        before, work = mode.statuses, self.work
         self.mode = self.modes.number(after)
-        work.state[:] = self.modes[self.mode].hold @ work.state
-        for friction in at_rest:
-            part = contacts + int(friction)
-            if after[part] == STICK:
+        following = self.modes[self.mode]
+        work.state[:] = following.hold @ work.state
+        for part in at_rest.tolist():
+            if part in following.held:
                 work.known_zeros[part] = 0
             elif before[part] != after[part] or zeros == 1:
                 work.known_action[part], work.known_zeros[part] = ARRIVED, zeros
         changed = [part for part in range(len(after)) if before[part] != after[part]] or [-1]
         for row, part in enumerate(changed, start=place.row):
-            kind, log = _kind(before, after, part), self.log
+            kind, log = _kind(mode, following, part), self.log
             log.start[row], log.mode[row], log.state[row] = place.time, self.mode, work.state
             log.part[row], log.kind[row] = part, kind
             log.function[row] = place.fired if row == place.row else NO_EVENT
@@ -252,7 +242,7 @@ class _Progress:
         return row
 
     def _stretch(self, ending: Ending, place: Place, most_steps: int) -> Stretch:
-        free, work, done = self.modes.layout.state_count, self.work, place.done
+        free, work, done = self.modes.system.layout.state_count, self.work, place.done
         periods, phase = self._reached(done, 0.0 if done == len(self.counts) else place.time)
         end = replace(
             self.instant,
@@ -285,16 +275,16 @@ class _Progress:
 
     def _reached(self, done: int, time: float) -> tuple[int, float]:
         """Return the drive periods that are over since the start, and the time in the next one, s."""
-        period = self.modes.layout.period
+        period = self.modes.system.layout.period
         if self.length == period:
             return done, self.begin + time
         phase = self.begin + done * self.length + time
         return (1, phase - period) if period and phase >= period else (0, phase)
 
 
-def _kind(before: tuple[int, ...], after: tuple[int, ...], part: int) -> int:
+def _kind(before: Mode, after: Mode, part: int) -> int:
     if part < 0:
         return NOTHING
-    if after[part] == STICK:
-        return STICK_BEGUN
-    return STICK_ENDED if before[part] == STICK else REVERSED
+    if part in after.held:
+        return HOLD_BEGUN
+    return HOLD_ENDED if part in before.held else REVERSED

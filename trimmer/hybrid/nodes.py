@@ -10,11 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.tables import Tables
-from trimmer.contact.work import Log
 from trimmer.hybrid.compilation import inlined, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms
+from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE
+from trimmer.hybrid.work import Log
 
 NODES = 26
 """Nodes on a step: exact for products of two polynomials of the degree of the flow."""
@@ -49,12 +49,12 @@ def _step(size: int) -> _Step:
 
 
 @inlined
-def _relax(tables: Tables, log: Log, row: int, time: float, state: Reals) -> None:
-    """Write the stretches of relaxing springs, which the steps leave out."""
-    for contact in range(tables.gap.size):
-        rate = tables.relaxation[log.mode[row], contact]
+def _decay(tables: Tables, log: Log, row: int, time: float, state: Reals) -> None:
+    """Write the states that decay by themselves, which the steps leave out."""
+    for part in range(tables.scale.size):
+        rate = tables.decay[log.mode[row], part]
         if rate > 0.0:
-            z = tables.relaxing_state[contact]
+            z = tables.decaying_state[part]
             state[z] = log.state[row, z] * math.exp(-rate * (time - log.start[row]))
 
 
@@ -81,13 +81,13 @@ def _entry(sources: bytes) -> Callable[..., None]:
                     combine(state, tables.series[mode], terms.size, terms)
                     fresh = True
                 evaluate_terms(terms, DEGREE + 1, (times[done] - begin) / step, states[done])
-                _relax(tables, log, row, times[done], states[done])
+                _decay(tables, log, row, times[done], states[done])
                 done += 1
 
     return kept(entry)
 
 
-_compiled_entry = _entry(sources("contact"))
+_compiled_entry = _entry(sources())
 
 
 @cache

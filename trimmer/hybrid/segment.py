@@ -1,24 +1,25 @@
 """One segment of a motion, compiled: exact steps until an event function falls to zero.
 
-A spring that relaxes behind a slot is faster than all else, but it exerts no force. So the steps leave it out
-as long as its share of an event function can be told apart, and its stretch is known in closed form.
+A state that decays by itself, as a spring that relaxes behind a slot, may be faster than all else, but no
+other depends on it. So the steps leave it out as long as its share of an event function can be told apart,
+and it is known in closed form.
 """
 
 from __future__ import annotations
 
 import math
 
-from trimmer.contact.step_event import NO_EVENT, first_event
-from trimmer.contact.tables import Tables
-from trimmer.contact.work import Work
 from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
+from trimmer.hybrid.step_event import NO_EVENT, first_event
+from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import LEVELS
+from trimmer.hybrid.work import Work
 
 LARGEST = 1e150
 """Modulus of a state beyond which the motion is not followed."""
 NEAR = 2.0
-"""Distance from contact, in stretches of a relaxing spring, within which it is not left out."""
+"""Value of an event function, in moduli of a decaying state, below which that is not left out."""
 OUT_OF_BOUNDS = -2
 """In place of the number of an event function: the state has grown beyond ``LARGEST``."""
 OUT_OF_STEPS = -3
@@ -38,35 +39,35 @@ def _step(tables: Tables, work: Work, mode: int, now: int, fraction: float) -> N
         evaluate_terms(work.terms, terms, fraction, state)
     if now != mode:
         duration = min(fraction, 1.0) * tables.step[now]
-        for contact in range(work.margins.size):
-            rate = tables.relaxation[mode, contact]
+        for part in range(work.margins.size):
+            rate = tables.decay[mode, part]
             if rate > 0.0:
-                state[tables.relaxing_state[contact]] *= math.exp(-rate * duration)
+                state[tables.decaying_state[part]] *= math.exp(-rate * duration)
 
 
 @inlined
 def _set_margins(tables: Tables, mode: int, work: Work) -> None:
-    """Write by how much each relaxing spring could bring contact forward from now on, m."""
-    for contact in range(work.margins.size):
-        work.margins[contact] = 0.0
-        if tables.relaxation[mode, contact] > 0.0:
-            z = tables.relaxing_state[contact]
-            if abs(work.state[z]) <= work.negligible[contact]:
+    """Write by how much each decaying state could bring an event function to zero earlier from now on."""
+    for part in range(work.margins.size):
+        work.margins[part] = 0.0
+        if tables.decay[mode, part] > 0.0:
+            z = tables.decaying_state[part]
+            if abs(work.state[z]) <= work.negligible[part]:
                 work.state[z] = 0.0
-            work.margins[contact] = abs(work.state[z])
+            work.margins[part] = abs(work.state[z])
 
 
 @inlined
 def _is_near(tables: Tables, work: Work, mode: int) -> bool:
-    """Return whether a relaxing spring is so close to contact that it is of no use to leave it out."""
+    """Return whether a decaying state is so close to an event that it is of no use to leave it out."""
     near = False
     for function in range(tables.function_count[mode]):
         owner = tables.owner[mode, function]
-        if 0 <= owner < work.margins.size and tables.relaxation[mode, owner] > 0.0:
+        if 0 <= owner < work.margins.size and tables.decay[mode, owner] > 0.0:
             distance = 0.0
             for i in range(work.state.size):
                 distance += tables.taylor[mode, function, i, 0] * work.state[i]
-            near |= distance <= NEAR * abs(work.state[tables.relaxing_state[owner]])
+            near |= distance <= NEAR * abs(work.state[tables.decaying_state[owner]])
     return near
 
 

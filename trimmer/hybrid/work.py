@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.tables import Tables
 from trimmer.hybrid.first_root import DEEPEST
+from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE
 
 
@@ -17,10 +17,10 @@ class Work(NamedTuple):
 
     Attributes:
         state: Extended state, (N,).
-        known_zeros: For each part, how many derivatives of one of its event functions vanish now, (m + p,).
-        known_action: Which one that is, (m + p,).
-        negligible: Stretches of relaxing springs that count as zero, m, (m,).
-        margins: By how much relaxing springs could bring contact forward, m, (m,).
+        known_zeros: For each part, how many derivatives of one of its event functions vanish now, (parts,).
+        known_action: Which one that is, (parts,).
+        negligible: Moduli of states that decay by themselves which count as zero, (m,).
+        margins: By how much these could bring an event function of their part to zero earlier, (m,).
         screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
         following, terms, bernstein, taylor, pieces: Room for states and polynomials.
     """
@@ -39,15 +39,15 @@ class Work(NamedTuple):
 
 
 def work_for(tables: Tables) -> Work:
-    """Return work space for the modes of a mechanism."""
-    size, contacts, degree = tables.screen.shape[1], len(tables.gap), DEGREE + 1
+    """Return work space for the modes of a system."""
+    size, decaying, degree = tables.screen.shape[1], len(tables.scale), DEGREE + 1
     parts = tables.statuses.shape[1]
     return Work(
         state=np.zeros(size),
         known_zeros=np.zeros(parts, dtype=np.int64),
         known_action=np.full(parts, -1, dtype=np.int64),
-        negligible=np.zeros(contacts),
-        margins=np.zeros(contacts),
+        negligible=np.zeros(decaying),
+        margins=np.zeros(decaying),
         screened=np.empty(tables.screen.shape[2]),
         following=np.empty(size),
         terms=np.empty(size * degree),
@@ -65,7 +65,7 @@ class Log(NamedTuple):
         mode: Number of its mode, (rows,).
         state: Extended state at its start, (rows, N).
         part: The part whose event began it, -1 for none, (rows,).
-        kind: What began it, see ``statuses``, (rows,).
+        kind: What began it, see ``trimmer.hybrid.system``, (rows,).
         function: The event function of the mode before that fell to zero, -1 for none, (rows,).
     """
 

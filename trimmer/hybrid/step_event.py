@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from trimmer.arrays import Reals
-from trimmer.contact.relaxing_root import UNSURE, relaxing_root
-from trimmer.contact.tables import Tables
-from trimmer.contact.work import Work
 from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
 from trimmer.hybrid.linear_combination import (
     any_below,
@@ -14,7 +12,9 @@ from trimmer.hybrid.linear_combination import (
     combined_moduli,
     within,
 )
+from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
+from trimmer.hybrid.work import Work
 
 NO_EVENT = -1
 """In place of the number of an event function."""
@@ -72,14 +72,14 @@ def _root(
 
 
 @inlined
-def _root_while_relaxing(tables: Tables, work: Work, mode: int, now: int, function: int) -> float:
-    """Find the first zero within a step that leaves a relaxing spring out, which is added here."""
+def _root_while_decaying(tables: Tables, work: Work, mode: int, now: int, function: int) -> float:
+    """Find the first zero within a step that leaves a decaying state out, which is added here."""
     owner = tables.owner[now, function]
-    z = tables.relaxing_state[owner]
-    stretch = tables.taylor[mode, function, z, 0] * work.state[z]
+    z = tables.decaying_state[owner]
+    share = tables.taylor[mode, function, z, 0] * work.state[z]
     combine(work.state, tables.taylor[now, function], work.taylor.size, work.taylor)
-    decay = tables.relaxation[mode, owner] * tables.step[now]
-    return relaxing_root(work.bernstein, work.taylor, stretch, decay, work.pieces)
+    decay = tables.decay[mode, owner] * tables.step[now]
+    return decaying_root(work.bernstein, work.taylor, share, decay, work.pieces)
 
 
 @inlined
@@ -92,15 +92,15 @@ def first_event(
         tables: The modes.
         work: The state, and what is known to be zero.
         mode: The mode.
-        now: The same, or the one in which relaxing springs are left out and counted with margins alone.
+        now: The same, or the one without decaying states, which are counted with margins alone.
         at_start: Whether something may be zero because of the last event.
         recent: The part that had it, whose functions come first where several are negative at once.
 
     Returns:
         The event function, the fraction of the step at which it falls to zero, whether it was negative at
-        once, and whether a relaxing spring that was left out must be heeded.
+        once, and whether a decaying state that was left out has a say.
     """
-    size, contacts = work.state.size, work.margins.size
+    size, decaying = work.state.size, work.margins.size
     fired, fraction, jumped, close = NO_EVENT, NOWHERE, False, False
     functions, first = tables.function_count[now], size
     screened, bernstein = work.screened, work.bernstein
@@ -108,7 +108,7 @@ def first_event(
     for function in range(functions):
         # First a glance at the coefficients, which is enough as a rule.
         owner, margin = tables.owner[now, function], 0.0
-        if now != mode and 0 <= owner < contacts:
+        if now != mode and 0 <= owner < decaying:
             margin = work.margins[owner]
         known = _known_zeros(tables, work, now, function) if at_start else 0
         below = False
@@ -118,7 +118,7 @@ def first_event(
             for i in range(COUNT):
                 bernstein[i] = screened[first + i]
             if margin > 0.0:
-                root, at_once = _root_while_relaxing(tables, work, mode, now, function), False
+                root, at_once = _root_while_decaying(tables, work, mode, now, function), False
             else:
                 root, at_once = _root(tables, work, now, function, known, at_start)
             if root == UNSURE or (known > 0 and margin > 0.0):

@@ -24,7 +24,7 @@ COUNT = DEGREE + 1
 
 
 class ModeTables(NamedTuple):
-    """Where the tables of one mode are written, which ``trimmer.contact.tables.Tables`` describes.
+    """Where the tables of one mode are written, which ``trimmer.hybrid.tables.Tables`` describes.
 
     Attributes:
         screen: (N, N + functions (K + 1)).
@@ -190,7 +190,7 @@ def _entry(sources: bytes) -> Callable[..., float]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources("contact"))
+_compiled_entry = _entry(sources())
 
 
 def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float:

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trimmer.contact.relaxing_root import UNSURE, relaxing_root
 from trimmer.hybrid.compilation import kept, sources
+from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE
 from trimmer.hybrid.taylor import DEGREE, bernstein_from_taylor
 
@@ -25,12 +25,12 @@ def entry(sources: bytes) -> Callable[..., float]:
         bernstein: np.ndarray, taylor: np.ndarray, stretch: float, decay: float, pieces: np.ndarray
     ) -> float:
         sources  # noqa: B018
-        return relaxing_root(bernstein, taylor, stretch, decay, pieces)
+        return decaying_root(bernstein, taylor, stretch, decay, pieces)
 
     return kept(compiled_search)
 
 
-COMPILED_SEARCH = entry(sources("contact"))
+COMPILED_SEARCH = entry(sources())
 
 
 def search(taylor: list[float], stretch: float, decay: float) -> float:

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.assembly import Mode, assemble
-from trimmer.contact.layout import Layout
-from trimmer.contact.machine import Machine
-from trimmer.contact.series import ModeTables, tabulate
-from trimmer.contact.statuses import FREE, RELAXING
-from trimmer.contact.transitions import transition
+from trimmer.hybrid.series import ModeTables, tabulate
+from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
 UNKNOWN = -1
 """In place of a mode to go on in: not tabulated yet."""
 JOINT = -2
-"""In place of a mode to go on in: several frictions decide it together."""
+"""In place of a mode to go on in: several parts at rest decide it together."""
 CAPACITY = 12
 """Modes for which there is room at first."""
 
@@ -29,8 +25,8 @@ class Tables(NamedTuple):
     """First axis: mode; second: event function; last of transitions: fell to zero, or was negative at once.
 
     Attributes:
-        statuses: Of all parts, (modes, m + p).
-        settled: The mode in which relaxing springs are at rest, itself if none relaxes, (modes,).
+        statuses: Of all parts, (modes, parts).
+        settled: The mode without states that decay by themselves, itself if there are none, (modes,).
         step: Length h of a step, s, (modes,).
         screen: Side by side exp(M h), transposed, and the Bernstein coefficients of the event functions over
             a step, (modes, N, N + functions (K + 1)).
@@ -46,9 +42,9 @@ class Tables(NamedTuple):
         kind: What the event counts as, (modes, functions, 2).
         known_action: An event function of the part of which some derivatives vanish then, the same shape.
         known_zeros: How many, the same shape.
-        relaxing_state: Place of the spring of each contact in the state, -1 for none, (m,).
-        relaxation: Rates of the springs that relax, 1/s, 0 for others, (modes, m).
-        gap: Size of the gap, m, by which it is measured what is negligible, (m,).
+        decaying_state: Place of the state of each part that may decay by itself, -1 for none, (m,).
+        decay: Rates of those that decay, 1/s, 0 for others, (modes, m).
+        scale: Size by which it is measured what of it is negligible, (m,).
         bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
 
@@ -68,22 +64,20 @@ class Tables(NamedTuple):
     kind: Integers
     known_action: Integers
     known_zeros: Integers
-    relaxing_state: Integers
-    relaxation: Reals
-    gap: Reals
+    decaying_state: Integers
+    decay: Reals
+    scale: Reals
     bernstein_from_taylor: Reals
 
 
-def _empty(machine: Machine, capacity: int, functions: int) -> Tables:
-    size, contacts = machine.base.shape[0], len(machine.stiffness)
-    parts, degree = contacts + len(machine.kinetic), DEGREE + 1
-    finite = np.where(np.isfinite(machine.offsets), abs(machine.offsets), 0.0)
+def _empty(system: System, capacity: int, functions: int) -> Tables:
+    size, decaying, degree = system.layout.size, system.decaying_states, DEGREE + 1
 
     def integers(*shape: int) -> Integers:
         return np.full((capacity, *shape), UNKNOWN, dtype=np.int64)
 
     return Tables(
-        statuses=integers(parts),
+        statuses=integers(system.part_count),
         settled=integers(),
         step=np.empty(capacity),
         screen=np.empty((capacity, size, size + functions * degree)),
@@ -99,36 +93,34 @@ def _empty(machine: Machine, capacity: int, functions: int) -> Tables:
         kind=integers(functions, 2),
         known_action=integers(functions, 2),
         known_zeros=integers(functions, 2),
-        relaxing_state=machine.relaxing_state,
-        relaxation=np.zeros((capacity, contacts)),
-        gap=finite.max(axis=1, initial=0.0),
+        decaying_state=decaying,
+        decay=np.zeros((capacity, len(decaying))),
+        scale=system.scales,
         bernstein_from_taylor=bernstein_from_taylor(),
     )
 
 
-_FIXED = ("relaxing_state", "gap", "bernstein_from_taylor")
+_FIXED = ("decaying_state", "scale", "bernstein_from_taylor")
+_System = TypeVar("_System", bound=System)
 
 
 @dataclass(eq=False)
-class Modes:
-    """The modes of a mechanism by number; they are assembled and tabulated when they are first asked for.
+class Modes(Generic[_System]):
+    """The modes of a system by number; they are assembled and tabulated when they are first asked for.
 
     Attributes:
-        machine: The mechanism.
-        layout: Names and places of its extended state.
+        system: What moves.
         tables: Tables of the modes that were asked for.
     """
 
-    machine: Machine
-    layout: Layout
+    system: _System
     _known: list[Mode] = field(default_factory=list, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def tables(self) -> Tables:
         """Tables of all modes so far; they are replaced where there is no room."""
-        functions = 2 * len(self.machine.stiffness) + 2 * len(self.machine.kinetic)
-        return _empty(self.machine, CAPACITY, functions)
+        return _empty(self.system, CAPACITY, 2 * self.system.part_count)
 
     def __getitem__(self, number: int) -> Mode:
         return self._known[number]
@@ -137,10 +129,8 @@ class Modes:
         """Return the number of a mode, which is tabulated when it is new."""
         if statuses in self._numbers:
             return self._numbers[statuses]
-        contacts = len(self.machine.stiffness)
-        at_rest = tuple(FREE if each == RELAXING else each for each in statuses[:contacts])
-        settled = self.number(at_rest + statuses[contacts:]) if at_rest != statuses[:contacts] else None
-        mode = assemble(self.machine, statuses)
+        mode = self.system.mode(statuses)
+        settled = self.number(mode.settled) if mode.settled != statuses else None
         number = len(self._known)
         self._make_room(number + 1, len(mode.functions))
         self._numbers[statuses] = number
@@ -151,7 +141,7 @@ class Modes:
 
     def follow(self, number: int, function: int, jumped: bool) -> None:
         """Tabulate the mode that follows an event, if the statuses decide it."""
-        change = transition(self.machine, self[number].statuses, self[number].functions[function], jumped)
+        change = self.system.transition(self[number], self[number].functions[function], jumped)
         target = JOINT if change is None else self.number(change.statuses)
         place = number, function, int(jumped)
         self.tables.target[place] = target
@@ -164,7 +154,7 @@ class Modes:
         tables = self.tables
         if modes <= len(tables.step) and functions <= tables.taylor.shape[1]:
             return
-        larger = _empty(self.machine, 2 * len(tables.step), max(functions, tables.taylor.shape[1]))
+        larger = _empty(self.system, 2 * len(tables.step), max(functions, tables.taylor.shape[1]))
         for name, old in tables._asdict().items():
             if name not in _FIXED:
                 new = getattr(larger, name)
@@ -173,7 +163,6 @@ class Modes:
 
     def _tabulate(self, number: int, mode: Mode) -> None:
         tables, count = self.tables, len(mode.functions)
-        contacts = len(self.machine.stiffness)
         rows = np.array([each.row for each in mode.functions]).reshape(count, len(mode.flow))
         target = ModeTables(
             tables.screen[number],
@@ -183,13 +172,10 @@ class Modes:
             tables.sizes[number],
             tables.bernstein_from_taylor,
         )
-        tables.step[number] = tabulate(mode.flow, self.layout.state_count, rows, target)
+        tables.step[number] = tabulate(mode.flow, self.system.layout.state_count, rows, target)
         tables.statuses[number] = mode.statuses
         tables.hold[number] = mode.hold.T
         tables.function_count[number] = count
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
-        relaxing = np.array(mode.statuses[:contacts]) == RELAXING
-        tables.relaxation[number, relaxing] = (
-            self.machine.stiffness[relaxing] / self.machine.damping[relaxing]
-        )
+        tables.decay[number] = mode.decay

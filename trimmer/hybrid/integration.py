@@ -6,14 +6,14 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow
-from trimmer.contact.statuses import NOTHING, STICK_BEGUN
-from trimmer.contact.step_event import NO_EVENT
-from trimmer.contact.tables import Tables
-from trimmer.contact.tabulated_change import change, is_tabulated
-from trimmer.contact.work import Log, Work
 from trimmer.hybrid.compilation import inlined, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow
+from trimmer.hybrid.step_event import NO_EVENT
+from trimmer.hybrid.system import HOLD_BEGUN, NOTHING
+from trimmer.hybrid.tables import Tables
+from trimmer.hybrid.tabulated_change import change, is_tabulated
+from trimmer.hybrid.work import Log, Work
 
 REACHED_END, LOG_FULL, TO_DECIDE, CYCLING, DIVERGED, STEP_LIMIT, GOES_ON = range(7)
 """Why the integration stopped, or that it goes on."""
@@ -148,7 +148,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
             log.start[row], recent = time, tables.owner[mode, fired]
             mode = change(tables, work, log, row, mode, (fired, jumped), task.counts[done])
             row, fired = row + 1, NO_EVENT
-            if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != STICK_BEGUN:
+            if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != HOLD_BEGUN:
                 _begin(log, 0, time, mode, work.state)
                 row = 1
         # A plain tuple: making a named one runs Python, in which an interrupt would find nobody to take it.
@@ -157,7 +157,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
     return kept(entry)
 
 
-_compiled_entry = _entry(sources("contact"))
+_compiled_entry = _entry(sources())
 
 
 def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:

@@ -1,0 +1,75 @@
+"""A mechanism as the core asks for it: its modes, what follows its events, and what frictions at rest do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.assembly import assemble
+from trimmer.contact.joint import after_event
+from trimmer.contact.statuses import CONTACT_BROKEN
+from trimmer.contact.transitions import transition
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Places, Reals
+    from trimmer.contact.layout import Layout
+    from trimmer.contact.machine import Machine
+    from trimmer.hybrid.system import EventFunction, Mode, Transition
+
+
+@dataclass(frozen=True, eq=False)
+class MechanismSystem:
+    """The exact motion of a mechanism; its parts are its contacts, then its frictions.
+
+    Attributes:
+        machine: Its arrays.
+        layout: Names and places of its extended state.
+    """
+
+    machine: Machine
+    layout: Layout
+
+    @property
+    def contact_count(self) -> int:
+        """Number m of contacts."""
+        return len(self.machine.stiffness)
+
+    @property
+    def part_count(self) -> int:
+        """Number of contacts and frictions."""
+        return self.contact_count + len(self.machine.kinetic)
+
+    @property
+    def kind_count(self) -> int:
+        """Number of kinds of events, and of what counts as none."""
+        return CONTACT_BROKEN + 1
+
+    @property
+    def decaying_states(self) -> Integers:
+        """Places of the springs behind slots, which may relax, ``NO_STATE`` for none, (m,)."""
+        return self.machine.relaxing_state
+
+    @cached_property
+    def scales(self) -> Reals:
+        """Sizes of the gaps, m, (m,)."""
+        offsets = self.machine.offsets
+        widths: Reals = np.where(np.isfinite(offsets), abs(offsets), 0.0).max(axis=1, initial=0.0)
+        return widths
+
+    def mode(self, statuses: tuple[int, ...]) -> Mode:
+        """Return the equations of the mode with given statuses of all contacts, then of all frictions."""
+        return assemble(self.machine, statuses)
+
+    def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
+        """Return what follows an event; None where several frictions at rest decide it together."""
+        return transition(self.machine, mode.statuses, function, jumped)
+
+    def decide(
+        self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+    ) -> tuple[tuple[int, ...], int]:
+        """Return what frictions at rest do: see ``trimmer.contact.joint.after_event``."""
+        frictions = at_rest - self.contact_count
+        return after_event(self.machine, mode.statuses, state, function, jumped, frictions)

@@ -1,0 +1,156 @@
+"""What the core asks of whatever moves: its modes, what follows an event, and what holds where several rest.
+
+A system has parts, each with a status. All statuses together are a mode, in which the extended state Z moves
+as Z' = M Z: states first, then what forces them, one at the end. A mode lasts while all its event functions
+are positive. A part whose switching function has come to zero may be held there, as friction that sticks or a
+relay that slides; what several parts do that are at rest at one instant they decide together.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Places, Reals
+
+ARRIVED, AT_LIMIT = range(2)
+"""Event functions of parts that can be held: a switching function has come to zero; what holds is at its
+limit. Those that a system has besides count from ``OWN_ACTIONS``."""
+OWN_ACTIONS = 2
+NOTHING, HOLD_BEGUN, HOLD_ENDED, REVERSED = range(4)
+"""What begins a segment of the motion: nothing that counts; a part is held from then on, is not any more, or
+goes the other way. What a system has besides counts from ``OWN_KINDS``."""
+OWN_KINDS = 4
+JOINTLY = -1
+"""In place of a part: several that are held."""
+NO_STATE = -1
+"""In place of the place of the decaying state of a part that has none."""
+
+
+@dataclass(frozen=True, eq=False)
+class EventFunction:
+    """A functional that is positive while the mode lasts.
+
+    Attributes:
+        owner: The part that it belongs to; ``JOINTLY`` for several.
+        action: What it means that it falls to zero.
+        row: The functional, (N,).
+        signs: Directions in which parts that are held begin to go, for each part that can be held.
+    """
+
+    owner: int
+    action: int
+    row: Reals
+    signs: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """The equations of a mode.
+
+    Attributes:
+        statuses: Of all parts.
+        flow: The matrix M of Z' = M Z, (N, N).
+        functions: The event functions.
+        hold: The state, made to fit what is held, (N, N).
+        held: The parts that are held.
+        settled: Statuses of the mode without states that decay by themselves; its own if there are none.
+        decay: Rate at which the state of each part decays by itself, 1/s, 0 for others, (m,).
+        decayed: Place and rate of each state that decays by itself or has done so, and counts as zero.
+    """
+
+    statuses: tuple[int, ...]
+    flow: Reals
+    functions: tuple[EventFunction, ...]
+    hold: Reals
+    held: tuple[int, ...]
+    settled: tuple[int, ...]
+    decay: Reals
+    decayed: tuple[tuple[int, float], ...]
+
+
+@dataclass(frozen=True)
+class Transition:
+    """What follows an event.
+
+    Attributes:
+        statuses: Of all parts afterwards.
+        kind: What it counts as.
+        action: An event function of the part afterwards of which some derivatives vanish.
+        zeros: How many, counting the zeroth; 0 for none.
+    """
+
+    statuses: tuple[int, ...]
+    kind: int
+    action: int = -1
+    zeros: int = 0
+
+
+class Layout(Protocol):
+    """Where in the extended state what is."""
+
+    @property
+    def size(self) -> int:
+        """Number N of entries of the extended state."""
+
+    @property
+    def state_count(self) -> int:
+        """Number n of states, which come first."""
+
+    @property
+    def forcing(self) -> int:
+        """Number of entries that force the states and are not forced by them."""
+
+    @property
+    def period(self) -> float:
+        """Period of what forces the states, s; 0 for none."""
+
+    def forcing_at(self, time: float, before: float = 0.0) -> Reals:
+        """Return the entries that force the states at a time in a period, s, after whole periods, s."""
+
+
+class System(Protocol):
+    """Anything that is linear between events."""
+
+    @property
+    def layout(self) -> Layout:
+        """Where in the extended state what is."""
+
+    @property
+    def part_count(self) -> int:
+        """Number of parts."""
+
+    @property
+    def kind_count(self) -> int:
+        """Number of kinds of what begins a segment."""
+
+    @property
+    def decaying_states(self) -> Integers:
+        """Places of the states of the first m parts that may decay by themselves, ``NO_STATE`` for none."""
+
+    @property
+    def scales(self) -> Reals:
+        """Sizes by which it is measured what of these states is negligible, (m,)."""
+
+    def mode(self, statuses: tuple[int, ...]) -> Mode:
+        """Return the equations of the mode with given statuses of all parts."""
+
+    def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
+        """Return what follows where an event function falls to zero, or is negative at once.
+
+        None where several parts at rest decide it together.
+        """
+
+    def decide(
+        self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+    ) -> tuple[tuple[int, ...], int]:
+        """Return what parts at rest do, by their numbers, where an event function falls to zero.
+
+        Returns:
+            The statuses of all parts, and how many derivatives of the switching functions vanish of those
+            that begin to go.
+
+        Raises:
+            ArithmeticError: if rounding keeps it from being decided.
+        """
