@@ -7,6 +7,7 @@ import pytest
 
 from tests.trimmer.maps.machines import SQUARE_ROOT_OF_40, impact_oscillator, linear_oscillator
 from trimmer.contact.flow import ExactFlow
+from trimmer.contact.statuses import CONTACT_MADE
 from trimmer.maps.measures import of_orbit, of_window
 from trimmer.maps.settle import settle
 from trimmer.mechanism import Body, Friction, Link, Mechanism, Output, Pin
@@ -71,7 +72,7 @@ def test_impacts_and_their_speed_are_those_of_the_events() -> None:
     flow = ExactFlow(TWIN.with_value("frictions.blade.force", 1.0))
     orbit = settle(flow, flow.rest(), 300).orbit
     assert orbit is not None
-    made = [time for time, _, kind in orbit.course.events if kind == 1]
+    made = [time for time, _, kind in orbit.course.events if kind == CONTACT_MADE]
     states = orbit.course.states(np.array(made))
     speeds = abs(states @ flow.modes.system.machine.contact_rate[0])
     found = of_orbit(flow, orbit.course, 1)
@@ -82,7 +83,7 @@ def test_impacts_and_their_speed_are_those_of_the_events() -> None:
 def test_events_of_a_window_are_counted_for_each_drive_period() -> None:
     flow = ExactFlow(impact_oscillator())
     course = flow.course(flow.rest({"mass": (-25.0, 0.0)}), 7)
-    made = [time for time, _, kind in course.events if kind == 1]
+    made = [time for time, _, kind in course.events if kind == CONTACT_MADE]
     speeds = [abs(course.states(np.array([time]))[0, 1]) for time in made]
     found = of_window(flow, course, 7)
     assert len(made) > 2
