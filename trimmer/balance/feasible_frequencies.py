@@ -9,8 +9,10 @@ band of frequencies ends where -1/G crosses one of the three.
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -18,9 +20,11 @@ import control
 import numpy as np
 from scipy.optimize import brentq
 
+from trimmer.balance.loop import ComparedSystem
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
+from trimmer.errors import UndecidedWarning
 from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
@@ -84,6 +88,8 @@ def feasible_bands(
 ) -> tuple[FeasibleBand, ...]:
     """Find all bands of frequencies at which some M/D gives a limit cycle, in rising order.
 
+    Those of the last few loops are kept, unless something was undecided there.
+
     Args:
         G: A rational, proper, continuous-time system with one input and one output.
         gap: Total clearance, > 0, m.
@@ -95,6 +101,26 @@ def feasible_bands(
     Warns:
         UndecidedWarning: see ``trimmer.balance.solve.limit_cycles``.
     """
+    loop = _Loop(ComparedSystem.of(G), float(gap), solvable)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UndecidedWarning)
+            return _kept_bands(loop)
+    except UndecidedWarning:
+        return _bands(loop)  # which warns
+
+
+@dataclass(frozen=True)
+class _Loop:
+    """What bands depend on, and ``solvable`` of ``feasible_bands``."""
+
+    given: ComparedSystem
+    gap: float
+    solvable: Callable[[float], bool] = field(compare=False)
+
+
+def _bands(loop: _Loop) -> tuple[FeasibleBand, ...]:
+    G, gap, solvable = loop.given.system, loop.gap, loop.solvable
     ends = sorted([*_limits(G, gap), *_touching(G)], key=lambda end: end.frequency)
     low, high = BandEnd(0.0, math.nan), BandEnd(math.inf, math.nan)
     bands: list[FeasibleBand] = []
@@ -106,6 +132,10 @@ def feasible_bands(
         else:
             bands.append(FeasibleBand(lower, upper))
     return tuple(bands)
+
+
+_kept_bands = lru_cache(maxsize=16)(_bands)
+"""The same loop is asked for again with each frequency that was measured."""
 
 
 def _limits(G: control.lti.LTI, gap: float) -> Iterator[BandEnd]:

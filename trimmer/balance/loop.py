@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from typing import Self
 
 import control
 import numpy as np
@@ -104,15 +105,20 @@ def inverse_response(G: control.lti.LTI) -> InverseResponse:
         UnsupportedSystemError: if it is improper, or not what ``ZeroPoleGain.of`` accepts.
     """
     require_siso(G)
-    return _inverse_response(_System(_coefficients(G), G))
+    return _inverse_response(ComparedSystem.of(G))
 
 
 @dataclass(frozen=True)
-class _System:
+class ComparedSystem:
     """A system that is compared by its coefficients, so that a change of the object in place is noticed."""
 
     coefficients: tuple[bytes, ...]
     system: control.lti.LTI = field(compare=False)
+
+    @classmethod
+    def of(cls, G: control.lti.LTI) -> Self:
+        """Take a system with one input and one output."""
+        return cls(_coefficients(G), G)
 
 
 def _coefficients(G: control.lti.LTI) -> tuple[bytes, ...]:
@@ -122,7 +128,7 @@ def _coefficients(G: control.lti.LTI) -> tuple[bytes, ...]:
 
 
 @lru_cache(maxsize=16)  # A sweep over gaps, loads or forces asks for the same system again and again.
-def _inverse_response(given: _System) -> InverseResponse:
+def _inverse_response(given: ComparedSystem) -> InverseResponse:
     factored = ZeroPoleGain.of(given.system)
     if factored.relative_degree < 0:
         raise UnsupportedSystemError("the system has more zeros than poles: give a proper one")
