@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy
 
-from derivations.equations_of_motion import accelerations
+from derivations.equations_of_motion import KEPT, accelerations
 from derivations.linear_motion import LinearMotion, linear_motion
 from derivations.mechanism import Mechanism, trimmer
 from derivations.newton_euler import newton_accelerations
@@ -38,7 +39,12 @@ def derive_linear_trimmer(mechanism: Mechanism | None = None) -> LinearTrimmer:
         UnprovenError: if Newton's law gives another motion, or the power balance does not close.
         ValueError: if the equations of motion are not linear.
     """
-    motion = linear_motion(mechanism or trimmer())
+    return _derived(mechanism or trimmer())
+
+
+@lru_cache(maxsize=KEPT)
+def _derived(mechanism: Mechanism) -> LinearTrimmer:
+    motion = linear_motion(mechanism)
     return LinearTrimmer(
         **vars(motion),
         accelerations=accelerations(motion.mechanism),
