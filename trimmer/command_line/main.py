@@ -195,7 +195,9 @@ def _is_own(place: str, entry: EntryPoint) -> bool:
 
 
 def _parsed(arguments: Sequence[str] | None) -> Namespace:
-    parsed, unknown = _parser(installed_commands()).parse_known_args(arguments)
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    commands = installed_commands()
+    parsed, unknown = _parser(_needed(commands, words)).parse_known_args(words)
     if unknown:
         have, them = ("has", "it") if len(unknown) == 1 else ("have", "them")
         told = [*map(shown_value, unknown[:_SEVERAL])]
@@ -203,6 +205,15 @@ def _parsed(arguments: Sequence[str] | None) -> Namespace:
             told.append(f"{len(unknown) - _SEVERAL} words more")
         parsed.parser.error(f"{listed(told)} {have} no use here; leave {them} out")
     return parsed
+
+
+def _needed(commands: Sequence[Command], words: Sequence[str]) -> Sequence[Command]:
+    """Return the command that words begin with, since the options of all others take their time; or else all.
+
+    ``completion`` tells of all commands.
+    """
+    named = [command for command in commands if words[:1] == [command.name] and command != completion.COMMAND]
+    return named or commands
 
 
 def _parser(commands: Sequence[Command]) -> ArgumentParser:

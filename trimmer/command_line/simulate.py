@@ -98,9 +98,9 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
 
         moved = mechanism_motion(arguments)
         return moved, (of_mechanism.as_json if arguments.json else of_mechanism.as_text)(moved)
+    _check_targets(arguments)
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     check_periods(arguments.duration, arguments.drive)
-    _check_targets(arguments)
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
 

@@ -18,13 +18,15 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.loops.linear_text import as_json, as_text
     from trimmer.displacement import Displacement
-    from trimmer.linear.summary import summarise
 
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
-    output = Displacement.parse(arguments.output)
-    summary = summarise(chosen_parameters(arguments), output, arguments.channels)
+    output, parameters = Displacement.parse(arguments.output), chosen_parameters(arguments)
+    # These take their time to be imported, which what cannot be used need not wait for.
+    from trimmer.command_line.loops.linear_text import as_json, as_text
+    from trimmer.linear.summary import summarise
+
+    summary = summarise(parameters, output, arguments.channels)
     if arguments.plot is not None:
         from trimmer.drawing.frequency_response import summary_figure
 
