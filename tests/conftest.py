@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
 from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
 from tests.digits import rests_on_digits
@@ -27,6 +28,8 @@ settings.load_profile("repeatable")
 # Without this, numbers from the sources of whatever modules a process has loaded would be among them, and the
 # examples would depend on which tests ran before.
 HypothesisProvider._local_constants = Constants()
+# Its plugin would read all these sources all the same, for a second in each process.
+providers.is_local_module_file = lambda _: False
 # A shell that runs the tests in the background lets them ignore interrupts, and so would what they start.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 TESTS = Path(__file__).parent
@@ -27,6 +28,7 @@ WITHOUT_DIGITS = (
 """Folders and files of tests about symbols, texts, files, pages and processes, which no rounding reaches."""
 
 
+@cache
 def rests_on_digits(path: Path) -> bool:
     """Return whether the tests of a file compare what the processor's rounding may change."""
     if not path.is_relative_to(TESTS):

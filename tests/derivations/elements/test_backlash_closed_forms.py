@@ -1,5 +1,7 @@
 """Closed forms for backlash against 40-digit quadrature from mechanics, which uses nothing of SymPy."""
 
+from functools import cache
+
 import mpmath
 import pytest
 import sympy
@@ -24,9 +26,9 @@ from derivations.elements.harmonics import HARMONIC
 from tests.trimmer.elements.oracle import DIGITS, ExactBacklash
 
 FORMS = {
-    "friction": (friction_fundamental(), friction_harmonic()),
-    "inertia": (inertia_fundamental(), inertia_harmonic()),
-    "general": (general_fundamental(), general_harmonic()),
+    "friction": (friction_fundamental, friction_harmonic),
+    "inertia": (inertia_fundamental, inertia_harmonic),
+    "general": (general_fundamental, general_harmonic),
 }
 TOLERANCE = mpmath.mpf(10) ** (5 - DIGITS)
 
@@ -35,15 +37,19 @@ def case(gamma):
     return "friction" if gamma == 0 else "inertia" if gamma == mpmath.inf else "general"
 
 
+@cache
+def formula(name, first):
+    fundamental, higher = FORMS[name]
+    form = (fundamental if first else higher)().subs(MEANINGS)
+    return sympy.lambdify((SEPARATION, CONTACT, DECAY, HARMONIC), form, "mpmath")
+
+
 def closed_form(motion, harmonic):
     """Evaluate the closed form at the exact motion of the oracle."""
-    fundamental, higher = FORMS[case(motion.gamma)]
-    form = (fundamental if harmonic == 1 else higher).subs(MEANINGS)
     separation = motion.separation()
     impact = separation + motion.duration
     decay = mpmath.exp(-motion.duration / motion.gamma) if motion.gamma else mpmath.mpf(0)
-    function = sympy.lambdify((SEPARATION, CONTACT, DECAY, HARMONIC), form, "mpmath")
-    return function(separation, impact, decay, mpmath.mpf(harmonic))
+    return formula(case(motion.gamma), harmonic == 1)(separation, impact, decay, mpmath.mpf(harmonic))
 
 
 @pytest.mark.parametrize("harmonic", [1, 3, 5, 9])
@@ -57,11 +63,11 @@ def test_harmonics(gamma, ratio, harmonic):
 
 
 @pytest.mark.parametrize(
-    ("motion", "gamma"), [(friction_motion(), "0"), (inertia_motion(), "inf"), (general_motion(), "0.6")]
+    ("motion", "gamma"), [(friction_motion, "0"), (inertia_motion, "inf"), (general_motion, "0.6")]
 )
 def test_gap_over_amplitude_is_that_of_the_impact(motion, gamma):
     with mpmath.workdps(DIGITS + 10):
         exact = ExactBacklash(mpmath.mpf("1.1"), mpmath.mpf(gamma))
         values = (exact.separation(), exact.separation() + exact.duration, exact.gamma)
-        ratio = sympy.lambdify((SEPARATION, CONTACT, GAMMA), motion.ratio(), "mpmath")(*values)
+        ratio = sympy.lambdify((SEPARATION, CONTACT, GAMMA), motion().ratio(), "mpmath")(*values)
         assert abs(ratio - exact.ratio) < TOLERANCE

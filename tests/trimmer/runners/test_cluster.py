@@ -8,7 +8,9 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
@@ -20,12 +22,17 @@ from trimmer.runners.chunks import AHEAD
 from trimmer.runners.cluster import ClusterRunner
 from trimmer.runners.runner import SerialRunner
 
-distributed = pytest.importorskip("distributed")
+if TYPE_CHECKING:
+    from distributed import LocalCluster
+
+pytestmark = pytest.mark.skipif(find_spec("distributed") is None, reason="needs the package distributed")
 
 
 @pytest.fixture(scope="module")
-def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[distributed.LocalCluster]:
-    with distributed.LocalCluster(
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LocalCluster]:
+    from distributed import LocalCluster
+
+    with LocalCluster(
         n_workers=2,
         threads_per_worker=1,
         processes=True,
@@ -36,8 +43,10 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[distributed.Lo
         yield made
 
 
-def worker_ids(cluster: distributed.LocalCluster) -> list[int]:
-    with distributed.Client(cluster, set_as_default=False) as client:
+def worker_ids(cluster: LocalCluster) -> list[int]:
+    from distributed import Client
+
+    with Client(cluster, set_as_default=False) as client:
         return list(client.run(os.getpid).values())
 
 
@@ -100,7 +109,9 @@ def test_an_address_that_is_none_is_told_in_a_sentence() -> None:
 
 
 def test_a_scheduler_without_workers_is_told_in_a_sentence() -> None:
-    with distributed.LocalCluster(n_workers=0, dashboard_address=":0", silence_logs=50) as empty:
+    from distributed import LocalCluster
+
+    with LocalCluster(n_workers=0, dashboard_address=":0", silence_logs=50) as empty:
         runner = ClusterRunner(empty.scheduler_address, patience=1)
         with pytest.raises(WorkerError, match="has no worker: begin one"):
             list(runner.results(operator.neg, [1]))
@@ -113,7 +124,9 @@ def put_first(folder: str) -> None:
 def test_a_worker_with_other_versions_is_refused(cluster, tmp_path: Path) -> None:
     (tmp_path / "numpy-0.1.dist-info").mkdir()
     (tmp_path / "numpy-0.1.dist-info" / "METADATA").write_text("Name: numpy\nVersion: 0.1\n", "utf-8")
-    with distributed.Client(cluster, set_as_default=False) as client:
+    from distributed import Client
+
+    with Client(cluster, set_as_default=False) as client:
         client.run(put_first, str(tmp_path))
         try:
             with pytest.raises(WorkerError, match=r"has numpy 0\.1, and this computer .*: install the same"):
