@@ -206,30 +206,33 @@ NONSENSE = [
     1j,
 ]
 NONSENSE += [np.full(3, np.nan), np.array([]), b"x", 10**400, [[1.0], [1.0, 2.0]], float, [math.nan]]
-CASES = [
-    pytest.param(call, argument, value, id=f"{call.__qualname__}-{argument}-{kind}")
-    for call, arguments in CALLS.items()
-    for argument in arguments
-    for kind, value in ANYTHING.items()
-    if not (kind == "none" and argument in NONE_WILL_DO)
-    and not (kind == "text" and argument in ANY_TEXT)
-    and not (kind == "a loop" and argument == "loop")
-    and argument not in ("between", "output")  # what is wrong there is called a displacement
-]
 
 
-@pytest.mark.parametrize(("call", "argument", "value"), CASES)
-def test_a_wrong_type_is_named(call, argument: str, value: object, tmp_path, monkeypatch) -> None:
+def wrong(argument: str) -> list[object]:
+    """What is of a wrong type for an argument."""
+    return [
+        value
+        for kind, value in ANYTHING.items()
+        if not (kind == "none" and argument in NONE_WILL_DO)
+        and not (kind == "text" and argument in ANY_TEXT)
+        and not (kind == "a loop" and argument == "loop")
+        and argument not in ("between", "output")  # what is wrong there is called a displacement
+    ]
+
+
+@pytest.mark.parametrize("call", CALLS, ids=lambda call: call.__qualname__)
+def test_a_wrong_type_is_named(call, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
-    with pytest.raises((ValueError, TypeError)) as caught:
-        call(**{**CALLS[call], argument: value})
-    last = traceback.extract_tb(caught.value.__traceback__)[-1]
-    assert Path(last.filename).is_relative_to(PACKAGE), "raised by another package"
-    assert last.line is not None
-    assert last.line.startswith("raise "), "not raised on purpose"
-    message = str(caught.value)
-    assert argument in message or ALSO_NAMED.get(argument, argument) in message
-    assert isinstance(caught.value, trimmer.TrimmerError | ValueError)
+    for argument, value in ((name, value) for name in CALLS[call] for value in wrong(name)):
+        with pytest.raises((ValueError, TypeError)) as caught:
+            call(**{**CALLS[call], argument: value})
+        last = traceback.extract_tb(caught.value.__traceback__)[-1]
+        assert Path(last.filename).is_relative_to(PACKAGE), ("raised by another package", argument, value)
+        assert last.line is not None
+        assert last.line.startswith("raise "), ("not raised on purpose", argument, value)
+        message = str(caught.value)
+        assert argument in message or ALSO_NAMED.get(argument, argument) in message, value
+        assert isinstance(caught.value, trimmer.TrimmerError | ValueError)
 
 
 @pytest.mark.filterwarnings("ignore")
