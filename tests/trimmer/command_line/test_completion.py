@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -105,16 +104,3 @@ def test_the_other_scripts_are_read_by_their_shell(
     path.write_text(script(capsys, shell))
     check = subprocess.run([shell, "-n", str(path)], capture_output=True, text=True, check=False)
     assert (check.returncode, check.stderr) == (0, "")
-
-
-def test_help_does_not_import_what_completes(project_folder: Path) -> None:
-    code = (
-        "import sys\nfrom trimmer.command_line.main import main\n"
-        "try: main(['--help'])\nexcept SystemExit: pass\n"
-        "slow = {'shtab', 'tqdm', 'numpy', 'scipy', 'matplotlib', 'sympy'} & set(sys.modules)\n"
-        "sys.exit(' '.join(slow) or 0)"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=project_folder, capture_output=True, text=True, check=False
-    )
-    assert (done.returncode, done.stderr) == (0, "")

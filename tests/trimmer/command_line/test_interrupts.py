@@ -7,6 +7,7 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -190,8 +191,7 @@ STOP += ["--vary", "stops.stop.gap=9.97:10.03:2", "--jobs", "1"]
 
 def test_a_map_is_kept_though_its_special_points_are_not(tmp_path: Path, capsys) -> None:
     file = tmp_path / "a.map"
-    assert main([*STOP, "--quiet"]) == 0
-    assert "grazing, stop: " in capsys.readouterr().out
+    import_module("trimmer.maps.special_work")  # or else the interrupt would fall into the import
     for words, advice in (
         (["--output", str(file)], f"the map is in {file}; the same call with --resume goes on"),
         ([], "name a file (--output) to keep it"),

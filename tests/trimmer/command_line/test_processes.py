@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.complaints import complaints
+from trimmer.command_line.main import main
+
 COMMAND = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
 C_LOCALE = {"LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
 NOWHERE = {"HOME": "/dev/null/nowhere", "TMPDIR": "/dev/null/nowhere", "XDG_CACHE_HOME": "/dev/null/nowhere"}
@@ -18,13 +21,18 @@ SIMULATED = ["simulate", "--drive", "110", "--amplitude", "1e-3", "--duration", 
 def run(
     folder: Path, *words: str, shell: str = "", alone: bool = False, **settings: str
 ) -> subprocess.CompletedProcess[str]:
-    """Run a command by a shell, which redirects its streams and tells its exit code in a file ``code``."""
+    """Run a command by a shell, which redirects its streams and tells its exit code in a file ``code``.
+
+    What only those are told who wait is left out, as it depends on the machine.
+    """
     kept = {name: each for name, each in os.environ.items() if not alone or name in ("PATH", "PYTHONPATH")}
-    return subprocess.run(
+    done = subprocess.run(
         ["sh", "-c", f'{{ "$@"; echo $? >code; }} {shell}', "sh", sys.executable, "-c", COMMAND, *words],
         capture_output=True, cwd=folder, env={**kept, "PYTHONUNBUFFERED": "", **settings}, text=True,
         encoding="utf-8",
     )  # fmt: skip
+    done.stderr = complaints(done.stderr)
+    return done
 
 
 def code(folder: Path) -> int:
@@ -60,11 +68,15 @@ def test_streams_that_nobody_reads(
     assert done.stderr == told or (told and told in done.stderr and done.stderr.count("\n") == 1)
 
 
-def test_what_an_encoding_lacks_is_written_in_ascii(tmp_path: Path) -> None:
-    plain, full = (run(tmp_path, "linear", **settings) for settings in (C_LOCALE, {"PYTHONUTF8": "1"}))
-    assert (plain.stderr, full.stderr) == ("", "")
-    assert " ± " in full.stdout
-    assert plain.stdout == full.stdout.replace("±", "+-")
+def test_what_an_encoding_lacks_is_written_in_ascii(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain = run(tmp_path, "linear", alone=True, **NOWHERE, **C_LOCALE)
+    assert (code(tmp_path), plain.stderr) == (0, "")
+    assert main(["linear"]) == 0
+    full = capsys.readouterr().out
+    assert " ± " in full
+    assert plain.stdout == full.replace("±", "+-")
 
 
 def test_names_in_any_letters(tmp_path: Path) -> None:
@@ -77,9 +89,8 @@ def test_names_in_any_letters(tmp_path: Path) -> None:
     assert done.stdout.startswith("u of a.csv")
 
 
-@pytest.mark.parametrize("words", [["linear"], [*SIMULATED, "--csv", "out.csv"]], ids=" ".join)
-def test_neither_home_nor_a_place_to_write_is_needed(tmp_path: Path, words: list[str]) -> None:
-    done = run(tmp_path, *words, alone=True, COLUMNS="1", **NOWHERE, **C_LOCALE)
+def test_neither_home_nor_a_place_to_write_is_needed(tmp_path: Path) -> None:
+    done = run(tmp_path, *SIMULATED, "--csv", "out.csv", alone=True, COLUMNS="1", **NOWHERE, **C_LOCALE)
     assert (code(tmp_path), done.stderr) == (0, "")
     assert done.stdout.isascii() and done.stdout
 
@@ -107,7 +118,7 @@ def test_a_file_on_standard_output_stands_there_alone(tmp_path: Path) -> None:
 def test_a_file_without_an_end(tmp_path: Path) -> None:
     done = run(tmp_path, "linear", "--parameters", "/dev/zero")
     assert (code(tmp_path), done.stdout, done.stderr.count("\n")) == (2, "", 1)
-    assert "/dev/zero: cannot be read: a device that gives" in done.stderr
+    assert "/dev/zero: cannot be read: a device that gives 64 MiB or more" in done.stderr
 
 
 def test_a_dash_prints_a_derived_module(tmp_path: Path, project_folder: Path) -> None:
@@ -115,14 +126,3 @@ def test_a_dash_prints_a_derived_module(tmp_path: Path, project_folder: Path) ->
     done = run(tmp_path, "derive", belt, "--module", "-", "--latex", "a.tex")
     assert done.stdout.startswith('"""Block on a belt in numbers.')
     assert "a.tex: derivation" in done.stderr
-
-
-def test_help_imports_nothing_slow(tmp_path: Path) -> None:
-    program = (
-        "import sys\nfrom trimmer.command_line.main import main\n"
-        "try: main(['--help'])\nexcept SystemExit: pass\n"
-        "slow = {'shtab', 'tqdm', 'numpy', 'scipy', 'matplotlib', 'sympy'} & set(sys.modules)\n"
-        "sys.exit(' '.join(slow) or 0)"
-    )
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True)
-    assert (done.returncode, done.stderr) == (0, "")
