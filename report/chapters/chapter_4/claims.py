@@ -159,7 +159,7 @@ def zero_gap(_: Evidence) -> Record:
     yield assertion(
         "flight",
         "without a gap there is no flight",
-        flight.subs(backlash.CONTACT, 0) == 0 and sympy.simplify(slope) == 0,
+        (flight.subs(backlash.CONTACT, 0), sympy.simplify(slope)) == (0, 0),
         rf"{zero} and rises from there on, since its slope is $2\sin^2(\phi/2)$",
         method="the derived contact equation and its slope",
         second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),

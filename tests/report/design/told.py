@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
 from pathlib import Path
 
@@ -14,16 +13,14 @@ from report.design.building import report_on
 from report.design.markdown import to_markdown
 from report.design.report import DesignReport
 from tests.report.design.conftest import look
+from tests.report.markdown_lines import markdown_lines
 
 TOLD = Path(__file__).with_name("told.txt")
 
 
 def told(report: DesignReport) -> str:
     """Return its Markdown with a line for each row of a table, without what it was made from."""
-    pages = to_markdown(report)
-    text = "\n".join(f"# {name}\n{page}" for name, page in pages.items() if name != "provenance")
-    text = re.sub(r"\n::::?(?: (?:row|cell))?(?=\n)", " |", re.sub(r"\\(?=[^\w\s])", "", text))
-    return re.sub(r"(?:[ |]*\n)+", "\n", re.sub(r"(?:[ |]*\|)\n(?=\S)", " | ", text)).strip() + "\n"
+    return markdown_lines(to_markdown(report), without="provenance")
 
 
 def _renew() -> None:

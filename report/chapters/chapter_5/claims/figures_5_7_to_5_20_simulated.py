@@ -151,11 +151,12 @@ def driven_response(known: Evidence) -> Record:
 )
 def driven_spectrum(known: Evidence) -> Record:
     sizes = abs(known.orbits.friction.stable.harmonics)
+    others = float(sizes[1:].max() / sizes[0])
     yield assertion(
         "a: closed loop",
         "one line stands out, that of the limit cycle",
-        bool(sizes[1:].max() < STANDS_OUT * sizes[0]),
-        f"all others have less than {100 * sizes[1:].max() / sizes[0]:.2f} % of it",
+        others < STANDS_OUT,
+        f"all others have less than {100 * others:.2f} % of it",
         method=BY_COEFFICIENTS,
         second=others_by_balance(known),
     )
