@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import fcntl
+import io
 import os
 import pickle
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import pytest
+import sympy
+from sympy.core.function import AppliedUndef
 
 Made = TypeVar("Made")
 
@@ -39,6 +43,21 @@ class MadeOnce:
         with (self.folder / f"{name}.lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             if not kept.exists():
-                kept.write_bytes(pickle.dumps(make()))
+                kept.write_bytes(_pickled(make()))
         made: Made = pickle.loads(kept.read_bytes())
         return made
+
+
+class _AsItStands(pickle.Pickler):
+    """Keeps the terms of a sum as they stand; SymPy's own pickling would evaluate and order them."""
+
+    def reducer_override(self, value: object) -> Any:
+        unevaluated = sympy.Add | sympy.Mul | sympy.Pow | sympy.Function | sympy.core.relational.Relational
+        if isinstance(value, unevaluated) and not isinstance(value, AppliedUndef):
+            return partial(type(value), evaluate=False), value.args
+        return NotImplemented
+
+
+def _pickled(made: object) -> bytes:
+    _AsItStands(file := io.BytesIO()).dump(made)
+    return file.getvalue()
