@@ -103,7 +103,7 @@ class Course:
             statuses=self.modes[mode].statuses,
             periods=0,
             phase=phase,
-            known_zeros=np.zeros_like(self.begin.known_zeros),
+            zeros=np.zeros_like(self.begin.zeros),
         )
         end = replace(begin, periods=self.end.periods - self.begin.periods)
         joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
@@ -239,11 +239,10 @@ class ExactFlow:
         statuses = (*contacts, *frictions)
         if slow.any():
             statuses = decide(machine, statuses, extended, np.flatnonzero(slow))
-        known = np.zeros(len(statuses), dtype=np.int64)
-        action = np.full(len(statuses), -1, dtype=np.int64)
+        zeros = np.zeros((len(statuses), self.modes.system.action_count), dtype=np.int64)
         begun = [len(contacts) + i for i in np.flatnonzero(slow) if statuses[len(contacts) + i] != STICK]
-        known[begun], action[begun] = 1, ARRIVED
-        return Instant(extended[: self.size], statuses, 0, phase, known, action, negligible)
+        zeros[begun, ARRIVED] = 1
+        return Instant(extended[: self.size], statuses, 0, phase, zeros, negligible)
 
     def _contact(self, contact: int, extended: Reals, stretched: bool) -> int:
         """Return the status of a contact, and set the stretch of its spring if that is not given."""

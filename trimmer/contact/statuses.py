@@ -13,7 +13,9 @@ FORWARD, BACKWARD, STICK = range(3)
 RELAXES, TRUNCATES, PULLS = range(3)
 """The contact laws. Without damping they are one, which is held as the last."""
 
-MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT = range(OWN_ACTIONS, OWN_ACTIONS + 5)
+ACTIONS = OWN_ACTIONS + 5
+"""Number of actions of event functions."""
+MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT = range(OWN_ACTIONS, ACTIONS)
 """Event functions of contacts: contact made on either side, broken; the force of a contact that was released
 is a push again, or it left the range of contact."""
 CONTACT_MADE, CONTACT_BROKEN = range(OWN_KINDS, OWN_KINDS + 2)

@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.contact.assembly import assemble
 from trimmer.contact.joint import after_event
-from trimmer.contact.statuses import CONTACT_BROKEN
+from trimmer.contact.statuses import ACTIONS, CONTACT_BROKEN
 from trimmer.contact.transitions import transition
 
 if TYPE_CHECKING:
@@ -46,6 +46,11 @@ class MechanismSystem:
     def kind_count(self) -> int:
         """Number of kinds of events, and of what counts as none."""
         return CONTACT_BROKEN + 1
+
+    @property
+    def action_count(self) -> int:
+        """Number of actions of event functions."""
+        return ACTIONS
 
     @property
     def decaying_states(self) -> Integers:

@@ -61,7 +61,7 @@ def transition(
         return None
     direction = FORWARD if function.signs[friction] > 0 else BACKWARD
     zeros = 1 if drops or jumped else 2
-    return Transition(_with(statuses, function.owner, direction), HOLD_ENDED, ARRIVED, zeros)
+    return Transition(_with(statuses, function.owner, direction), HOLD_ENDED, ((ARRIVED, zeros),))
 
 
 def _with(statuses: tuple[int, ...], part: int, status: int) -> tuple[int, ...]:
@@ -76,16 +76,16 @@ def _of_contact(
     same_side = MADE_PLUS if status in (PLUS, RELEASED_PLUS) else MADE_MINUS
     if function.action in (MADE_PLUS, MADE_MINUS):
         after = _with(statuses, contact, PLUS if function.action == MADE_PLUS else MINUS)
-        return Transition(after, CONTACT_MADE, BROKEN, 1 if pulls else 0)
+        return Transition(after, CONTACT_MADE, ((BROKEN, 1 if pulls else 0),))
     if function.action == RETURNED:
         after = _with(statuses, contact, PLUS if status == RELEASED_PLUS else MINUS)
-        return Transition(after, CONTACT_MADE, BROKEN, 1)
+        return Transition(after, CONTACT_MADE, ((BROKEN, 1),))
     if function.action == LEFT:
-        return Transition(_with(statuses, contact, FREE), NOTHING, same_side, 1)
+        return Transition(_with(statuses, contact, FREE), NOTHING, ((same_side, 1),))
     if pulls:
-        return Transition(_with(statuses, contact, FREE), CONTACT_BROKEN, same_side, 1)
+        return Transition(_with(statuses, contact, FREE), CONTACT_BROKEN, ((same_side, 1),))
     if machine.law[contact] == RELAXES:
         # The slot opens with no rate where the force has fallen to zero, but not where it is a pull at once.
-        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, same_side, 1 if jumped else 2)
+        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, ((same_side, 1 if jumped else 2),))
     released = RELEASED_PLUS if status == PLUS else RELEASED_MINUS
-    return Transition(_with(statuses, contact, released), CONTACT_BROKEN, RETURNED, 1)
+    return Transition(_with(statuses, contact, released), CONTACT_BROKEN, ((RETURNED, 1),))

@@ -63,8 +63,8 @@ class Instant:
         statuses: Of all parts.
         periods: Whole periods of what forces the states since the start.
         phase: Time since then, s.
-        known_zeros: For each part, how many derivatives of one of its event functions vanish, (parts,).
-        known_action: Which one that is, (parts,).
+        zeros: How many derivatives of the event functions of each part are known to vanish, by their actions,
+            (parts, actions).
         negligible: Moduli of states that decay by themselves which count as zero, (m,).
     """
 
@@ -72,8 +72,7 @@ class Instant:
     statuses: tuple[int, ...]
     periods: int
     phase: float
-    known_zeros: Integers
-    known_action: Integers
+    zeros: Integers
     negligible: Reals
 
 
@@ -149,8 +148,7 @@ class _Progress:
     def _take(self, instant: Instant) -> None:
         free = self.modes.system.layout.state_count
         self.work.state[:free] = instant.state
-        self.work.known_zeros[:] = instant.known_zeros
-        self.work.known_action[:] = instant.known_action
+        self.work.zeros[:] = instant.zeros
         self.work.negligible[:] = instant.negligible
 
     def _forcing(self) -> Reals:
@@ -206,7 +204,7 @@ class _Progress:
     def _at_rest(self, arrived: int | None) -> Places:
         """Return the parts whose switching functions are zero now, in order."""
         tables, state, mode = self.modes.tables, self.work.state, self.modes[self.mode]
-        known = (self.work.known_zeros > 0) & (self.work.known_action == ARRIVED)
+        known = self.work.zeros[:, ARRIVED] > 0
         at_rest = {*mode.held, *np.flatnonzero(known).tolist()} | (
             {arrived} if arrived is not None else set()
         )
@@ -227,9 +225,9 @@ class _Progress:
         work.state[:] = following.hold @ work.state
         for part in at_rest.tolist():
             if part in following.held:
-                work.known_zeros[part] = 0
+                work.zeros[part] = 0
             elif before[part] != after[part] or zeros == 1:
-                work.known_action[part], work.known_zeros[part] = ARRIVED, zeros
+                work.zeros[part], work.zeros[part, ARRIVED] = 0, zeros
         changed = [part for part in range(len(after)) if before[part] != after[part]] or [-1]
         for row, part in enumerate(changed, start=place.row):
             kind, log = _kind(mode, following, part), self.log
@@ -250,8 +248,7 @@ class _Progress:
             statuses=self.modes[self.mode].statuses,
             periods=self.instant.periods + periods,
             phase=phase,
-            known_zeros=work.known_zeros.copy(),
-            known_action=work.known_action.copy(),
+            zeros=work.zeros.copy(),
             negligible=work.negligible.copy(),
         )
         return Stretch(

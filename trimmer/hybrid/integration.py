@@ -92,8 +92,9 @@ def _force(tables: Tables, work: Work, mode: int, forcing: Reals) -> None:
 def _forget(work: Work, elapsed: float) -> None:
     """Forget what was known to be zero once time has gone on."""
     if elapsed > 0.0:
-        for part in range(work.known_zeros.size):
-            work.known_zeros[part] = 0
+        for part in range(work.zeros.shape[0]):
+            for action in range(work.zeros.shape[1]):
+                work.zeros[part, action] = 0
 
 
 @inlined

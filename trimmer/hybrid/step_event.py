@@ -26,8 +26,8 @@ COUNT = DEGREE + 1
 def _known_zeros(tables: Tables, work: Work, now: int, function: int) -> int:
     """Return how many derivatives of an event function are known to vanish, because of an event just now."""
     owner, known = tables.owner[now, function], 0
-    if owner >= 0 and work.known_action[owner] == tables.action[now, function]:
-        known = work.known_zeros[owner]
+    if owner >= 0:
+        known = work.zeros[owner, tables.action[now, function]]
     return known
 
 

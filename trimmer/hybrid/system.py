@@ -24,6 +24,8 @@ goes the other way. What a system has besides counts from ``OWN_KINDS``."""
 OWN_KINDS = 4
 JOINTLY = -1
 """In place of a part: several that are held."""
+ALL = 99
+"""In place of a number of derivatives: none of them jumps."""
 NO_STATE = -1
 """In place of the place of the decaying state of a part that has none."""
 
@@ -37,12 +39,14 @@ class EventFunction:
         action: What it means that it falls to zero.
         row: The functional, (N,).
         signs: Directions in which parts that are held begin to go, for each part that can be held.
+        continuous: How many of its first derivatives, counting the zeroth, do not jump when another part changes.
     """
 
     owner: int
     action: int
     row: Reals
     signs: tuple[int, ...] = ()
+    continuous: int = ALL
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,14 +81,15 @@ class Transition:
     Attributes:
         statuses: Of all parts afterwards.
         kind: What it counts as.
-        action: An event function of the part afterwards of which some derivatives vanish.
-        zeros: How many, counting the zeroth; 0 for none.
+        zeros: Event functions of the part afterwards, by their actions, of which some derivatives vanish, and
+            how many, counting the zeroth.
+        reset: The state afterwards, (N, N), None if it goes on; then it is made to fit what is held.
     """
 
     statuses: tuple[int, ...]
     kind: int
-    action: int = -1
-    zeros: int = 0
+    zeros: tuple[tuple[int, int], ...] = ()
+    reset: Reals | None = None
 
 
 class Layout(Protocol):
@@ -124,6 +129,10 @@ class System(Protocol):
     @property
     def kind_count(self) -> int:
         """Number of kinds of what begins a segment."""
+
+    @property
+    def action_count(self) -> int:
+        """Number of actions that event functions of one part can have."""
 
     @property
     def decaying_states(self) -> Integers:

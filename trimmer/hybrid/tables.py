@@ -15,6 +15,8 @@ from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
 UNKNOWN = -1
 """In place of a mode to go on in: not tabulated yet."""
+NO_RESET = -1
+"""In place of the number of a reset: the state goes on."""
 JOINT = -2
 """In place of a mode to go on in: several parts at rest decide it together."""
 CAPACITY = 12
@@ -38,10 +40,13 @@ class Tables(NamedTuple):
         function_count: Number of event functions, (modes,).
         owner: The parts that they belong to, (modes, functions).
         action: What it means that they fall to zero, (modes, functions).
+        continuous: How many of their derivatives do not jump with other parts, (modes, functions).
         target: The mode to go on in, (modes, functions, 2).
         kind: What the event counts as, (modes, functions, 2).
-        known_action: An event function of the part of which some derivatives vanish then, the same shape.
-        known_zeros: How many, the same shape.
+        zeros: How many derivatives of the event functions of the part vanish then, by their actions,
+            (modes, functions, 2, actions).
+        reset: Number of the state's reset, ``NO_RESET`` for none, (modes, functions, 2).
+        resets: The resets, transposed, (resets, N, N).
         decaying_state: Place of the state of each part that may decay by itself, -1 for none, (m,).
         decay: Rates of those that decay, 1/s, 0 for others, (modes, m).
         scale: Size by which it is measured what of it is negligible, (m,).
@@ -60,10 +65,12 @@ class Tables(NamedTuple):
     function_count: Integers
     owner: Integers
     action: Integers
+    continuous: Integers
     target: Integers
     kind: Integers
-    known_action: Integers
-    known_zeros: Integers
+    zeros: Integers
+    reset: Integers
+    resets: Reals
     decaying_state: Integers
     decay: Reals
     scale: Reals
@@ -89,10 +96,12 @@ def _empty(system: System, capacity: int, functions: int) -> Tables:
         function_count=integers(),
         owner=integers(functions),
         action=integers(functions),
+        continuous=integers(functions),
         target=integers(functions, 2),
         kind=integers(functions, 2),
-        known_action=integers(functions, 2),
-        known_zeros=integers(functions, 2),
+        zeros=integers(functions, 2, system.action_count),
+        reset=integers(functions, 2),
+        resets=np.empty((0, size, size)),
         decaying_state=decaying,
         decay=np.zeros((capacity, len(decaying))),
         scale=system.scales,
@@ -100,7 +109,7 @@ def _empty(system: System, capacity: int, functions: int) -> Tables:
     )
 
 
-_FIXED = ("decaying_state", "scale", "bernstein_from_taylor")
+_FIXED = ("decaying_state", "scale", "bernstein_from_taylor", "resets")
 _System = TypeVar("_System", bound=System)
 
 
@@ -147,8 +156,10 @@ class Modes(Generic[_System]):
         self.tables.target[place] = target
         if change is not None:
             self.tables.kind[place] = change.kind
-            self.tables.known_action[place] = change.action
-            self.tables.known_zeros[place] = change.zeros
+            self.tables.zeros[place] = 0
+            for action, zeros in change.zeros:
+                self.tables.zeros[(*place, action)] = zeros
+            self.tables.reset[place] = NO_RESET if change.reset is None else self._keep(change.reset)
 
     def _make_room(self, modes: int, functions: int) -> None:
         tables = self.tables
@@ -159,7 +170,13 @@ class Modes(Generic[_System]):
             if name not in _FIXED:
                 new = getattr(larger, name)
                 new[tuple(slice(0, length) for length in old.shape)] = old
-        self.__dict__["tables"] = larger
+        self.__dict__["tables"] = larger._replace(resets=tables.resets)
+
+    def _keep(self, reset: Reals) -> int:
+        """Keep a reset, and return its number."""
+        tables = self.tables
+        self.__dict__["tables"] = tables._replace(resets=np.concatenate([tables.resets, reset.T[None]]))
+        return len(tables.resets)
 
     def _tabulate(self, number: int, mode: Mode) -> None:
         tables, count = self.tables, len(mode.functions)
@@ -178,4 +195,5 @@ class Modes(Generic[_System]):
         tables.function_count[number] = count
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
+        tables.continuous[number, :count] = [each.continuous for each in mode.functions]
         tables.decay[number] = mode.decay

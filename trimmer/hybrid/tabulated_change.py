@@ -6,7 +6,7 @@ from trimmer.arrays import Integers
 from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.linear_combination import combine, copy
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, NOTHING, REVERSED
-from trimmer.hybrid.tables import Tables
+from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.work import Log, Work
 
 DECAYED = 2.0**-56
@@ -21,8 +21,8 @@ def is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool
     target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
     action, found = tables.action[mode, fired], target >= 0
     if action == ARRIVED or (action == AT_LIMIT and jumped):
-        for part in range(work.known_zeros.size):
-            if part != owner and work.known_zeros[part] > 0 and work.known_action[part] == ARRIVED:
+        for part in range(work.zeros.shape[0]):
+            if part != owner and work.zeros[part, ARRIVED] > 0:
                 found = False
         for function in range(tables.function_count[mode]):
             if function != fired and tables.action[mode, function] == ARRIVED:
@@ -68,11 +68,21 @@ def change(
     kind = _counted_kind(tables, log, row, mode, fired, jumped, counts)
     log.mode[row], log.part[row], log.kind[row], log.function[row] = target, owner, kind, fired
     counts[kind] += 1
+    reset = tables.reset[mode, fired, flavour]
+    if reset != NO_RESET:
+        combine(state, tables.resets[reset], size, work.following)
+        copy(work.following, size, state)
     combine(state, tables.hold[target], size, work.following)
     copy(work.following, size, state)
     copy(state, size, log.state[row])
-    work.known_action[owner] = tables.known_action[mode, fired, flavour]
-    work.known_zeros[owner] = tables.known_zeros[mode, fired, flavour]
+    for function in range(tables.function_count[target]):
+        other = tables.owner[target, function]
+        if other >= 0 and other != owner:
+            action = tables.action[target, function]
+            known = work.zeros[other, action]
+            work.zeros[other, action] = min(known, tables.continuous[target, function])
+    for action in range(work.zeros.shape[1]):
+        work.zeros[owner, action] = tables.zeros[mode, fired, flavour, action]
     if (
         0 <= owner < work.margins.size
         and tables.decay[target, owner] > 0.0

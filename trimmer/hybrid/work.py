@@ -17,8 +17,8 @@ class Work(NamedTuple):
 
     Attributes:
         state: Extended state, (N,).
-        known_zeros: For each part, how many derivatives of one of its event functions vanish now, (parts,).
-        known_action: Which one that is, (parts,).
+        zeros: How many derivatives of the event functions of each part are known to vanish now, by their
+            actions, (parts, actions).
         negligible: Moduli of states that decay by themselves which count as zero, (m,).
         margins: By how much these could bring an event function of their part to zero earlier, (m,).
         screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
@@ -26,8 +26,7 @@ class Work(NamedTuple):
     """
 
     state: Reals
-    known_zeros: Integers
-    known_action: Integers
+    zeros: Integers
     negligible: Reals
     margins: Reals
     screened: Reals
@@ -44,8 +43,7 @@ def work_for(tables: Tables) -> Work:
     parts = tables.statuses.shape[1]
     return Work(
         state=np.zeros(size),
-        known_zeros=np.zeros(parts, dtype=np.int64),
-        known_action=np.full(parts, -1, dtype=np.int64),
+        zeros=np.zeros((parts, tables.zeros.shape[3]), dtype=np.int64),
         negligible=np.zeros(decaying),
         margins=np.zeros(decaying),
         screened=np.empty(tables.screen.shape[2]),

@@ -109,8 +109,8 @@ class _Beside:
         """Return where a motion ends that begins beside the orbit, as shares of the sizes."""
         begin, flow = self.course.begin, self.flow
         start = flow.at(begin.state + step * self.sizes, begin.phase, like=self._set_free(step * self.sizes))
-        nothing = np.zeros_like(start.known_zeros)
-        start = replace(start, known_zeros=nothing if step.any() else start.known_zeros)
+        nothing = np.zeros_like(start.zeros)
+        start = replace(start, zeros=nothing if step.any() else start.zeros)
         course = flow.timed(start, self.course.duration)
         if course.ending is not Ending.REACHED_END:
             return None

@@ -109,8 +109,7 @@ class LinearMotion:
         like = self.instant
         quiet = replace(
             like,
-            known_zeros=np.zeros_like(like.known_zeros),
-            known_action=np.full_like(like.known_action, -1),
+            zeros=np.zeros_like(like.zeros),
         )
         return self.flow.at(state, like.phase, like=quiet)
 

@@ -176,8 +176,7 @@ def _recurring(flow: ExactFlow, course: Course) -> list[MechanismOrbit]:
         quiet = replace(
             course.end,
             statuses=statuses,
-            known_zeros=np.zeros_like(course.end.known_zeros),
-            known_action=np.full_like(course.end.known_action, -1),
+            zeros=np.zeros_like(course.end.zeros),
         )
         shot = solve(Return(flow, 0), flow.at(state, like=quiet), float(log.start[last] - begin))
         if shot is not None and shot.miss <= CLOSED and not at_rest(shot.course, shot.duration):
