@@ -74,7 +74,7 @@ class MechanismSystem:
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
-    ) -> tuple[tuple[int, ...], int]:
+    ) -> tuple[tuple[int, ...], int, Reals]:
         """Return what frictions at rest do: see ``trimmer.contact.joint.after_event``."""
         frictions = at_rest - self.contact_count
-        return after_event(self.machine, mode.statuses, state, function, jumped, frictions)
+        return *after_event(self.machine, mode.statuses, state, function, jumped, frictions), state

@@ -86,6 +86,7 @@ def _of_contact(
         return Transition(_with(statuses, contact, FREE), CONTACT_BROKEN, ((same_side, 1),))
     if machine.law[contact] == RELAXES:
         # The slot opens with no rate where the force has fallen to zero, but not where it is a pull at once.
-        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, ((same_side, 1 if jumped else 2),))
+        zeros = 1 if jumped else 2
+        return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, ((same_side, zeros),))
     released = RELEASED_PLUS if status == PLUS else RELEASED_MINUS
     return Transition(_with(statuses, contact, released), CONTACT_BROKEN, ((RETURNED, 1),))

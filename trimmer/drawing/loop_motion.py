@@ -49,8 +49,8 @@ def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:
     What an element gives that is no play is a force or of another unit, and is left out.
     """
     drawn = {f"output {motion.loop.model.output_labels[0]}": motion.output(times)}
-    if isinstance(motion.loop.modes.system.components[0], BacklashComponent):
-        if motion.loop.modes.system.drive is not None:
+    if isinstance(motion.loop.modes.system.interconnection.components[0], BacklashComponent):
+        if motion.loop.modes.system.interconnection.drive is not None:
             drawn["input of the play"] = motion.element_input(times)
         drawn["output of the play"] = motion.element_output(times)
     return drawn
@@ -59,10 +59,10 @@ def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:
 def strips_of(motion: Motion) -> list[Strip]:
     """Return when each play is in contact, and when each friction and relay is held."""
     modes = motion.loop.modes
-    of_segments = np.array([modes.component_modes(int(number)) for number in motion.log.mode])
+    of_segments = np.array([modes[int(number)].statuses for number in motion.log.mode])
     strips = []
     for number, (label, component) in enumerate(
-        zip(modes.system.labels, modes.system.components, strict=True)
+        zip(modes.system.interconnection.labels, modes.system.interconnection.components, strict=True)
     ):
         own = of_segments[:, number]
         if isinstance(component, BacklashComponent):

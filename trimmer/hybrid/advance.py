@@ -16,7 +16,6 @@ from trimmer.hybrid.integration import (
     PERIOD_BEGUN,
     REACHED_END,
     STEP_LIMIT,
-    TO_DECIDE,
     Place,
     Task,
     integrate,
@@ -26,14 +25,23 @@ from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, HOLD_ENDED, NOT
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.work import Log, work_for
+from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Places, Reals
+    from tqdm import tqdm
 
-ROWS = 64
-"""Rows of a log to begin with."""
+    from trimmer.arrays import Integers, Places, Reals
+    from trimmer.hybrid.tables import Tables
+    from trimmer.hybrid.work import Work
+
 MOST_STEPS = 20_000_000
 """Steps of one integration if no number is given: some ten seconds."""
+AT_ONCE = 1_000_000
+"""Steps after which the compiled code comes back, so that an interrupt is heard: less than a second."""
+MOST_TOGETHER = 6
+"""Decisions at one instant that are taken because events repeat each other."""
+MOST_EVENTS = 2**62
+"""Events of one integration if no number is given."""
 
 
 class Ending(Choice):
@@ -43,12 +51,13 @@ class Ending(Choice):
     CHATTERING = "more events at one instant than can be told apart"
     DIVERGED = "it grew beyond all bounds"
     STEP_LIMIT = "it took more steps than allowed"
+    EVENT_LIMIT = "it has more events than allowed"
+    INTERRUPTED = "it was interrupted"
     UNDECIDED = "rounding kept dry friction at rest from being decided"
 
 
 _ENDINGS = {
     REACHED_END: Ending.REACHED_END,
-    CYCLING: Ending.CHATTERING,
     DIVERGED: Ending.DIVERGED,
     STEP_LIMIT: Ending.STEP_LIMIT,
 }
@@ -97,7 +106,15 @@ class Stretch:
     steps: int
 
 
-def advance(
+class AdvanceInterrupted(KeyboardInterrupt):
+    """An interrupt (Ctrl-C) ended an integration; the motion until then."""
+
+    def __init__(self, stretch: Stretch) -> None:
+        super().__init__("the integration was interrupted")
+        self.stretch = stretch
+
+
+def advance(  # noqa: PLR0913
     modes: Modes[Any],
     instant: Instant,
     periods: int,
@@ -105,6 +122,11 @@ def advance(
     keeps: bool,
     most_steps: int = MOST_STEPS,
     before: int = 0,
+    *,
+    forcing: Reals | None = None,
+    most_events: int = MOST_EVENTS,
+    exact: bool = False,
+    watched: bool = False,
 ) -> Stretch:
     """Go on for some periods of one length, s.
 
@@ -116,16 +138,44 @@ def advance(
         keeps: Whether all segments are logged.
         most_steps: Largest number of steps.
         before: Periods of the same length that the times of the log count too.
+        forcing: Entries that force the states at the start of each period, (forcing,); those of the layout if
+            not given.
+        most_events: Largest number of rows that are logged after the first one.
+        exact: Whether it is followed what times lose in rounding, for periods of many events.
+        watched: Whether a progress bar shows on a terminal after two seconds.
 
     Raises:
         ValueError: if there is no period.
+        AdvanceInterrupted: on an interrupt (Ctrl-C).
     """
     if periods < 1:
         raise ValueError(f"the number of periods must be at least 1, not {periods}")
-    return _Progress(modes, instant, periods, length, keeps, before).run(most_steps)
+    integration = _Integration(modes, instant, periods, length, keeps, before)
+    forcing = integration.forcing() if forcing is None else forcing
+    return integration.run(forcing, most_steps, most_events, exact, watched)
 
 
-class _Progress:
+class _Watch:
+    """A progress bar, made when it is first needed."""
+
+    def __init__(self, length: float, watched: bool) -> None:
+        self.length, self.watched = length, watched
+        self.bar: tqdm[Any] | None = None
+
+    def update(self, time: float) -> None:
+        """Show the time reached, s."""
+        if self.watched and self.bar is None:
+            self.bar = progress_bar(description="simulate", total=self.length, unit="s", unit_scale=True)
+        if self.bar is not None:
+            self.bar.update(time - self.bar.n)
+
+    def close(self) -> None:
+        """Take the bar away."""
+        if self.bar is not None:
+            self.bar.close()
+
+
+class _Integration:
     """The state of an integration between calls of the compiled code."""
 
     def __init__(
@@ -137,7 +187,7 @@ class _Progress:
         self.mode = modes.number(instant.statuses)
         self.work = work_for(modes.tables)
         self._take(instant)
-        self.log = Log.empty(ROWS, modes.system.layout.size)
+        self.log = Log.empty(0, modes.system.layout.size)
         self.states = np.empty((periods + 1, modes.system.layout.state_count))
         self.states[0] = instant.state
         self.counts = np.zeros((periods, modes.system.kind_count), dtype=np.int64)
@@ -151,55 +201,121 @@ class _Progress:
         self.work.zeros[:] = instant.zeros
         self.work.negligible[:] = instant.negligible
 
-    def _forcing(self) -> Reals:
+    def forcing(self) -> Reals:
+        """Return the entries that force the states at the start of each period."""
         # Ramps count the time since the start of the motion, waves that since the start of the period.
         layout, instant = self.modes.system.layout, self.instant
         forcing: Reals = layout.forcing_at(self.begin, instant.periods * layout.period)
         return forcing
 
-    def run(self, most_steps: int) -> Stretch:
-        task = Task(self.length, self.keeps, self._forcing(), self.states, self.counts)
-        place = Place(0, 0, self.mode, 0.0, most_steps)
-        while True:
-            tables = self.modes.tables
-            if len(self.work.screened) != tables.screen.shape[2]:
-                self.work = self.work._replace(screened=np.empty(tables.screen.shape[2]))
-            reason, place = integrate(tables, self.work, self.log, place, task)
-            self.mode = place.mode
-            if reason == LOG_FULL:
-                self.log = self.log.doubled()
-                continue
-            if reason != TO_DECIDE:
-                return self._stretch(_ENDINGS[reason], place, most_steps)
-            if not self._is_finite(place):
-                return self._stretch(Ending.CHATTERING, place, most_steps)
-            try:
-                place = self._decided(place)
-            except ArithmeticError:
-                return self._stretch(Ending.UNDECIDED, place, most_steps)
+    def run(self, forcing: Reals, most_steps: int, most_events: int, exact: bool, watched: bool) -> Stretch:
+        reached = np.array([0.0, 0.0, self.mode, 0.0, 0.0])
+        task = Task(self.length, exact, self.keeps, forcing, self.states, self.counts, reached)
+        left, place = most_steps, Place(0, 0, self.mode, 0.0, 0)
+        self.log = self.log.longer(most_events + 1)
+        watch = _Watch(self.length, watched)
+        try:
+            while True:
+                now = min(left, AT_ONCE)
+                reason, place = integrate(*self._tables(), self.log, place._replace(steps_left=now), task)
+                self.mode, left = place.mode, left - (now - place.steps_left)
+                if reason == STEP_LIMIT and left > 0:
+                    watch.update(place.time)
+                    continue
+                ending = self._ending(reason, place, most_events)
+                if ending is not None:
+                    return self._stretch(ending, place, most_steps - left)
+                if reason == LOG_FULL:
+                    self.log = self.log.longer(most_events + 1)
+                elif reason == CYCLING:
+                    place = self._together(place, most_events, *self._cycling(place))
+                else:
+                    place = self._decided(place, most_events)
+        except ArithmeticError:
+            return self._stretch(Ending.UNDECIDED, place, most_steps - left)
+        except KeyboardInterrupt as interrupt:
+            # Python may not have seen yet what the compiled code has done.
+            done, row, self.mode = reached[:3].astype(int).tolist()
+            place = Place(done, row, self.mode, float(reached[3]), 0)
+            stretch = self._stretch(Ending.INTERRUPTED, place, most_steps - left)
+            raise AdvanceInterrupted(stretch) from interrupt
+        finally:
+            watch.close()
 
-    def _is_finite(self, place: Place) -> bool:
+    def _tables(self) -> tuple[Tables, Work]:
+        """Return the tables as they are now, and work space that fits them."""
+        tables = self.modes.tables
+        if len(self.work.screened) != tables.screen.shape[2]:
+            self.work = self.work._replace(
+                screened=np.empty(tables.screen.shape[2]), touches=np.empty(tables.owner.shape[1])
+            )
+        return tables, self.work
+
+    def _ending(self, reason: int, place: Place, most_events: int) -> Ending | None:
+        """Return why the motion ends, None if it goes on."""
+        if reason in _ENDINGS:
+            return _ENDINGS[reason]
+        if self.keeps and place.row + (reason == LOG_FULL) > most_events:
+            return Ending.EVENT_LIMIT
+        if reason == LOG_FULL:
+            return None
+        nobody = reason == CYCLING and not self._cycling(place)[0].size
+        return Ending.CHATTERING if nobody or not self._is_finite(place, reason) else None
+
+    def _is_finite(self, place: Place, reason: int) -> bool:
         now = place.done, place.time
-        self.cascade = self.cascade + 1 if self.cascade_at == now else 0
+        more = LONGEST_CASCADE // MOST_TOGETHER if reason == CYCLING else 1
+        self.cascade = self.cascade + more if self.cascade_at == now else 0
         self.cascade_at = now
         return self.cascade <= LONGEST_CASCADE
 
-    def _decided(self, place: Place) -> Place:
+    def _decided(self, place: Place, most_events: int) -> Place:
         """Tabulate what follows an event, or do it where several parts at rest have a say."""
-        while place.row + len(self.instant.statuses) >= len(self.log.start):
-            self.log = self.log.doubled()
+        if place.row >= len(self.log.start):
+            self.log = self.log.longer(most_events + 1)
         mode, event = self.modes[self.mode], (self.mode, place.fired, place.jumped)
         function = mode.functions[place.fired]
         at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
-        alone = function.action not in (ARRIVED, AT_LIMIT) or len(at_rest) == 1
+        arriving = {*at_rest.tolist()} - {*mode.held, function.owner}
+        alone = function.action not in (ARRIVED, AT_LIMIT) or not arriving
         if alone or (function.action == AT_LIMIT and not place.jumped):
             self.modes.follow(*event)
             if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] >= 0:
                 return place
-        decide = self.modes.system.decide
-        after, zeros = decide(mode, self.work.state, function, place.jumped, at_rest)
+        return self._together(place, most_events, at_rest)
+
+    def _together(self, place: Place, most_events: int, at_rest: Places, dropped: int = 0) -> Place:
+        """Let parts at rest decide together what they do, in place of some rows of the log."""
+        while place.row + len(self.instant.statuses) >= len(self.log.start):
+            self.log = self.log.longer(max(most_events, place.row + len(self.instant.statuses)) + 1)
+        mode, log = self.modes[self.mode], self.log
+        function = mode.functions[place.fired]
+        decide, state = self.modes.system.decide, self.work.state
+        after, zeros, state[:] = decide(mode, state, function, place.jumped, at_rest)
+        if dropped:
+            first = place.row - dropped
+            np.subtract.at(self.counts[place.done], log.kind[first : place.row], 1)
+            mode = self.modes[int(log.mode[first - 1])]
+            place = place._replace(row=first, fired=int(log.function[first]))
         row = self._change_together(place, mode, after, zeros, at_rest)
         return place._replace(row=row, mode=self.mode, fired=NO_EVENT, jumped=False)
+
+    def _cycling(self, place: Place) -> tuple[Places, int]:
+        """Return the parts at rest where events repeat each other, and how many last rows say what they did.
+
+        There are none where no part that can be held has changed at this instant.
+        """
+        log, changed, last = self.log, set[int](), place.row
+        for row in range(place.row - 1, 0, -1):
+            if log.start[row] != place.time:
+                break
+            number = int(log.function[row])
+            function = self.modes[int(log.mode[row - 1])].functions[number] if number >= 0 else None
+            if function is not None and function.action in (ARRIVED, AT_LIMIT) and function.owner >= 0:
+                changed.add(function.owner)
+                last = row if last == row + 1 else last
+        at_rest = sorted(changed | {*self._at_rest(None).tolist()}) if changed else []
+        return np.array(at_rest, dtype=np.intp), place.row - last
 
     def _at_rest(self, arrived: int | None) -> Places:
         """Return the parts whose switching functions are zero now, in order."""
@@ -233,13 +349,13 @@ class _Progress:
             kind, log = _kind(mode, following, part), self.log
             log.start[row], log.mode[row], log.state[row] = place.time, self.mode, work.state
             log.part[row], log.kind[row] = part, kind
-            log.function[row] = place.fired if row == place.row else NO_EVENT
+            log.function[row], log.touches[row] = place.fired if row == place.row else NO_EVENT, 0
             self.counts[place.done, kind] += 1
         row = place.row + len(changed)
         self.continued.append(row)
         return row
 
-    def _stretch(self, ending: Ending, place: Place, most_steps: int) -> Stretch:
+    def _stretch(self, ending: Ending, place: Place, steps: int) -> Stretch:
         free, work, done = self.modes.system.layout.state_count, self.work, place.done
         periods, phase = self._reached(done, 0.0 if done == len(self.counts) else place.time)
         end = replace(
@@ -257,7 +373,7 @@ class _Progress:
             self._timed(self.log.first(place.row)),
             self.states[: done + 1],
             self.counts[: done + 1],
-            most_steps - place.steps_left,
+            steps,
         )
 
     def _timed(self, log: Log) -> Log:

@@ -23,16 +23,15 @@ inlined = numba.njit(inline="always")
 
 
 @cache
-def sources(*folders: str) -> bytes:
-    """Return a digest of the modules of this folder, and of some beside it such as "motion", 32 bytes.
+def sources() -> bytes:
+    """Return a digest of the modules of this folder, 32 bytes.
 
     Numba keeps machine code by the file of a function and by what the function closes over, but it does not
     notice a change in a function that is called. So every entry point closes over this digest.
     """
-    here, digest = Path(__file__).parent, hashlib.sha256()
-    for folder in (here, *(here.parent / name for name in folders)):
-        for module in sorted(folder.glob("*.py")):
-            digest.update(module.read_bytes())
+    digest = hashlib.sha256()
+    for module in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(module.read_bytes())
     return digest.digest()
 
 

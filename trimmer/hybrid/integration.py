@@ -8,7 +8,7 @@ from typing import NamedTuple
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import inlined, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy
-from trimmer.hybrid.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow
+from trimmer.hybrid.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow, rounding
 from trimmer.hybrid.step_event import NO_EVENT
 from trimmer.hybrid.system import HOLD_BEGUN, NOTHING
 from trimmer.hybrid.tables import Tables
@@ -30,17 +30,22 @@ class Task(NamedTuple):
 
     Attributes:
         length: Length of a period, s.
+        exact: Whether it is followed what times lose in rounding, for periods of many events.
         keeps: Whether the log goes on over periods; otherwise it begins again with each, and when it is full.
         forcing: Entries that force the states at the start of each period, (forcing,).
         states: State after each number of periods, (periods + 1, n); the first one is not written.
         counts: Events of each period by kind, (periods, kinds), which are added to.
+        reached: Where the integration stopped, for who loses its answer in an interrupt: periods done, rows,
+            mode, time in the period, s, and by how much the exact time is later, s, (5,).
     """
 
     length: float
+    exact: bool
     keeps: bool
     forcing: Reals
     states: Reals
     counts: Integers
+    reached: Reals
 
 
 class Place(NamedTuple):
@@ -52,7 +57,8 @@ class Place(NamedTuple):
         mode: Number of the mode.
         time: Time in the period, s.
         steps_left: Number of steps that may still be taken.
-        fired: The event function that has just fallen to zero, if what follows it is still to be done.
+        fired: The event function that has just fallen to zero, if what follows it is still to be done;
+            ``OUT_OF_STEPS`` within a segment.
         jumped: Whether it was negative at once.
     """
 
@@ -74,7 +80,7 @@ def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
     """Begin a segment that no event begins."""
     log.start[row], log.mode[row] = time, mode
     log.part[row], log.kind[row] = -1, NOTHING
-    log.function[row] = PERIOD_BEGUN if time == 0.0 else NO_EVENT
+    log.function[row], log.touches[row] = PERIOD_BEGUN if time == 0.0 else NO_EVENT, 0
     copy(state, state.size, log.state[row])
 
 
@@ -112,12 +118,27 @@ def _reason(tables: Tables, work: Work, mode: int, event: tuple[int, bool], casc
     return reason
 
 
+@inlined
+def _later(time: float, elapsed: float, late: float, exact: bool) -> tuple[float, float]:
+    """Return a later time, and by how much the exact one is later than that, as far as it is followed."""
+    longer = elapsed + late if exact else elapsed
+    later = time + longer
+    return later, rounding(time, longer, later) if exact else 0.0
+
+
+@inlined
+def _note(reached: Reals, done: int, row: int, mode: int, time: float, late: float) -> None:
+    reached[0], reached[1], reached[2], reached[3], reached[4] = done, row, mode, time, late
+
+
 def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
     # One function and not two within each other: of those that are compiled into another each is copied.
     def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, _Reached]:
         sources  # noqa: B018
         done, row, mode, time, steps_left, fired, jumped = place
         cascade, recent, begun = 0, NOBODY, fired != NO_EVENT
+        late = task.reached[4]  # The exact time is by so much later than the rounded one.
+        fired = NO_EVENT if fired == OUT_OF_STEPS else fired
         reason = LOG_FULL
         while begun or row + 1 < log.start.size:
             if not begun:
@@ -126,12 +147,13 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
                 _begin(log, row, time, mode, work.state)
                 row, cascade, recent, begun = row + 1, 0, NOBODY, True
             if fired == NO_EVENT:
-                fired, jumped, elapsed, steps = follow(
-                    tables, work, mode, recent, task.length - time, steps_left
+                fired, jumped, elapsed, lost, steps, touches = follow(
+                    tables, work, mode, recent, (task.length - time) - late, steps_left
                 )
-                time += elapsed
-                steps_left -= steps
-                cascade = 0 if elapsed > 0.0 else cascade + 1
+                log.touches[row - 1] += touches
+                before, steps_left = time, steps_left - steps
+                time, late = _later(before, elapsed, lost + late, task.exact)
+                cascade = 0 if time > before else cascade + 1
                 _forget(work, elapsed)
             if fired == NO_EVENT:
                 done += 1
@@ -139,7 +161,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
                 if done == task.counts.shape[0]:
                     reason = REACHED_END
                     break
-                row, time, begun = row if task.keeps else 0, 0.0, False
+                row, time, late, begun = row if task.keeps else 0, 0.0, 0.0, False
                 reason = LOG_FULL
                 continue
             full = row >= log.start.size
@@ -152,6 +174,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
             if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != HOLD_BEGUN:
                 _begin(log, 0, time, mode, work.state)
                 row = 1
+        _note(task.reached, done, row, mode, time, late)
         # A plain tuple: making a named one runs Python, in which an interrupt would find nobody to take it.
         return reason, (done, row, mode, time, steps_left, fired, jumped)
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.compilation import compiled
-from trimmer.hybrid.taylor import DEGREE
 
 
 @compiled
@@ -36,16 +35,6 @@ def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
 
 
 @compiled
-def combine_polynomials(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write weights (m,) times rows (m, DEGREE + 1), polynomials whose length the compiler knows."""
-    for i in range(DEGREE + 1):
-        result[i] = 0.0
-    for j in range(weights.size):
-        for i in range(DEGREE + 1):
-            result[i] += weights[j] * rows[j, i]
-
-
-@compiled
 def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> None:
     """Evaluate the state (n,) at a fraction of a step from its first ``count`` Taylor terms, side by side."""
     size = result.size
@@ -54,27 +43,6 @@ def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> 
     for k in range(count - 2, -1, -1):
         for i in range(size):
             result[i] = result[i] * fraction + terms[k * size + i]
-
-
-@compiled
-def evaluate_polynomial(coefficients: Reals, points: Reals, values: Reals) -> None:
-    """Evaluate a polynomial of degree DEGREE at all points (Horner), side by side."""
-    for i in range(points.size):
-        values[i] = coefficients[DEGREE]
-    for k in range(DEGREE - 1, -1, -1):
-        coefficient = coefficients[k]
-        for i in range(points.size):
-            values[i] = values[i] * points[i] + coefficient
-
-
-@compiled
-def combine_moduli(weights: Reals, rows: Reals, result: Reals) -> None:
-    """Write the moduli of weights (m,) times rows (m, DEGREE + 1)."""
-    for i in range(DEGREE + 1):
-        result[i] = 0.0
-    for j in range(weights.size):
-        for i in range(DEGREE + 1):
-            result[i] += abs(weights[j]) * rows[j, i]
 
 
 @compiled
@@ -93,15 +61,6 @@ def within(values: Reals, bound: float) -> bool:
     for i in range(values.size):
         outside |= not abs(values[i]) <= bound
     return not outside
-
-
-@compiled
-def all_positive(values: Reals) -> bool:
-    """Return whether all values are greater than zero; NaN is not."""
-    found = False
-    for i in range(values.size):
-        found |= not values[i] > 0.0
-    return not found
 
 
 @compiled

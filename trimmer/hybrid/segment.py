@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.compilation import compiled, inlined
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
 from trimmer.hybrid.step_event import NO_EVENT, first_event
 from trimmer.hybrid.tables import Tables
@@ -71,18 +71,35 @@ def _is_near(tables: Tables, work: Work, mode: int) -> bool:
     return near
 
 
+@compiled
+def rounding(first: float, second: float, total: float) -> float:
+    """Return by how much a sum of two numbers is greater than what it was rounded to (Knuth's TwoSum)."""
+    added = total - first
+    return (first - (total - added)) + (second - added)
+
+
+@inlined
+def _touches_before(tables: Tables, work: Work, now: int, fraction: float) -> int:
+    """Return how many event functions touch zero before a fraction of a step without crossing."""
+    touches = 0
+    for function in range(tables.function_count[now]):
+        touches += work.touches[function] < fraction
+    return touches
+
+
 @inlined
 def follow(
     tables: Tables, work: Work, mode: int, recent: int, duration: float, most_steps: int
-) -> tuple[int, bool, float, int]:
+) -> tuple[int, bool, float, float, int, int]:
     """Follow one segment for a duration, s; ``work.state`` becomes the state at its end.
 
     Returns:
         The event function that ends it, or why there is none; whether it was negative at once; the time
-        until then, s; the number of steps.
+        until then, s, and what that lost in rounding; the number of steps; how many times one touched zero
+        without crossing.
     """
     settled, elapsed, steps, fired, jumped = tables.settled[mode], 0.0, 0, NO_EVENT, False
-    near = settled != mode and _is_near(tables, work, mode)
+    near, touches, lost = settled != mode and _is_near(tables, work, mode), 0, 0.0
     while True:
         if steps >= most_steps or not within(work.state, LARGEST):
             fired = OUT_OF_STEPS if steps >= most_steps else OUT_OF_BOUNDS
@@ -101,12 +118,15 @@ def follow(
             fired = NO_EVENT
         if fired == NO_EVENT:
             fraction = min(left / step, 1.0)
+        touches += _touches_before(tables, work, now, fraction)
         _step(tables, work, mode, now, fraction)
         near = near and _is_near(tables, work, mode)
         if fired == NO_EVENT and left <= step:
-            elapsed = duration
+            elapsed, lost = duration, 0.0
             break
-        elapsed += fraction * step
+        before = elapsed
+        elapsed = before + fraction * step
+        lost += rounding(before, fraction * step, elapsed)
         if fired != NO_EVENT:
             break
-    return fired, jumped, elapsed, steps
+    return fired, jumped, elapsed, lost, steps, touches

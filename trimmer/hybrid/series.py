@@ -1,6 +1,7 @@
 """The flow of a mode over one step as a polynomial, and its event functions in Bernstein form: compiled.
 
-It is what ``trimmer.hybrid.taylor`` does, which says where the length of a step comes from.
+A step is the longest at which the series is exact to rounding. It does not depend on what forces the states
+and is not forced by them, whose size has nothing to do with how fast the series converges.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ def _zeros(taylor: Reals, state: Reals, sizes: Reals, known: int, at_start: bool
 def _root(
     tables: Tables, work: Work, now: int, function: int, known: int, at_start: bool
 ) -> tuple[float, bool]:
-    """Find the first zero of an event function within a step.
+    """Find the first zero of an event function within a step, and write where it touches zero.
 
     Returns:
         The fraction of the step, ``NOWHERE`` for none, and whether it was negative at once.
@@ -67,7 +67,9 @@ def _root(
         if bernstein[0] < 0.0:
             root, jumped = 0.0, at_start and zeros == 0
         elif any_below(bernstein, COUNT - zeros, 0.0):
-            root, _ = first_root(bernstein, taylor[zeros:], COUNT - zeros, rounding, work.pieces)
+            root, work.touches[function] = first_root(
+                bernstein, taylor[zeros:], COUNT - zeros, rounding, work.pieces
+            )
     return root, jumped
 
 
@@ -111,7 +113,7 @@ def first_event(
         if now != mode and 0 <= owner < decaying:
             margin = work.margins[owner]
         known = _known_zeros(tables, work, now, function) if at_start else 0
-        below = False
+        below, work.touches[function] = False, NOWHERE
         for i in range(first, first + COUNT):
             below |= not screened[i] > margin
         if known > 0 or below:

@@ -39,7 +39,7 @@ class EventFunction:
         action: What it means that it falls to zero.
         row: The functional, (N,).
         signs: Directions in which parts that are held begin to go, for each part that can be held.
-        continuous: How many of its first derivatives, counting the zeroth, do not jump when another part changes.
+        continuous: How many of its derivatives, counting the zeroth, do not jump when another part changes.
     """
 
     owner: int
@@ -153,12 +153,12 @@ class System(Protocol):
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
-    ) -> tuple[tuple[int, ...], int]:
+    ) -> tuple[tuple[int, ...], int, Reals]:
         """Return what parts at rest do, by their numbers, where an event function falls to zero.
 
         Returns:
-            The statuses of all parts, and how many derivatives of the switching functions vanish of those
-            that begin to go.
+            The statuses of all parts, how many derivatives of the switching functions vanish of those that
+            begin to go, and the state, in which all of them may be made to rest to the last digit.
 
         Raises:
             ArithmeticError: if rounding keeps it from being decided.

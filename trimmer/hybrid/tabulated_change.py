@@ -67,6 +67,7 @@ def change(
     state, size = work.state, work.state.size
     kind = _counted_kind(tables, log, row, mode, fired, jumped, counts)
     log.mode[row], log.part[row], log.kind[row], log.function[row] = target, owner, kind, fired
+    log.touches[row] = 0
     counts[kind] += 1
     reset = tables.reset[mode, fired, flavour]
     if reset != NO_RESET:

@@ -21,6 +21,7 @@ class Work(NamedTuple):
             actions, (parts, actions).
         negligible: Moduli of states that decay by themselves which count as zero, (m,).
         margins: By how much these could bring an event function of their part to zero earlier, (m,).
+        touches: Fractions of a step at which event functions come to zero without crossing, (functions,).
         screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
         following, terms, bernstein, taylor, pieces: Room for states and polynomials.
     """
@@ -29,6 +30,7 @@ class Work(NamedTuple):
     zeros: Integers
     negligible: Reals
     margins: Reals
+    touches: Reals
     screened: Reals
     following: Reals
     terms: Reals
@@ -46,6 +48,7 @@ def work_for(tables: Tables) -> Work:
         zeros=np.zeros((parts, tables.zeros.shape[3]), dtype=np.int64),
         negligible=np.zeros(decaying),
         margins=np.zeros(decaying),
+        touches=np.empty(tables.owner.shape[1]),
         screened=np.empty(tables.screen.shape[2]),
         following=np.empty(size),
         terms=np.empty(size * degree),
@@ -53,6 +56,10 @@ def work_for(tables: Tables) -> Work:
         taylor=np.empty(degree),
         pieces=np.empty((DEEPEST + 3, degree + 2)),
     )
+
+
+ROWS = 256
+"""Rows of a log to begin with."""
 
 
 class Log(NamedTuple):
@@ -65,6 +72,7 @@ class Log(NamedTuple):
         part: The part whose event began it, -1 for none, (rows,).
         kind: What began it, see ``trimmer.hybrid.system``, (rows,).
         function: The event function of the mode before that fell to zero, -1 for none, (rows,).
+        touches: How many times one came to zero during it without crossing, to rounding, (rows,).
     """
 
     start: Reals
@@ -73,6 +81,7 @@ class Log(NamedTuple):
     part: Integers
     kind: Integers
     function: Integers
+    touches: Integers
 
     @classmethod
     def empty(cls, rows: int, size: int) -> Log:
@@ -84,11 +93,15 @@ class Log(NamedTuple):
             np.zeros(rows, dtype=np.int64),
             np.zeros(rows, dtype=np.int64),
             np.zeros(rows, dtype=np.int64),
+            np.zeros(rows, dtype=np.int64),
         )
 
-    def doubled(self) -> Log:
-        """Return the same rows with twice the room."""
-        return Log._make(np.concatenate([each, np.zeros_like(each)]) for each in self)
+    def longer(self, most: int) -> Log:
+        """Return the same rows with twice the room, but for so many at most."""
+        more = min(max(len(self.start), ROWS), most - len(self.start))
+        return Log._make(
+            np.concatenate([each, np.zeros((more, *each.shape[1:]), each.dtype)]) for each in self
+        )
 
     def first(self, rows: int) -> Log:
         """Return the first rows."""

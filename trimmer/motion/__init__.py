@@ -4,7 +4,7 @@
 ``energy`` balances it. ``switched_component`` is the interface of an element in time, implemented by
 ``backlash_component``, ``relay_component`` and ``linear_components``; ``components_of_elements`` chooses
 among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes,
-for which ``implicit_outputs`` finds what follows from conditions; ``mode_tables`` and ``tables`` hold them
-for the compiled code of ``kernel``, ``first_event`` and ``sampling``, which ``integration`` calls.
-``initial`` gives the state at the start. In ``frictions`` is what several frictions do at once.
+for which ``implicit_outputs`` finds what follows from conditions; ``system`` is the loop as the core of
+``trimmer.hybrid`` asks for it, ``integration`` asks that core for a motion, ``initial`` gives the state at
+the start. In ``frictions`` is what several frictions do at once.
 """

@@ -22,7 +22,7 @@ from trimmer.showing.table import TERMS, Table
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.mode import SwitchedMode
+    from trimmer.motion.mode import LoopMode
 
 
 NODES = DEGREE + 1
@@ -155,14 +155,14 @@ def _powers(loop: TrimmerLoop, C: Reals, at: _Sampled) -> Reals:
 
 
 def _sampled(motion: Motion, loop: TrimmerLoop, times: Reals) -> _Sampled:
-    system, layout = loop.modes.system, loop.modes.layout
+    system, layout = loop.modes.system.interconnection, loop.modes.system.layout
     first = len(system.element_factors)
     velocity_gain = np.zeros(BODIES)
     if loop.channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
         # The states are then the velocities less their rows of B2 u (``trimmer.linear.model.pin_model``).
         velocity_gain = np.array(linear_trimmer.input_matrix(*loop.parameters.values()))[BODIES:, 1]
 
-    def rows_of(mode: SwitchedMode) -> Reals:
+    def rows_of(mode: LoopMode) -> Reals:
         states = np.eye(2 * BODIES, layout.size)
         bridge = np.array(system.element_factors) @ [each.output for each in mode.signals[:first]]
         between = mode.signals[first:]
@@ -171,7 +171,7 @@ def _sampled(motion: Motion, loop: TrimmerLoop, times: Reals) -> _Sampled:
                 states[:BODIES],
                 states[BODIES:] + np.outer(velocity_gain, bridge),
                 bridge,
-                bridge @ mode.matrix,
+                bridge @ mode.flow,
                 *(each.output for each in between),
                 *(each.input_rate for each in between),
             ]

@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.motion.loops import Loop
-    from trimmer.motion.mode import SwitchedMode
-    from trimmer.motion.mode_tables import ModeTables
+    from trimmer.motion.mode import LoopMode
+    from trimmer.motion.system import LoopModes
 
 
 def initial_segment(
-    loop: Loop, modes: ModeTables, initial_state: ArrayLike | None, impulse: float, element_output: float
+    loop: Loop, modes: LoopModes, initial_state: ArrayLike | None, impulse: float, element_output: float
 ) -> tuple[int, Reals]:
     """Return the number of the mode, and the extended state, shape (n,), at t = 0.
 
@@ -41,7 +41,7 @@ def initial_segment(
     return segment_from(modes, started, element_output)
 
 
-def segment_from(modes: ModeTables, plant_state: Reals, element_output: float) -> tuple[int, Reals]:
+def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) -> tuple[int, Reals]:
     """Return the mode and the extended state that go with states of the plant at t = 0.
 
     Args:
@@ -49,23 +49,21 @@ def segment_from(modes: ModeTables, plant_state: Reals, element_output: float) -
         plant_state: States of the linear system, of shape (n,).
         element_output: Output that is wished for, where the input leaves a choice.
     """
-    system, layout = modes.system, modes.layout
+    system, layout = modes.system, modes.system.layout
     state = np.zeros(layout.size)
     state[: layout.order] = plant_state
-    if system.drive is not None:
-        state[layout.sine : layout.sine + 2] = math.sin(system.drive.phase), math.cos(system.drive.phase)
-    state[-1] = 1.0
-    chosen = [0] * len(system.components)
-    for k, component in enumerate(system.components):
+    state[layout.sine :] = layout.forcing_at(0.0)
+    chosen = [0] * system.part_count
+    for k, component in enumerate(system.interconnection.components):
         # With one component after the other, each sees the outputs of those before it.
-        mode = modes.mode(modes.number(tuple(chosen)))
+        mode = system.mode(tuple(chosen))
         signals = mode.signals[k]
         first, end = layout.first_states[k], layout.first_states[k] + component.state_count
         switching = _leading_value(component.switching_function(signals), mode, modes, k, state)
         chosen[k], state[first:end] = component.initial(
             float(signals.input @ state), switching, element_output
         )
-    return modes.number(modes.coupled.closed(tuple(chosen))), state
+    return modes.number(modes.system.coupled.closed(tuple(chosen))), state
 
 
 def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:
@@ -87,15 +85,15 @@ def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) ->
     return started
 
 
-def _leading_value(row: Reals, mode: SwitchedMode, modes: ModeTables, k: int, state: Reals) -> float:
+def _leading_value(row: Reals, mode: LoopMode, modes: LoopModes, k: int, state: Reals) -> float:
     """Return a row's value, or its first derivative in time that is not zero before the output acts on it."""
     push = np.zeros(state.size)
-    push[: modes.layout.order] = modes.system.B[:, k]
-    for _ in range(modes.layout.order + 1):
+    push[: modes.system.layout.order] = modes.system.interconnection.B[:, k]
+    for _ in range(modes.system.layout.order + 1):
         value = float(row @ state)
         if abs(value) > 1e-14 * float(abs(row) @ abs(state)):
             return value
         if acts(row, push):
             break
-        row = row @ mode.matrix
+        row = row @ mode.flow
     return 0.0

@@ -5,6 +5,7 @@ The extended state holds the states of the plant and of the components, sine and
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -151,12 +152,14 @@ class Layout:
         first_states: Position of the first own state of each component.
         sine: Position of the drive's sine; its cosine follows.
         size: Number of entries; the last one is one.
+        drive: The prescribed motion of the pin; None without one.
     """
 
     order: int
     first_states: tuple[int, ...]
     sine: int
     size: int
+    drive: Drive | None
 
     @classmethod
     def of(cls, interconnection: Interconnection) -> Layout:
@@ -164,7 +167,30 @@ class Layout:
         counts = [component.state_count for component in interconnection.components]
         ends = np.cumsum([interconnection.order, *counts])
         sine = int(ends[-1])
-        return cls(interconnection.order, tuple(int(end) for end in ends[:-1]), sine, sine + 3)
+        firsts = tuple(int(end) for end in ends[:-1])
+        return cls(interconnection.order, firsts, sine, sine + 3, interconnection.drive)
+
+    @property
+    def state_count(self) -> int:
+        """Number of states: of plant and components."""
+        return self.sine
+
+    @property
+    def forcing(self) -> int:
+        """Number of entries that nothing forces: sine and cosine of the drive, and one."""
+        return self.size - self.sine
+
+    @property
+    def period(self) -> float:
+        """A loop is followed as a whole, not period by period of its drive."""
+        return 0.0
+
+    def forcing_at(self, time: float, before: float = 0.0) -> Reals:
+        """Return sine and cosine of the drive, zeros without one, and one, at a time, s."""
+        if self.drive is None:
+            return np.array([0.0, 0.0, 1.0])
+        phase = self.drive.omega * (time + before) + self.drive.phase
+        return np.array([math.sin(phase), math.cos(phase), 1.0])
 
     def unit(self, position: int) -> Reals:
         """Return the row, shape (size,), that gives the entry at a position."""

@@ -15,7 +15,7 @@ from trimmer.errors import UnsupportedMotionError
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.loops import Loop
-    from trimmer.motion.mode import SwitchedMode
+    from trimmer.motion.mode import LoopMode
 
 
 class LoopSignal(Enum):
@@ -26,7 +26,7 @@ class LoopSignal(Enum):
     ELEMENT_OUTPUT = "output of the nonlinear element"
 
 
-def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[SwitchedMode], Reals]:
+def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[LoopMode], Reals]:
     """Return what gives the row of a signal in a mode, of shape (n,) over the extended state.
 
     Args:
@@ -39,14 +39,14 @@ def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[Swi
         WrongTypeError: if it is neither.
     """
     require_instance("signal", signal, (LoopSignal, Displacement), "a LoopSignal or a Displacement")
-    model, size = loop.model, loop.modes.layout.size
+    model, size = loop.model, loop.modes.system.layout.size
     if isinstance(signal, Displacement):
         return lambda mode: _of_states(loop, signal)
     if signal is LoopSignal.ELEMENT_INPUT:
         return lambda mode: mode.signals[0].input
-    factors = np.array(loop.modes.system.element_factors)
+    factors = np.array(loop.modes.system.interconnection.element_factors)
 
-    def element_output(mode: SwitchedMode) -> Reals:
+    def element_output(mode: LoopMode) -> Reals:
         row: Reals = factors @ np.array([each.output for each in mode.signals[: len(factors)]])
         return row
 
@@ -58,7 +58,7 @@ def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[Swi
 
 
 def _of_states(loop: Loop, displacement: Displacement) -> Reals:
-    row = np.zeros(loop.modes.layout.size)
+    row = np.zeros(loop.modes.system.layout.size)
     labels = list(loop.model.state_labels)
     for body, sign in ((displacement.of, 1.0), (displacement.relative_to, -1.0)):
         if body is None:

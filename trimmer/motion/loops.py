@@ -17,7 +17,7 @@ from trimmer.elements.element import Element
 from trimmer.linear.stored_system import restored, stored
 from trimmer.motion.components_of_elements import RigidComponent, components_of
 from trimmer.motion.interconnection import Interconnection, realized, require_system
-from trimmer.motion.mode_tables import ModeTables
+from trimmer.motion.system import LoopModes, LoopSystem
 
 
 @final
@@ -108,9 +108,9 @@ class Loop(ABC):
         return True
 
     @cached_property
-    def modes(self) -> ModeTables:
+    def modes(self) -> LoopModes:
         """The modes of the loop with their tables, which are kept for the next simulation."""
-        return ModeTables(self.interconnection())
+        return LoopModes(LoopSystem(self.interconnection()))
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what the loop is made of, for pickling; what is computed from that is computed again."""

@@ -1,4 +1,4 @@
-"""One mode of an interconnection: its flow Z' = M Z, its components' signals, and its event functions."""
+"""One mode of an interconnection: its flow Z' = M Z, its components' signals, event functions and hold."""
 
 from __future__ import annotations
 
@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, OWN_ACTIONS, EventFunction, Mode
+from trimmer.motion.frictions.coupled_relays import attracting
+from trimmer.motion.frictions.stick import projection
 from trimmer.motion.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
 from trimmer.motion.interconnection import NEGLIGIBLE, Layout, effect
 from trimmer.motion.relay_component import HELD, RelayComponent
@@ -25,6 +28,10 @@ if TYPE_CHECKING:
     from trimmer.motion.interconnection import Interconnection
 
 
+FUNCTIONS_OF_COMPONENT = 3
+"""No component by itself has more event functions in a mode."""
+
+
 @dataclass(frozen=True)
 class Change:
     """A component, and what it does at an event."""
@@ -33,49 +40,37 @@ class Change:
     transition: Transition
 
 
-@dataclass(frozen=True)
-class ModeEventFunction:
-    """A row that is positive while the mode lasts, and what changes where it does not.
+@dataclass(frozen=True, eq=False)
+class LoopFunction(EventFunction):
+    """An event function of a component, or of relays that hold each other, and what changes where it ends.
 
     Attributes:
-        owner: The component that it belongs to, or the first one of those that are coupled.
-        number: Its number among those of its owner; for coupled components that of its component among them,
-            and one more than the last for what belongs to all.
-        row: The functional.
         reached: All that changes when it falls to zero.
         jumped: All that changes when it is negative at once.
-        continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
-            another component does.
     """
 
-    owner: int
-    number: int
-    row: Reals
-    reached: tuple[Change, ...]
-    jumped: tuple[Change, ...]
-    continuous: int = 0
+    reached: tuple[Change, ...] = ()
+    jumped: tuple[Change, ...] = ()
 
 
-@dataclass(frozen=True)
-class SwitchedMode:
-    """A mode, with rows and matrices over the extended state Z of n entries.
+@dataclass(frozen=True, eq=False)
+class LoopMode(Mode):
+    """A mode of a loop.
 
     Attributes:
-        component_modes: The mode of each component.
-        matrix: M of the flow Z' = M Z, n x n, 1/s.
-        signals: The rows of each component.
-        event_functions: The event functions of all components, then those of the coupled ones together.
+        functions: The event functions of all components, then those of the coupled ones together.
+        signals: The rows of each component over the extended state.
     """
 
-    component_modes: tuple[int, ...]
-    matrix: Reals
+    functions: tuple[LoopFunction, ...]
     signals: tuple[Signals, ...]
-    event_functions: tuple[ModeEventFunction, ...]
+
+    def actions(self, component: int) -> tuple[int, ...]:
+        """Return what it means that the event functions of a component fall to zero, in their order."""
+        return tuple(function.action for function in self.functions if function.owner == component)
 
 
-def assemble(
-    system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays
-) -> SwitchedMode:
+def assemble(system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays) -> LoopMode:
     """Return the mode of an interconnection in which each component is in a given mode.
 
     Args:
@@ -101,9 +96,31 @@ def assemble(
     )
     if opened.holds:
         signals = _with_those_at_rest(system, component_modes, signals)
-    mode = SwitchedMode(component_modes, matrix, signals, ())
-    event_functions = (*_of_components(system, mode, coupled), *_of_coupled(system, mode, coupled, layout))
-    return replace(mode, event_functions=event_functions)
+    held = tuple(k for k, mode in enumerate(component_modes) if attracting(system, k) and mode == HELD)
+    mode = LoopMode(
+        component_modes,
+        matrix,
+        (),
+        _at_rest(system, signals, held),
+        held,
+        settled=component_modes,
+        decay=np.zeros(0),
+        decayed=(),
+        signals=signals,
+    )
+    functions = (*_of_components(system, mode, coupled), *_of_coupled(system, mode, coupled, layout))
+    return replace(mode, functions=functions)
+
+
+def _at_rest(system: Interconnection, signals: tuple[Signals, ...], held: tuple[int, ...]) -> Reals:
+    """Return the matrix, n x n, that makes exactly zero what is held."""
+    size = len(signals[0].one)
+    if not held:
+        return np.eye(size)
+    rows = [system.components[k].switching_function(signals[k]) for k in held]
+    pushes = np.zeros((size, len(held)))
+    pushes[: system.order] = system.B[:, held]
+    return projection(np.array(rows), pushes)
 
 
 def _with_those_at_rest(
@@ -128,23 +145,23 @@ def _with_those_at_rest(
     )
 
 
-def _of_components(
-    system: Interconnection, mode: SwitchedMode, coupled: CoupledRelays
-) -> Iterator[ModeEventFunction]:
+def _of_components(system: Interconnection, mode: LoopMode, coupled: CoupledRelays) -> Iterator[LoopFunction]:
     """Yield the event functions that belong to one component."""
     for k, component in enumerate(system.components):
-        place = coupled.members.index(k) if k in coupled.members else None
-        if place is not None and mode.component_modes[k] == HELD:
+        held = k in mode.held
+        if held and k in coupled.members:
             continue
         signals = mode.signals[k]
-        found = component.event_functions(mode.component_modes[k], signals, _attracting(system, signals, k))
+        found = component.event_functions(mode.statuses[k], signals, _attracting(system, signals, k))
+        can_be_held = attracting(system, k)
         for number, each in enumerate(found):
             reached, jumped = (
-                _with_those_that_follow(mode.component_modes, k, transition, coupled)
+                _with_those_that_follow(mode.statuses, k, transition, coupled)
                 for transition in (each.reached, each.jumped)
             )
-            owner, number = (k, number) if place is None else (coupled.members[0], place)
-            yield ModeEventFunction(owner, number, each.row, reached, jumped, each.continuous)
+            action = (AT_LIMIT if held else ARRIVED) if can_be_held else OWN_ACTIONS + number
+            signs = (1 - 2 * number,) if held else ()
+            yield LoopFunction(k, action, each.row, signs, each.continuous, reached, jumped)
 
 
 def _with_those_that_follow(
@@ -160,18 +177,19 @@ def _with_those_that_follow(
 
 
 def _of_coupled(
-    system: Interconnection, mode: SwitchedMode, coupled: CoupledRelays, layout: Layout
-) -> Iterator[ModeEventFunction]:
+    system: Interconnection, mode: LoopMode, coupled: CoupledRelays, layout: Layout
+) -> Iterator[LoopFunction]:
     """Yield the distances of what coupled relays hold from what they can hold at most."""
     outputs = np.array([mode.signals[k].output for k in coupled.members])
-    for vector, bound in coupled.facets(mode.component_modes):
+    for vector, bound in coupled.facets(mode.statuses):
         sliding = [(coupled.members[each], vector[each]) for each in np.flatnonzero(vector)]
         slips = [(k, _slip(system, k, float(sign))) for k, sign in sliding]
         reached, jumped = (tuple(Change(k, slip[flavour]) for k, slip in slips) for flavour in (0, 1))
         row = without_rounding(
             bound * layout.one - vector @ outputs, bound * layout.one + abs(vector) @ abs(outputs)
         )
-        yield ModeEventFunction(coupled.members[0], len(coupled.members), row, reached, jumped)
+        signs = tuple(np.sign(vector).astype(int).tolist())
+        yield LoopFunction(JOINTLY, AT_LIMIT, row, signs, 0, reached, jumped)
 
 
 def _slip(system: Interconnection, k: int, sign: float) -> tuple[Transition, Transition]:

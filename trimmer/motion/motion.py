@@ -11,12 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.arguments import real_values
-from trimmer.hybrid.taylor import DEGREE
-from trimmer.motion.integration import changes
+from trimmer.hybrid.nodes import sample
 from trimmer.motion.relay_component import HELD, RelayComponent
-from trimmer.motion.sampling import sample
 from trimmer.motion.switched_component import EventKind
-from trimmer.motion.tables import TOGETHER, Log
+from trimmer.motion.system import KINDS
 from trimmer.showing.shown import Record, Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 
@@ -25,8 +23,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
+    from trimmer.hybrid.work import Log
     from trimmer.motion.loops import Loop
-    from trimmer.motion.mode import SwitchedMode
+    from trimmer.motion.mode import LoopMode
 
 
 class Outcome(Enum):
@@ -46,6 +45,7 @@ class Outcome(Enum):
     STEP_LIMIT = "reached the greatest number of steps: the fastest mode is too fast for the duration"
 
 
+KINDS_BY_NUMBER = {number: kind for kind, number in KINDS.items()}
 EVENT_COLUMNS = (
     *attributes(time="s"),
     Column("kind", "", lambda event: event.kind.value),
@@ -105,8 +105,8 @@ class Motion(Tabular):
             Event(
                 time=each.time,
                 kind=each.kind,
-                component=modes.system.labels[each.component],
-                mode=modes.system.components[each.component].mode_names[each.after],
+                component=modes.system.interconnection.labels[each.component],
+                mode=modes.system.interconnection.components[each.component].mode_names[each.after],
             )
             for each in listed
         )
@@ -126,13 +126,19 @@ class Motion(Tabular):
         """How the simulation ended, in words."""
         return self.outcome.value
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: the numbers of modes mean something to their loop alone."""
+        modes = self.loop.modes
+        visited = {number: modes[number].statuses for number in np.unique(self.log.mode).tolist()}
+        return {**vars(self), "visited": visited}
+
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take what was pickled, and tabulate again the modes that the motion goes through."""
+        visited = state.pop("visited")
         vars(self).update(state)
         modes = self.loop.modes
-        for number in np.unique(self.log.mode).tolist():
-            if not modes.tables.known[number]:
-                modes.tabulate(number)
+        numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
+        self.log.mode[:] = [numbers[number] for number in self.log.mode.tolist()]
 
     @property
     def touches(self) -> int:
@@ -145,7 +151,7 @@ class Motion(Tabular):
         Raises:
             ValueError: see ``values``.
         """
-        layout = self.loop.modes.layout
+        layout = self.loop.modes.system.layout
         rows = np.eye(layout.order, layout.size)
         return self.values(times, lambda mode: rows)
 
@@ -156,8 +162,8 @@ class Motion(Tabular):
             ValueError: see ``values``.
         """
         model = self.loop.model
-        row = np.zeros((1, self.loop.modes.layout.size))
-        row[0, : self.loop.modes.layout.order] = model.C[0]
+        row = np.zeros((1, self.loop.modes.system.layout.size))
+        row[0, : self.loop.modes.system.layout.order] = model.C[0]
         direct = model.D[0, 0]
         values: Reals
         (values,) = self.values(times, lambda mode: row + direct * self._element_output(mode))
@@ -197,16 +203,16 @@ class Motion(Tabular):
             ValueError: see ``values``.
         """
         values = self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
-        coupled = self.loop.modes.coupled
+        coupled = self.loop.modes.system.coupled
         if coupled.members:
             flat, instants = values.reshape(len(values), -1), np.ravel(np.asarray(times, dtype=float))
             segments = np.searchsorted(self.log.start, instants, side="right") - 1
             for place, number in enumerate(self.log.mode[segments]):
-                modes = self.loop.modes.component_modes(int(number))
+                modes = self.loop.modes[int(number)].statuses
                 flat[:, place] = coupled.shared(modes, flat[:, place])
         return values
 
-    def values(self, times: ArrayLike, rows_of: Callable[[SwitchedMode], Reals]) -> Reals:
+    def values(self, times: ArrayLike, rows_of: Callable[[LoopMode], Reals]) -> Reals:
         """Return rows of the extended state, which may differ from mode to mode, at times (s).
 
         At an event they are those just after it.
@@ -224,18 +230,16 @@ class Motion(Tabular):
         instants = real_values("times", times)
         if not ((instants >= 0) & (instants <= self.duration)).all():
             raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
-        flat = instants.ravel().copy() if not instants.flags.writeable else instants.ravel()
-        sorted_already = bool((np.diff(flat) >= 0).all())
-        order = None if sorted_already else np.argsort(flat, kind="stable")
-        visited = np.unique(self.log.mode)
-        place = np.zeros(len(self.loop.modes.tables.step), dtype=np.int64)
-        place[visited] = np.arange(len(visited))
-        functionals = np.array([self._polynomials(int(mode), rows_of) for mode in visited])
-        values = np.empty((functionals.shape[2] // (DEGREE + 1), flat.size))
-        instants_in_order = flat if order is None else flat[order]
-        sample(self.loop.modes.tables, self.log, place, functionals, instants_in_order, values)
-        if order is not None:
-            values[:, order] = values.copy()
+        flat = instants.ravel()
+        order = np.argsort(flat, kind="stable")
+        segments = np.searchsorted(self.log.start, flat, side="right") - 1
+        states = np.empty((flat.size, self.log.state.shape[1]))
+        states[order] = sample(self.loop.modes.tables, self.log, flat[order])
+        visited = self.log.mode[segments]
+        rows = {number: rows_of(self.loop.modes[number]) for number in np.unique(self.log.mode).tolist()}
+        values = np.empty((len(next(iter(rows.values()))), flat.size))
+        for number, of_mode in rows.items():
+            values[:, visited == number] = of_mode @ states[visited == number].T
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
@@ -258,33 +262,20 @@ class Motion(Tabular):
     def _table(self) -> Table:
         return Table("Events", self.events, EVENT_COLUMNS)
 
-    def _element_output(self, mode: SwitchedMode) -> Reals:
-        factors = np.array(self.loop.modes.system.element_factors)
+    def _element_output(self, mode: LoopMode) -> Reals:
+        factors = np.array(self.loop.modes.system.interconnection.element_factors)
         row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
         return row
 
-    def _polynomials(self, number: int, rows_of: Callable[[SwitchedMode], Reals]) -> Reals:
-        """Return the coefficients of rows over a step as functionals of its initial state: (n, p (K + 1))."""
-        size = self.loop.modes.layout.size
-        terms = self.loop.modes.tables.series[number].reshape(size, DEGREE + 1, size)
-        rows = rows_of(self.loop.modes.mode(number))
-        functionals: Reals = np.einsum("jki,pi->jpk", terms, rows).reshape(size, -1)
-        return functionals
-
     def _changes(self, segment: int) -> Iterator[_Listed]:
         """Yield what began a segment: each component that changed its mode."""
-        log, modes = self.log, self.loop.modes
-        time = float(log.start[segment])
-        before = modes.component_modes(int(log.mode[segment - 1]))
-        if log.event_function[segment] == TOGETHER:
-            after = modes.component_modes(int(log.mode[segment]))
-            for k in (k for k, mode in enumerate(after) if mode != before[k]):
-                yield _Listed(time, k, before[k], after[k], _kind(before[k], after[k]), True)
-            return
-        for change in changes(modes, log, segment):
-            k, transition = change.component, change.transition
-            relay = isinstance(modes.system.components[k], RelayComponent)
-            yield _Listed(time, k, before[k], transition.target, transition.kind, relay)
+        log, system = self.log, self.loop.modes.system
+        before, after = (self.loop.modes[int(log.mode[each])].statuses for each in (segment - 1, segment))
+        for k, component in enumerate(system.interconnection.components):
+            if before[k] != after[k]:
+                relay = isinstance(component, RelayComponent)
+                kind = _kind(before[k], after[k]) if relay else KINDS_BY_NUMBER[int(log.kind[segment])]
+                yield _Listed(float(log.start[segment]), k, before[k], after[k], kind, relay)
 
 
 @dataclass(frozen=True)

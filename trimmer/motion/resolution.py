@@ -9,8 +9,8 @@ import numpy as np
 from trimmer.motion.backlash_component import BacklashComponent
 
 if TYPE_CHECKING:
-    from trimmer.motion.mode_tables import ModeTables
-    from trimmer.motion.tables import Log
+    from trimmer.hybrid.work import Log
+    from trimmer.motion.system import LoopModes
 
 FINEST = 1e-13
 """Smallest gap over the position of its pin whose sides are told apart, about 450 units of rounding.
@@ -19,7 +19,7 @@ In random loops rounding began to repeat events at one instant with 1.4e-14.
 """
 
 
-def unresolved_segment(modes: ModeTables, log: Log) -> int | None:
+def unresolved_segment(modes: LoopModes, log: Log) -> int | None:
     """Return the first segment of a motion whose pin starts further from zero than 1 / ``FINEST`` gaps.
 
     Beyond it the side of a gap would follow from the last bits of the position, and so from the processor.
@@ -29,12 +29,12 @@ def unresolved_segment(modes: ModeTables, log: Log) -> int | None:
     """
     backlashes = [
         (place, component.gap)
-        for place, component in enumerate(modes.system.components)
+        for place, component in enumerate(modes.system.interconnection.components)
         if isinstance(component, BacklashComponent)
     ]
     first = len(log.mode)
     for number in np.unique(log.mode) if backlashes else ():
-        signals = modes.mode(int(number)).signals
+        signals = modes[int(number)].signals
         segments = np.flatnonzero(log.mode == number)
         for place, gap in backlashes:
             positions = abs(log.state[segments] @ signals[place].input)

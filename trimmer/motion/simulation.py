@@ -6,9 +6,9 @@ import math
 from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number
+from trimmer.hybrid.advance import AdvanceInterrupted, Ending
 from trimmer.motion.initial import initial_segment
-from trimmer.motion.integration import IntegrationInterrupted, integrate_on, new_log, shortened
-from trimmer.motion.kernel import CYCLING, DIVERGED, EVENT_LIMIT, MOST_STEPS, REACHED_END, STEP_LIMIT
+from trimmer.motion.integration import followed
 from trimmer.motion.loops import require_loop
 from trimmer.motion.motion import Motion, Outcome
 from trimmer.motion.resolution import unresolved_segment
@@ -19,14 +19,17 @@ if TYPE_CHECKING:
     from trimmer.motion.loops import Loop
 
 OUTCOMES = {
-    REACHED_END: Outcome.COMPLETED,
-    CYCLING: Outcome.CHATTERING,
-    EVENT_LIMIT: Outcome.EVENT_LIMIT,
-    DIVERGED: Outcome.DIVERGED,
-    STEP_LIMIT: Outcome.STEP_LIMIT,
+    Ending.REACHED_END: Outcome.COMPLETED,
+    Ending.CHATTERING: Outcome.CHATTERING,
+    Ending.UNDECIDED: Outcome.CHATTERING,
+    Ending.EVENT_LIMIT: Outcome.EVENT_LIMIT,
+    Ending.DIVERGED: Outcome.DIVERGED,
+    Ending.STEP_LIMIT: Outcome.STEP_LIMIT,
 }
-FIRST_ROWS = 1024
-"""Segments of motion that the log has room for at first; it doubles when it is full."""
+MOST_STEPS = 50_000_000
+"""Steps of one motion if no number is given: about a minute."""
+LARGEST_COUNT = 2**62
+"""Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
 
 
 class SimulationInterrupted(KeyboardInterrupt):
@@ -93,14 +96,15 @@ def simulate_loop(
             raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
     modes = loop.modes
     mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
-    log = new_log(FIRST_ROWS, mode, state)
+    events, steps = (min(int(limit), LARGEST_COUNT) for limit in (event_limit, step_limit))
     try:
-        reason, log, reached = integrate_on(modes, log, duration, event_limit + 1, step_limit)
-    except IntegrationInterrupted as interrupt:
-        motion = Motion(loop, float(interrupt.reached), Outcome.INTERRUPTED, interrupt.log)
+        stretch = followed(modes, mode, state, float(duration), events, steps, watched=True)
+    except AdvanceInterrupted as interrupt:
+        until = interrupt.stretch
+        motion = Motion(loop, float(until.end.phase), Outcome.INTERRUPTED, until.log)
         raise SimulationInterrupted(motion) from interrupt
-    unresolved = unresolved_segment(modes, log)
+    unresolved = unresolved_segment(modes, stretch.log)
     if unresolved is not None:
-        until = shortened(log, unresolved)
-        return Motion(loop, float(until.start[-1]), Outcome.UNRESOLVED, until)
-    return Motion(loop, float(reached), OUTCOMES[reason], log)
+        log = stretch.log.first(unresolved + 1)
+        return Motion(loop, float(log.start[-1]), Outcome.UNRESOLVED, log)
+    return Motion(loop, float(stretch.end.phase), OUTCOMES[stretch.ending], stretch.log)

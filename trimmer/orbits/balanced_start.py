@@ -61,7 +61,7 @@ def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterato
 
 
 def _start(loop: ClosedLoop, given: OddPolynomial, output: Complexes, omega: float, phase: float) -> Start:
-    model, layout = loop.model, loop.modes.layout
+    model, layout = loop.model, loop.modes.system.layout
     state, sizes = np.zeros(layout.size), np.ones(layout.size)
     pencils = 1j * omega * given.numbers[:, None, None] * np.eye(model.nstates) - model.A
     responses = np.linalg.solve(pencils, model.B[None])[:, :, 0] * output[:, None]
@@ -70,7 +70,9 @@ def _start(loop: ClosedLoop, given: OddPolynomial, output: Complexes, omega: flo
     state[-1] = 1.0
     chosen, largest = [], given.largest()
     # Of a load position, velocity, and if it slows down the share of it that remains.
-    for first, component in zip(layout.first_states, loop.modes.system.components, strict=True):
+    for first, component in zip(
+        layout.first_states, loop.modes.system.interconnection.components, strict=True
+    ):
         own = slice(first, first + component.state_count)
         mode, state[own] = _on(component, given, omega, phase)
         sizes[own] = np.array([largest, omega * largest, 1.0])[: component.state_count]
@@ -91,7 +93,7 @@ def _highest(loop: ClosedLoop, amplitude: float, omega: float) -> BalancedHarmon
 
 def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[float]:
     """Return the middles of flight and contact of the first backlash, or of an output of a relay."""
-    components = loop.modes.system.components
+    components = loop.modes.system.interconnection.components
     for backlash in (each for each in components if isinstance(each, BacklashComponent)):
         flight = flight_of(backlash, given, omega)
         if flight is None:

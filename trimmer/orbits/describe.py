@@ -12,13 +12,19 @@ from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.return_map import arcs, follow
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Complexes
+    from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.motion.loops import Loop
     from trimmer.orbits.shooting import Return, Shot
 
 
-def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | None) -> PeriodicOrbit:
+def orbit_of(
+    loop: Loop,
+    problem: Return,
+    shot: Shot,
+    prediction: LimitCycle | None,
+    begin: tuple[int, Reals] | None = None,
+) -> PeriodicOrbit:
     """Return the orbit of a state that returns.
 
     Args:
@@ -26,6 +32,8 @@ def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | N
         problem: The return that was solved.
         shot: Its solution.
         prediction: The limit cycle from which it was found, if any.
+        begin: Mode and extended state on the orbit at which its motion begins; those of the solution if not
+            given.
     """
     modes = loop.modes
     chain = arcs(modes, shot.log, shot.span)
@@ -33,7 +41,7 @@ def orbit_of(loop: Loop, problem: Return, shot: Shot, prediction: LimitCycle | N
     if problem.mirrored:
         lowest, highest = min(lowest, -highest), max(highest, -lowest)
     period = 2.0 * shot.span if problem.mirrored else shot.span
-    log = follow(modes, shot.mode, shot.state, period)
+    log = follow(modes, *(begin or (shot.mode, shot.state)), period)
     assert log is not None, "half of it was followed before"
     return PeriodicOrbit(
         period=period,
@@ -53,8 +61,10 @@ def _multipliers(problem: Return, shot: Shot) -> Complexes:
     it is left out.
     """
     modes = problem.modes
-    kept = [*range(modes.layout.order)]
-    for first, component in zip(modes.layout.first_states, modes.system.components, strict=True):
+    kept = [*range(modes.system.layout.order)]
+    for first, component in zip(
+        modes.system.layout.first_states, modes.system.interconnection.components, strict=True
+    ):
         kept += range(first, first + component.state_count - component.even_states)
     sizes = problem.sizes[kept]
     values = np.linalg.eigvals(shot.slope[np.ix_(kept, kept)] * sizes / sizes[:, None])

@@ -17,8 +17,8 @@ from trimmer.sides import Sides
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.mode_tables import ModeTables
     from trimmer.motion.motion import Motion
+    from trimmer.motion.system import LoopModes
 
 TOLD = (
     "events at one instant, or one that is just touched, make its return differ from side to side, so that "
@@ -38,14 +38,14 @@ def one_sided(motion: Motion) -> bool:
     longest = int(np.argmax([arc.duration for arc in chain]))
     arc = chain[longest]
     middle = flow(modes, arc.mode, 0.5 * arc.duration) @ arc.state
-    sizes = abs(motion.log.state).max(axis=0)[: modes.layout.sine]
+    sizes = abs(motion.log.state).max(axis=0)[: modes.system.layout.sine]
     sizes = np.where(sizes > 0.0, sizes, 1.0)
     return Sides(_Beside(modes, arc.mode, middle, duration, sizes).end, len(sizes)).differ
 
 
 @dataclass(frozen=True, eq=False)
 class _Beside:
-    modes: ModeTables
+    modes: LoopModes
     mode: int
     state: Reals
     duration: float
@@ -56,7 +56,7 @@ class _Beside:
         start = self.state.copy()
         start[: len(step)] += step * self.sizes
         # What the mode holds stays at rest; the drive and the one are no states that could be disturbed.
-        start = self.modes.at_rest(self.modes.mode(self.mode), self.modes.component_modes(self.mode)) @ start
+        start = self.modes[self.mode].hold @ start
         log = follow(self.modes, self.mode, start, self.duration)
         if log is None:
             return None

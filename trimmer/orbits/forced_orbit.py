@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.loops import Drive, Loop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
+    from trimmer.orbits.return_map import Arc
 
 
 SETTLING = (8, 64, 512)
@@ -47,7 +48,7 @@ def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
             resonance of an undamped mode, or if events accumulate.
     """
     require_loop(loop)
-    drive = loop.modes.system.drive
+    drive = loop.modes.system.interconnection.drive
     if drive is None:
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
     if settling is not None:
@@ -63,6 +64,12 @@ def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
         shot = solve(problem, mode, state, drive.period)
         if shot is not None:
             return known.told(orbit_of(loop, problem, shot, None))
+        # Where an event comes with the period it may be found just before its end or after it.
+        elapsed, middle = _amid(loop, mode, state, drive.period)
+        shot = solve(problem, *middle, drive.period)
+        if shot is not None:
+            begin = _later(loop, shot.mode, shot.state, drive.period - elapsed)
+            return known.told(orbit_of(loop, problem, shot, None, begin))
     raise OrbitNotFoundError(
         f"no motion with the period of the drive, {drive.period:.6g} s, was found after {followed} periods; "
         f"{_reason(loop, drive)}"
@@ -71,7 +78,7 @@ def loop_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit:
 
 def _reason(loop: Loop, drive: Drive) -> str:
     """Return why there may be no motion with the period of the drive, in words."""
-    poles = np.linalg.eigvals(loop.modes.system.A)
+    poles = np.linalg.eigvals(loop.modes.system.interconnection.A)
     harmonics = np.rint(poles.imag / drive.omega)
     away = abs(poles - 1j * harmonics * drive.omega)
     near = (harmonics >= 1.0) & (away <= RESONANT * abs(poles))
@@ -85,23 +92,37 @@ def _reason(loop: Loop, drive: Drive) -> str:
 
 
 def _later(loop: Loop, mode: int, state: Reals, duration: float) -> tuple[int, Reals]:
-    """Return mode and extended state after a time that is a whole number of periods, s."""
+    """Return mode and extended state after a time, s, that ends where a period of the drive begins."""
     if duration == 0.0:
         return mode, state
+    last = _arcs(loop, mode, state, duration)[-1]
+    later = flow(loop.modes, last.mode, last.duration) @ last.state
+    # The drive begins its period anew, without the rounding of the integration.
+    layout = loop.modes.system.layout
+    later[layout.sine :] = layout.forcing_at(0.0)
+    return last.mode, later
+
+
+def _amid(loop: Loop, mode: int, state: Reals, period: float) -> tuple[float, tuple[int, Reals]]:
+    """Return the middle of the longest segment of a period, s, and mode and extended state there."""
+    chain = _arcs(loop, mode, state, period)
+    durations = np.array([arc.duration for arc in chain])
+    longest = int(durations.argmax())
+    arc, half = chain[longest], 0.5 * float(durations[longest])
+    middle = flow(loop.modes, arc.mode, half) @ arc.state
+    return float(durations[:longest].sum()) + half, (arc.mode, middle)
+
+
+def _arcs(loop: Loop, mode: int, state: Reals, duration: float) -> list[Arc]:
     log = follow(loop.modes, mode, state, duration)
     if log is None:
         raise OrbitNotFoundError("events accumulate; simulate() tells where")
-    last = arcs(loop.modes, log, duration)[-1]
-    later = flow(loop.modes, last.mode, last.duration) @ last.state
-    # The drive begins its period anew, without the rounding of the integration.
-    sine = loop.modes.layout.sine
-    later[sine:] = state[sine:]
-    return last.mode, later
+    return arcs(loop.modes, log, duration)
 
 
 def _sizes(loop: Loop, mode: int, state: Reals) -> Reals:
     """Return the largest modulus of each entry of the state within a period, 1 in place of 0."""
-    drive = loop.modes.system.drive
+    drive = loop.modes.system.interconnection.drive
     assert drive is not None
     log = follow(loop.modes, mode, state, drive.period)
     sizes: Reals = abs(state if log is None else np.vstack([log.state, state])).max(axis=0)

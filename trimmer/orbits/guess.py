@@ -64,16 +64,18 @@ def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:
     phase = _quiet_phase(leaves, amplitude, omega)
     response = np.linalg.solve(1j * omega * np.eye(model.nstates) - model.A, model.B[:, 0])
     output = complex(element.describing_function(amplitude, omega)) * amplitude
-    state, sizes = np.zeros(modes.layout.size), np.ones(modes.layout.size)
+    state, sizes = np.zeros(modes.system.layout.size), np.ones(modes.system.layout.size)
     state[: model.nstates] = (response * output * np.exp(1j * phase)).imag
     state[-1] = 1.0
     sizes[: model.nstates] = abs(response * output)
-    for first, component in zip(modes.layout.first_states, modes.system.components, strict=True):
+    for first, component in zip(
+        modes.system.layout.first_states, modes.system.interconnection.components, strict=True
+    ):
         count = component.state_count
         sizes[first : first + count] = amplitude * omega ** np.arange(count)
     chosen = tuple(
         _mode(component, leaf, phase, amplitude, omega)
-        for component, leaf in zip(modes.system.components, leaves, strict=True)
+        for component, leaf in zip(modes.system.interconnection.components, leaves, strict=True)
     )
     return Start(modes.number(chosen), state, sizes)
 

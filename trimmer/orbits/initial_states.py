@@ -62,7 +62,7 @@ def quiet_time(loop: ClosedLoop) -> float:
 
 def _rates(loop: ClosedLoop) -> tuple[float, float]:
     """Return the smallest and the largest modulus of a pole, of the system alone or in a rigid loop."""
-    system = loop.modes.system
+    system = loop.modes.system.interconnection
     rigid = system.A + system.B @ system.C
     rates = abs(np.concatenate([np.linalg.eigvals(system.A), np.linalg.eigvals(rigid)]))
     rates = rates[rates > 1e-9 * rates.max(initial=0.0)]
@@ -71,7 +71,7 @@ def _rates(loop: ClosedLoop) -> tuple[float, float]:
 
 def _scales(loop: ClosedLoop) -> list[float]:
     """Return the gap, the thresholds or the level times its factor, of each component."""
-    system = loop.modes.system
+    system = loop.modes.system.interconnection
     scales = []
     for component, factor in zip(system.components, system.element_factors, strict=True):
         if isinstance(component, BacklashComponent):

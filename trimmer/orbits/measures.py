@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.mode import SwitchedMode
-    from trimmer.motion.mode_tables import ModeTables
+    from trimmer.motion.mode import LoopMode
+    from trimmer.motion.system import LoopModes
     from trimmer.orbits.return_map import Arc
 
 
@@ -28,13 +28,13 @@ NEWTON_STEPS = 4
 """Steps of Newton's method from such a bracket to an extreme that is exact to rounding."""
 
 
-def extremes(modes: ModeTables, chain: Sequence[Arc]) -> tuple[float, float]:
+def extremes(modes: LoopModes, chain: Sequence[Arc]) -> tuple[float, float]:
     """Return the smallest and the largest input of the first component along a chain of arcs, in its unit."""
     return extremes_of(modes, chain, lambda mode: mode.signals[0].input)
 
 
 def extremes_of(
-    modes: ModeTables, chain: Sequence[Arc], row: Callable[[SwitchedMode], Reals]
+    modes: LoopModes, chain: Sequence[Arc], row: Callable[[LoopMode], Reals]
 ) -> tuple[float, float]:
     """Return the smallest and the largest value of a signal along a chain, in its unit.
 
@@ -43,15 +43,15 @@ def extremes_of(
         chain: Arcs of the motion.
         row: Gives the row of the signal in a mode, shape (n,) over the extended state.
     """
-    values = [value for arc in chain for value in _candidates(modes, arc, row(modes.mode(arc.mode)))]
+    values = [value for arc in chain for value in _candidates(modes, arc, row(modes[arc.mode]))]
     return min(values), max(values)
 
 
-def _candidates(modes: ModeTables, arc: Arc, row: Reals) -> list[float]:
+def _candidates(modes: LoopModes, arc: Arc, row: Reals) -> list[float]:
     """Return a signal at the ends of an arc and where its rate is zero."""
-    size, step = modes.layout.size, float(modes.tables.step[arc.mode])
+    size, step = modes.system.layout.size, float(modes.tables.step[arc.mode])
     terms = modes.tables.series[arc.mode].reshape(size, DEGREE + 1, size) @ row
-    whole = modes.tables.whole[arc.mode].T
+    whole = modes.tables.screen[arc.mode, :, :size].T
     state, left, values = arc.state, arc.duration / step, []
     while left > 0:
         values += _extremes_of(state @ terms, min(left, 1.0))
@@ -74,7 +74,7 @@ def _extremes_of(coefficients: Reals, end: float) -> list[float]:
     return [float(scaled[0]), float(scaled.sum()), *inner.tolist()]
 
 
-def harmonics(modes: ModeTables, chain: Sequence[Arc]) -> Complexes:
+def harmonics(modes: LoopModes, chain: Sequence[Arc]) -> Complexes:
     """Return the complex amplitudes c_n of the first component's input e, in its unit, shape (HARMONICS,).
 
     e = Im Σ c_n exp(j n omega t) + constant. The integral of exp(-j n omega t) Z over an arc is known:
@@ -86,15 +86,15 @@ def harmonics(modes: ModeTables, chain: Sequence[Arc]) -> Complexes:
     """
     period = sum(arc.duration for arc in chain)
     rotations = 2j * np.pi / period * np.arange(1, HARMONICS + 1)
-    identity = np.eye(modes.layout.size)
+    identity = np.eye(modes.system.layout.size)
     totals = np.zeros(HARMONICS, dtype=complex)
     begin = 0.0
     for arc in chain:
-        mode = modes.mode(arc.mode)
+        mode = modes[arc.mode]
         end = flow(modes, arc.mode, arc.duration) @ arc.state
         difference = np.exp(-rotations * (begin + arc.duration))[:, None] * end
         difference -= np.exp(-rotations * begin)[:, None] * arc.state
-        matrices = mode.matrix - rotations[:, None, None] * identity
+        matrices = mode.flow - rotations[:, None, None] * identity
         totals += np.linalg.solve(matrices, difference[..., None])[..., 0] @ mode.signals[0].input
         begin += arc.duration
     amplitudes: Complexes = 2j * totals / period

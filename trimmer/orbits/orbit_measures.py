@@ -16,7 +16,7 @@ from trimmer.showing.shown import Record
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.mode import SwitchedMode
+    from trimmer.motion.mode import LoopMode
     from trimmer.motion.motion import Motion
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(48)
@@ -41,14 +41,14 @@ class ImpactEvent(Record):
     speed: float
 
 
-def stroke(motion: Motion, row: Callable[[SwitchedMode], Reals]) -> float:
+def stroke(motion: Motion, row: Callable[[LoopMode], Reals]) -> float:
     """Return the largest value less the smallest one of a signal over a motion, in its unit."""
     modes = motion.loop.modes
     lowest, highest = extremes_of(modes, arcs(modes, motion.log, motion.duration), row)
     return highest - lowest
 
 
-def harmonics_by_quadrature(motion: Motion, row: Callable[[SwitchedMode], Reals]) -> Complexes:
+def harmonics_by_quadrature(motion: Motion, row: Callable[[LoopMode], Reals]) -> Complexes:
     """Return the complex amplitudes c_n, n = 1 to HARMONICS, of a signal over a period.
 
     The signal is Im Σ c_n exp(j n omega t) + constant, with t = 0 at the start of the motion. Unlike the
@@ -80,14 +80,16 @@ def impacts(motion: Motion) -> Iterator[ImpactEvent]:
         elapsed = end - float(log.start[segment])
         if elapsed > 0:
             state = flow(modes, before, elapsed) @ state
-        changes = zip(modes.component_modes(before), modes.component_modes(after), strict=True)
+        changes = zip(modes[before].statuses, modes[after].statuses, strict=True)
         for place, (left, entered) in enumerate(changes):
-            component = modes.system.components[place]
+            component = modes.system.interconnection.components[place]
             if isinstance(component, BacklashComponent) and _is_impact(left, entered):
-                mode = modes.mode(before)
+                mode = modes[before]
                 play = mode.signals[place].input - mode.signals[place].output
-                speed = abs(float(play @ mode.matrix @ state))
-                yield ImpactEvent(end, modes.system.labels[place], component.mode_names[entered], speed)
+                speed = abs(float(play @ mode.flow @ state))
+                yield ImpactEvent(
+                    end, modes.system.interconnection.labels[place], component.mode_names[entered], speed
+                )
 
 
 def _is_impact(left: int, entered: int) -> bool:

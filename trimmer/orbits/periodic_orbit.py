@@ -162,7 +162,7 @@ class PeriodicOrbit(Tabular):
     @property
     def drive(self) -> Drive | None:
         """The drive, with its amplitude in m; None without one."""
-        return self.motion.loop.modes.system.drive
+        return self.motion.loop.modes.system.interconnection.drive
 
     def stroke_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
         """Return peak to peak of a signal, in its unit, such as m.

@@ -16,6 +16,7 @@ import control
 import numpy as np
 import scipy.linalg
 
+from trimmer.motion.integration import renumbered
 from trimmer.motion.loops import ClosedLoop, Loop, OpenLoop
 
 if TYPE_CHECKING:
@@ -54,9 +55,8 @@ class Restated(Generic[LoopT]):
         """Return an orbit of the loop in the states that were given."""
         if self.states is None:
             return orbit
-        log, order, modes = orbit.motion.log, len(self.states), self.given.modes
-        for mode in {*log.mode.tolist()}:
-            modes.tabulate(mode)
+        order = len(self.states)
+        log = renumbered(orbit.motion.log, orbit.motion.loop.modes, self.given.modes)
         states = np.hstack([log.state[:, :order] @ self.states.T, log.state[:, order:]])
         motion = replace(orbit.motion, loop=self.given, log=log._replace(state=states))
         return replace(orbit, motion=motion)

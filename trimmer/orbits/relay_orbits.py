@@ -59,7 +59,7 @@ def relay_orbits(
 
 def _plus(loop: ClosedLoop) -> int | None:
     """Return the mode in which the relay is positive; None if there is not one relay."""
-    components = loop.modes.system.components
+    components = loop.modes.system.interconnection.components
     if sum(map(_is_relay, components)) != 1 or not all(
         isinstance(each, RelayComponent | ThresholdComponent | ViscousComponent | RigidComponent)
         for each in components
@@ -83,12 +83,12 @@ def _equation(loop: ClosedLoop) -> HalfPeriodEquation | None:
     number = _plus(loop)
     if number is None:
         return None
-    mode, order = loop.modes.mode(number), loop.modes.layout.order
-    kept = [*range(order), loop.modes.layout.size - 1]
-    (switching,) = mode.event_functions
+    mode, order = loop.modes[number], loop.modes.system.layout.order
+    kept = [*range(order), loop.modes.system.layout.size - 1]
+    (switching,) = mode.functions
     # The output falls where the row is zero, at minus the hysteresis; it rises where that has the other sign.
     rises = float(switching.row[-1])
-    return HalfPeriodEquation(mode.matrix[np.ix_(kept, kept)], switching.row[:order], rises)
+    return HalfPeriodEquation(mode.flow[np.ix_(kept, kept)], switching.row[:order], rises)
 
 
 def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Reals) -> PeriodicOrbit | None:
@@ -100,10 +100,8 @@ def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Rea
         negative: How long it is negative after that, s; None if the motion returns with its signs changed.
         start: State of the linear system where the output becomes positive.
     """
-    number, layout = _plus(loop), loop.modes.layout
+    number, layout = _plus(loop), loop.modes.system.layout
     assert number is not None
-    if not loop.modes.tables.known[number]:
-        loop.modes.tabulate(number)
     state = np.zeros(layout.size)
     state[: layout.order], state[-1] = start, 1.0
     step = flow(loop.modes, number, positive / PARTS)

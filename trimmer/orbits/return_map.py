@@ -7,19 +7,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.motion.integration import integrate_on, new_log
-from trimmer.motion.kernel import REACHED_END
-from trimmer.motion.tables import TOGETHER
+from trimmer.motion.integration import followed
 from trimmer.orbits.saltation import jump
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.mode_tables import ModeTables
-    from trimmer.motion.tables import Log
+    from trimmer.hybrid.work import Log
+    from trimmer.motion.system import LoopModes
 
 
-FIRST_ROWS = 64
 MOST_EVENTS = 10_000
 """Events in one period, beyond which there is no orbit to speak of."""
 
@@ -47,17 +45,17 @@ class Arc:
     events: tuple[tuple[int, int], ...] = ()
 
 
-def follow(modes: ModeTables, mode: int, state: Reals, duration: float) -> Log | None:
+def follow(modes: LoopModes, mode: int, state: Reals, duration: float) -> Log | None:
     """Integrate from an extended state, shape (n,), for a time, s.
 
     Returns:
         The segments of the motion; None if events accumulate, a limit is reached or the motion diverges.
     """
-    reason, log, _ = integrate_on(modes, new_log(FIRST_ROWS, mode, state), duration, MOST_EVENTS)
-    return log if reason == REACHED_END else None
+    stretch = followed(modes, mode, state, duration, MOST_EVENTS)
+    return stretch.log if stretch.ending is Ending.REACHED_END else None
 
 
-def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
+def arcs(modes: LoopModes, log: Log, end: float) -> list[Arc]:
     """Return the segments of positive length; events at one instant are combined into one.
 
     The last segment ends at the time ``end``, s, without an event.
@@ -66,17 +64,17 @@ def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
     lasting = [each for each in range(len(stops)) if stops[each] > log.start[each]]
     chain = []
     for segment, following in zip(lasting, [*lasting[1:], None], strict=True):
-        reset, events = np.eye(modes.layout.size), []
+        reset, events = np.eye(modes.system.layout.size), []
         for event in range(segment + 1, (len(stops) if following is None else following + 1)):
-            if log.event_function[event] != TOGETHER:
-                events.append((int(log.mode[event - 1]), int(log.event_function[event])))
-                reset = modes.tables.reset[events[-1]].T @ reset
+            if log.function[event] >= 0:
+                events.append((int(log.mode[event - 1]), int(log.function[event])))
+                reset = modes[int(log.mode[event])].hold @ _reset(modes, *events[-1]) @ reset
         chain.append(
             Arc(
                 duration=float(stops[segment] - log.start[segment]),
                 mode=int(log.mode[segment]),
                 state=log.state[segment],
-                event_function=-1 if following is None else int(log.event_function[segment + 1]),
+                event_function=-1 if following is None else int(log.function[segment + 1]),
                 reset=reset,
                 following=int(log.mode[segment if following is None else following]),
                 events=tuple(events),
@@ -85,20 +83,25 @@ def arcs(modes: ModeTables, log: Log, end: float) -> list[Arc]:
     return chain
 
 
-def flow(modes: ModeTables, mode: int, duration: float) -> Reals:
+def _reset(modes: LoopModes, mode: int, function: int) -> Reals:
+    reset = modes.system.reset(modes[mode], modes[mode].functions[function])
+    return np.eye(modes.system.layout.size) if reset is None else reset
+
+
+def flow(modes: LoopModes, mode: int, duration: float) -> Reals:
     """Return exp(M duration) of a mode, n x n; the duration in s."""
-    tables, size = modes.tables, modes.layout.size
+    tables, size = modes.tables, modes.system.layout.size
     steps, fraction = divmod(duration / tables.step[mode], 1.0)
     terms = tables.series[mode].reshape(size, DEGREE + 1, size)
     rest = np.einsum("jki,k->ij", terms, fraction ** np.arange(DEGREE + 1))
-    whole: Reals = np.linalg.matrix_power(tables.whole[mode].T, int(steps))
+    whole: Reals = np.linalg.matrix_power(tables.screen[mode, :, :size].T, int(steps))
     propagator: Reals = rest @ whole
     return propagator
 
 
-def derivative(modes: ModeTables, chain: list[Arc]) -> tuple[Reals, Reals]:
+def derivative(modes: LoopModes, chain: list[Arc]) -> tuple[Reals, Reals]:
     """Return the derivative, n x n, of the state at the end of a chain by that at its start, and that end."""
-    total = np.eye(modes.layout.size)
+    total = np.eye(modes.system.layout.size)
     for arc in chain:
         transition = flow(modes, arc.mode, arc.duration)
         before = transition @ arc.state

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.integration import integrate_on, new_log
-from trimmer.motion.kernel import CYCLING, DIVERGED, REACHED_END, STEP_LIMIT
+from trimmer.hybrid import advance
+from trimmer.motion.integration import followed
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
@@ -23,8 +23,8 @@ from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
+    from trimmer.hybrid.work import Log
     from trimmer.motion.loops import ClosedLoop
-    from trimmer.motion.tables import Log
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 
@@ -60,6 +60,15 @@ class Ending(Enum):
     DIVERGED = "grew without bound"
     ACCUMULATED = "ended as its events accumulate"
     LEFT = "did none of this in time"
+
+
+ENDED = {
+    advance.Ending.DIVERGED: Ending.DIVERGED,
+    advance.Ending.CHATTERING: Ending.ACCUMULATED,
+    advance.Ending.UNDECIDED: Ending.ACCUMULATED,
+    advance.Ending.STEP_LIMIT: Ending.LEFT,
+}
+"""How a motion ended that does not go on, by how its integration did."""
 
 
 @dataclass(frozen=True)
@@ -113,18 +122,14 @@ def settled_orbits(
 def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]) -> Ending:
     """Follow a motion until it has settled, and add the orbits that it settles on or passes by."""
     quiet, events, total, best = quiet_time(loop), FIRST_EVENTS, 0, math.inf
-    widest = np.zeros(loop.modes.layout.order)
+    widest = np.zeros(loop.modes.system.layout.order)
     while total < MOST_EVENTS and steps > 0:
-        reason, log, end = _integrate(loop, mode, state, quiet, events, steps)
-        total += events
-        if reason == DIVERGED:
-            return Ending.DIVERGED
-        if reason == REACHED_END and log.start[-1] == 0:
+        stretch = followed(loop.modes, mode, state, quiet, events, steps)
+        log, total = stretch.log, total + events
+        if stretch.ending is advance.Ending.REACHED_END and log.start[-1] == 0:
             return Ending.AT_REST
-        if reason == CYCLING:
-            return Ending.ACCUMULATED
-        if reason == STEP_LIMIT:
-            return Ending.LEFT
+        if stretch.ending in ENDED:
+            return ENDED[stretch.ending]
         swing = np.ptp(log.state[-RECENT:, : widest.size], axis=0)
         widest = np.maximum(widest, np.ptp(log.state[:, : widest.size], axis=0))
         if (swing <= SHRUNK * widest).all():
@@ -134,8 +139,8 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
             best = turn.miss
             if _settles(loop, turn, orbits):
                 return Ending.SETTLED
-        steps -= _steps(loop, log, end)
-        mode, state = _quiet_state(loop, log, end)
+        steps -= stretch.steps
+        mode, state = _quiet_state(loop, log, stretch.end.phase)
         events += events // 2
     return Ending.LEFT
 
@@ -179,7 +184,7 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
     if len(lasting) < 2:
         return None
     last, earlier = lasting[-1], lasting[:-1]
-    free = slice(loop.modes.layout.sine)
+    free = slice(loop.modes.system.layout.sine)
     recent = log.state[lasting[-RECENT:]]
     sizes = abs(recent).max(axis=0)
     sizes[sizes == 0.0] = 1.0
@@ -203,20 +208,6 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
     part = type(log)._make(column[: longest + 1] for column in log)
     quiet, middle = _quiet_state(loop, part, float(log.start[longest + 1]))
     return Turn(quiet, middle, span, mirrored, np.maximum(sizes, abs(middle)), miss)
-
-
-def _integrate(
-    loop: ClosedLoop, mode: int, state: Reals, duration: float, events: int, steps: int
-) -> tuple[int, Log, float]:
-    """Follow a motion for a time, s, or some events; return why it stopped, the log, and its end."""
-    log = new_log(events + 2, mode, state)
-    return integrate_on(loop.modes, log, duration, events + 1, steps)
-
-
-def _steps(loop: ClosedLoop, log: Log, end: float) -> int:
-    """Return about how many steps a motion took."""
-    durations = np.diff(np.append(log.start, end))
-    return int((durations / loop.modes.tables.step[log.mode] + 1.0).sum())
 
 
 def _quiet_state(loop: ClosedLoop, log: Log, end: float) -> tuple[int, Reals]:

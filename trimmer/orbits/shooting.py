@@ -12,8 +12,8 @@ from trimmer.orbits.return_map import arcs, derivative, follow
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.mode_tables import ModeTables
-    from trimmer.motion.tables import Log
+    from trimmer.hybrid.work import Log
+    from trimmer.motion.system import LoopModes
 
 
 MOST_ITERATIONS = 40
@@ -67,7 +67,7 @@ class Return:
         sizes: Scale of each entry of the state, for comparing them, shape (n,).
     """
 
-    modes: ModeTables
+    modes: LoopModes
     mirrored: bool
     driven: bool
     sizes: Reals
@@ -75,7 +75,7 @@ class Return:
     @property
     def count(self) -> int:
         """Number of entries of the state that are unknown: all but the drive and the one, which come last."""
-        return self.modes.layout.sine
+        return self.modes.system.layout.sine
 
     def shoot(self, mode: int, state: Reals, span: float) -> Shot | None:
         """Follow the motion from a state, shape (n,), over a span, s.
@@ -88,7 +88,7 @@ class Return:
             return None
         chain = arcs(self.modes, log, span)
         slope, end = derivative(self.modes, chain)
-        rate = self.modes.mode(int(log.mode[-1])).matrix @ end
+        rate = self.modes[int(log.mode[-1])].flow @ end
         if self.mirrored:
             slope, end, rate = self.signs[:, None] * slope, self.signs * end, self.signs * rate
         miss = float((abs(end - state) / self.sizes)[: self.count].max())
@@ -109,7 +109,7 @@ class Return:
             correction[free] = np.linalg.solve(matrix, gap) * scale
             return correction, 0.0
         # The state may slide along the orbit; the correction shall be at right angles to it.
-        tangent = (self.modes.mode(shot.mode).matrix @ shot.state)[free] / scale
+        tangent = (self.modes[shot.mode].flow @ shot.state)[free] / scale
         by_span = shot.rate[free] / scale * shot.span
         bordered = np.block([[matrix, by_span[:, None]], [tangent[None], np.zeros((1, 1))]])
         solution = np.linalg.solve(bordered, np.append(gap, 0.0))
@@ -119,9 +119,11 @@ class Return:
     @cached_property
     def signs(self) -> Reals:
         """Return the factor, 1 or -1, of each entry of the extended state in the mirrored motion."""
-        layout = self.modes.layout
+        layout = self.modes.system.layout
         signs = np.full(layout.size, -1.0)
-        for first, component in zip(layout.first_states, self.modes.system.components, strict=True):
+        for first, component in zip(
+            layout.first_states, self.modes.system.interconnection.components, strict=True
+        ):
             end = first + component.state_count
             signs[end - component.even_states : end] = 1.0
         return signs
@@ -130,8 +132,8 @@ class Return:
         """Return the mode in which a motion that begins in a mode has to end."""
         if not self.mirrored:
             return mode
-        components = self.modes.system.components
-        each = zip(components, self.modes.component_modes(mode), strict=True)
+        components = self.modes.system.interconnection.components
+        each = zip(components, self.modes[mode].statuses, strict=True)
         return self.modes.number(tuple(component.mirrored(one) for component, one in each))
 
 

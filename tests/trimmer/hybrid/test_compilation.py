@@ -23,7 +23,7 @@ def refuse(self, signature):
     raise AssertionError(f"{self.py_func.__qualname__} is compiled at import")
 
 Dispatcher.compile = refuse
-import trimmer.branches.follow, trimmer.contact.flow, trimmer.motion.kernel, trimmer.motion.sampling
+import trimmer.branches.follow, trimmer.contact.flow, trimmer.motion.simulation
 """
 
 
@@ -84,12 +84,12 @@ def test_a_change_in_any_module_with_compiled_code_is_noticed(tmp_path: Path) ->
         if any(word in path.read_text(encoding="utf-8") for word in words)
     }
     # Entry points may also stand elsewhere: Numba itself notices a change in their own files.
-    assert {path.parent.as_posix() for path in using} == {"hybrid", "motion", "branches/period_maps"}
+    assert {path.parent.as_posix() for path in using} == {"hybrid", "branches/period_maps"}
     copied = shutil.copytree(package, tmp_path / "trimmer", ignore=shutil.ignore_patterns("__pycache__"))
-    asked = "from trimmer.hybrid.compilation import sources; print(sources('motion'))"
+    asked = "from trimmer.hybrid.compilation import sources; print(sources())"
     digests = set[bytes]()
-    for path in ("", "hybrid/taylor.py", "hybrid/segment.py", "motion/kernel.py"):
+    for path in ("", "hybrid/taylor.py", "hybrid/segment.py"):
         if path:
             (copied / path).write_text((copied / path).read_text() + "\n# changed\n")
         digests.add(subprocess.check_output([sys.executable, "-c", asked], cwd=tmp_path, timeout=120))
-    assert len(digests) == 4
+    assert len(digests) == 3

@@ -17,7 +17,7 @@ from trimmer.motion.relay_component import HELD, MINUS, PLUS, RelayComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Places, Reals
-    from trimmer.motion.mode_tables import ModeTables
+    from trimmer.motion.system import LoopSystem
 
 
 CANCELLED = 1e-11
@@ -43,57 +43,59 @@ class _AtRest:
     limits: Reals
 
 
-def complementary_mode(modes: ModeTables, number: int, state: Reals, relays: tuple[int, ...]) -> int | None:
-    """Return the mode that relays go on in whose switching functions are zero.
+def complementary_mode(
+    system: LoopSystem, statuses: tuple[int, ...], state: Reals, relays: tuple[int, ...]
+) -> tuple[int, ...] | None:
+    """Return the modes of all components in which relays go on whose switching functions are zero.
 
     First the rates of the switching functions decide, by the complementarity problem of
     ``trimmer.hybrid.dry_friction``. Where they are zero and what is held is at a limit of all, the
     next derivatives do, as often as needed.
 
     Args:
-        modes: The modes.
-        number: The present one; the other components keep theirs.
+        system: The loop.
+        statuses: The present modes; the other components keep theirs.
         state: Extended state.
         relays: Those whose switching functions are zero, by their numbers among the components; the output of
             each must work against the rate of its switching function.
 
     Returns:
-        The number of the mode, or None if the outputs have no symmetric influence, as those of bodies have.
+        The modes, or None if the outputs have no symmetric influence, as those of bodies have.
     """
-    chosen = list(modes.component_modes(number))
+    chosen = list(statuses)
     for k in relays:
         chosen[k] = PLUS
-    at_rest = _at_rest(modes, tuple(chosen), relays)
+    at_rest = _at_rest(system, tuple(chosen), relays)
     if at_rest is None:
         return None
-    mode = modes.mode(modes.number(tuple(chosen)))
-    rows = np.array([_switching(modes, tuple(chosen), k) for k in at_rest.relays])
-    drift = rows @ mode.matrix @ state + at_rest.influence @ at_rest.limits
-    noise = CANCELLED * (abs(rows) @ abs(mode.matrix) @ abs(state))
+    mode = system.mode(tuple(chosen))
+    rows = np.array([_switching(system, tuple(chosen), k) for k in at_rest.relays])
+    drift = rows @ mode.flow @ state + at_rest.influence @ at_rest.limits
+    noise = CANCELLED * (abs(rows) @ abs(mode.flow) @ abs(state))
     every = np.arange(len(at_rest.relays))
     held = _distribute(at_rest, every, drift, (-at_rest.limits, at_rest.limits), noise, chosen)
-    for derivative in range(1, modes.layout.order + 1):
-        bounds = _bounds_of_rates(modes, at_rest, held, state, derivative, tuple(chosen))
+    for derivative in range(1, system.layout.order + 1):
+        bounds = _bounds_of_rates(system, at_rest, held, state, derivative, tuple(chosen))
         if bounds is None:
             break
-        forces, sizes = _forces(modes, at_rest, held, state, derivative, tuple(chosen))
+        forces, sizes = _forces(system, at_rest, held, state, derivative, tuple(chosen))
         influence = at_rest.influence[np.ix_(held, held)]
         noise = CANCELLED * (abs(influence) @ sizes)
         held = _distribute(at_rest, held, influence @ forces, bounds, noise, chosen)
-    return modes.number(tuple(chosen))
+    return tuple(chosen)
 
 
-def _at_rest(modes: ModeTables, chosen: tuple[int, ...], relays: tuple[int, ...]) -> _AtRest | None:
+def _at_rest(system: LoopSystem, chosen: tuple[int, ...], relays: tuple[int, ...]) -> _AtRest | None:
     if not relays:
         return None
-    rows = np.array([_switching(modes, chosen, k)[: modes.layout.order] for k in relays])
-    influence = -rows @ modes.system.B[:, list(relays)]
+    rows = np.array([_switching(system, chosen, k)[: system.layout.order] for k in relays])
+    influence = -rows @ system.interconnection.B[:, list(relays)]
     scales = symmetrizing_scales(influence)
     if scales is None:
         return None
-    components = [modes.system.components[k] for k in relays]
+    components = [system.interconnection.components[k] for k in relays]
     levels = np.array([each.level for each in components if isinstance(each, RelayComponent)])
-    directions = np.array([direction(modes.system, k) for k in relays])
+    directions = np.array([direction(system.interconnection, k) for k in relays])
     return _AtRest(relays, directions, influence / scales, scales, levels * scales)
 
 
@@ -115,7 +117,7 @@ def _distribute(
 
 
 def _bounds_of_rates(
-    modes: ModeTables, at_rest: _AtRest, held: Places, state: Reals, derivative: int, chosen: tuple[int, ...]
+    system: LoopSystem, at_rest: _AtRest, held: Places, state: Reals, derivative: int, chosen: tuple[int, ...]
 ) -> tuple[Reals, Reals] | None:
     """Return where a derivative of the forces may go; None if they are inside all facets, or there are none.
 
@@ -127,7 +129,7 @@ def _bounds_of_rates(
     vectors = np.vstack([vectors, -vectors])
     touched = np.ones(len(vectors), dtype=bool)
     for order in range(derivative):
-        forces, sizes = _forces(modes, at_rest, held, state, order, chosen)
+        forces, sizes = _forces(system, at_rest, held, state, order, chosen)
         bound = abs(vectors) @ at_rest.limits[held] if order == 0 else 0.0
         touched &= abs(bound - vectors @ forces) <= CANCELLED * (bound + abs(vectors) @ sizes)
     if not touched.any():
@@ -138,16 +140,16 @@ def _bounds_of_rates(
 
 
 def _forces(
-    modes: ModeTables, at_rest: _AtRest, held: Places, state: Reals, order: int, chosen: tuple[int, ...]
+    system: LoopSystem, at_rest: _AtRest, held: Places, state: Reals, order: int, chosen: tuple[int, ...]
 ) -> tuple[Reals, Reals]:
     """Return a derivative in time of the forces that hold, and the sizes of the terms of each."""
-    mode = modes.mode(modes.number(chosen))
+    mode = system.mode(chosen)
     rows = np.array([at_rest.scales[each] * mode.signals[at_rest.relays[each]].output for each in held])
     sizes = abs(rows)
     for _ in range(order):
-        rows, sizes = rows @ mode.matrix, sizes @ abs(mode.matrix)
+        rows, sizes = rows @ mode.flow, sizes @ abs(mode.flow)
     return rows @ state, sizes @ abs(state)
 
 
-def _switching(modes: ModeTables, chosen: tuple[int, ...], k: int) -> Reals:
-    return modes.system.components[k].switching_function(modes.mode(modes.number(chosen)).signals[k])
+def _switching(system: LoopSystem, chosen: tuple[int, ...], k: int) -> Reals:
+    return system.interconnection.components[k].switching_function(system.mode(chosen).signals[k])

@@ -121,7 +121,7 @@ def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
     motion = simulate(loop_of(some_frictions(8, 3, 4), drive=Drive(AMPLITUDE, OMEGA, phase)), 0.02)
     changes = [(each.time, each.component) for each in motion.events]
     assert len(set(changes)) == len(changes)
-    assert [each.component for each in motion.events if each.time == 0] == ["friction q2", "friction q2-q4"]
+    assert {each.component for each in motion.events if each.time == 0} == {"friction q2", "friction q2-q4"}
 
 
 @pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(4), some_frictions(8, 5, 5)])
