@@ -10,9 +10,9 @@ import numpy as np
 
 from report.numbers.twin.grids import ASIDE, displaced
 from report.numbers.twin.kept_files import REMEDY
-from report.numbers.twin.kept_map import KeptCell, KeptMap, kept_cell
+from report.numbers.twin.kept_map import LETTERS, KeptCell, KeptMap, kept_cell
 from report.numbers.twin.mechanism import DAMPING, FORCE, GAP, SPEED, STIFFNESS
-from trimmer import TrimmerError
+from trimmer import MotionKind, TrimmerError
 from trimmer.maps.cells import Cell, CellWork
 from trimmer.maps.inputs import MapInputs
 
@@ -20,6 +20,12 @@ DRAWN: Final = 30
 SEED_DIGITS: Final = 8
 STARTS_ASIDE: Final = 8
 """Starts beside rest that are tried where a cell differs: on another processor rounding may choose for it."""
+MOST_OTHER: Final = 2
+"""Cells of a draw that may come out differently from all starts, as long as they do not repeat, or did not.
+
+Of all 6993 cells some 20 do so where rounding alone is another: long transients, and borders of chaos. Three
+among 30 drawn ones then come once in 10 000 draws.
+"""
 WORDS: Final[Mapping[str, tuple[str, float, str]]] = {
     GAP: ("a gap of", 1e6, "µm"),
     FORCE: ("a friction of", 1.0, "N"),
@@ -30,7 +36,15 @@ WORDS: Final[Mapping[str, tuple[str, float, str]]] = {
 
 
 class CellDifferenceError(TrimmerError, ValueError):
-    """A cell of a kept map comes out differently now; the message names the cell."""
+    """A cell of a kept map comes out differently now; the message names the cell.
+
+    Attributes:
+        both_repeat: Whether the motion that is kept and the one that is computed now repeat.
+    """
+
+    def __init__(self, message: str, both_repeat: bool) -> None:
+        super().__init__(message)
+        self.both_repeat = both_repeat
 
 
 @dataclass(frozen=True)
@@ -43,6 +57,8 @@ class CellCheck:
         total: Number of cells that they were drawn from.
         by_rounding: How many of them agreed only from a start next to rest.
         cells: Their names.
+        others: The names of those that came out as something else from all starts; they do not repeat, or did
+            not.
     """
 
     seed: int
@@ -50,6 +66,7 @@ class CellCheck:
     total: int
     by_rounding: int
     cells: tuple[str, ...]
+    others: tuple[str, ...]
 
 
 def seed_of(digest: str) -> int:
@@ -66,14 +83,22 @@ def check_cells(maps: Sequence[KeptMap], seed: int, count: int = DRAWN) -> CellC
         count: How many cells.
 
     Raises:
-        CellDifferenceError: naming the first cell that comes out differently.
+        CellDifferenceError: naming a cell that repeats in another way than it did, or one more than
+            ``MOST_OTHER`` that comes out differently.
     """
     places = [(kept, number) for kept in maps for number in range(len(kept.cells))]
     chosen = np.random.default_rng(seed).choice(len(places), count, replace=False)
     cells = [places[at] for at in sorted(chosen.tolist())]
-    by_rounding = sum(not check_cell(kept, number) for kept, number in cells)
+    by_rounding, others = 0, list[str]()
+    for kept, number in cells:
+        try:
+            by_rounding += not check_cell(kept, number)
+        except CellDifferenceError as error:
+            if error.both_repeat or len(others) == MOST_OTHER:
+                raise
+            others.append(name_of(kept, number))
     names = tuple(name_of(kept, number) for kept, number in cells)
-    return CellCheck(seed, count, len(places), by_rounding, names)
+    return CellCheck(seed, count, len(places), by_rounding, names, tuple(others))
 
 
 def check_cell(kept: KeptMap, number: int) -> bool:
@@ -93,7 +118,8 @@ def check_cell(kept: KeptMap, number: int) -> bool:
     assert now is not None
     raise CellDifferenceError(
         f"{name_of(kept, number)}: kept is {_described(then)}, but computed now is {_described(now)}; if the "
-        f"program or the trimmer was changed on purpose, {REMEDY}"
+        f"program or the trimmer was changed on purpose, {REMEDY}",
+        both_repeat=then.kind == now.kind == LETTERS[MotionKind.PERIODIC],
     )
 
 

@@ -92,6 +92,19 @@ def test_the_draw_notices_an_altered_map(friction):
         check_cells([altered(part, 4, period_count=2)], 7, 6)
 
 
+def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction):
+    """Rounding decides how a long transient ends; some 20 of all cells differ for it."""
+    small = Grid("gap-friction", twin(), {GAP: (400e-6, 420e-6, 3), FORCE: (3.0, 3.0, 1)})
+    numbers = [number_of(friction, gap, 3.0) for gap in (400e-6, 410e-6, 420e-6)]
+    said = replace(friction, grid=small, cells=tuple(friction.cells[n] for n in numbers), beside={})
+    assert [cell.kind for cell in said.cells] == ["c", "c", "c"]
+    for count in range(3):
+        assert len(check_cells([said], 7, 3).others) == count
+        said = altered(said, count, kind="t")
+    with pytest.raises(CellDifferenceError, match="kept is a torus"):
+        check_cells([said], 7, 3)
+
+
 def test_the_draw_depends_on_the_seed_alone(friction):
     few = [check_cells([friction], seed, 2).cells for seed in (3, 3, 4)]
     assert few[0] == few[1] != few[2]
