@@ -11,8 +11,8 @@ from tests.report.made_once import MadeOnce
 
 
 @pytest.fixture(scope="session")
-def made_once(tmp_path_factory):
-    return MadeOnce.of_this_run(tmp_path_factory)
+def made_once(tmp_path_factory, request):
+    return MadeOnce.of_this_run(tmp_path_factory, request.config)
 
 
 @pytest.fixture(scope="session")
@@ -27,7 +27,7 @@ def source_tree(made_once):
 
 @pytest.fixture(scope="session")
 def evidence(made_once):
-    return made_once.get("evidence", gather)
+    return made_once.of_sources("evidence", gather)
 
 
 @pytest.fixture(scope="session")
@@ -37,14 +37,14 @@ def records(inventory):
 
 @pytest.fixture(scope="session")
 def claims(evidence, records, made_once):
-    return made_once.get(
+    return made_once.of_sources(
         "claims", lambda: {claim_id: record.claim(evidence) for claim_id, record in records.by_id.items()}
     )
 
 
 @pytest.fixture(scope="session")
 def findings(claims, inventory, made_once):
-    return made_once.get(
+    return made_once.of_sources(
         "findings",
         lambda: {claim_id: judge(claims[claim_id], entry) for claim_id, entry in inventory.items()},
     )

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import fcntl
+import hashlib
 import io
 import os
 import pickle
+import platform
+import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -16,7 +19,12 @@ import pytest
 import sympy
 from sympy.core.function import AppliedUndef
 
+from report.cache.content_key import content_key
+from scripts.kernels.processor import CHOOSING, processor_flags
+
 Made = TypeVar("Made")
+MOST_KEPT = 4
+"""States of the sources whose things are kept."""
 
 
 @dataclass(frozen=True)
@@ -25,15 +33,23 @@ class MadeOnce:
 
     Attributes:
         folder: Where things are kept for the other processes, None if there are none.
+        lasting: Where things are kept for later runs too, until a source, a library or the processor changes.
     """
 
     folder: Path | None
+    lasting: Path | None
 
     @classmethod
-    def of_this_run(cls, temporary: pytest.TempPathFactory) -> MadeOnce:
-        """Return the folder of this run, which no other run sees."""
-        alone = "PYTEST_XDIST_WORKER" not in os.environ
-        return cls(None if alone else temporary.getbasetemp().parent)
+    def of_this_run(cls, temporary: pytest.TempPathFactory, config: pytest.Config) -> MadeOnce:
+        """Return the folder of this run, which no other run sees, and that of runs of the same sources."""
+        if "PYTEST_XDIST_WORKER" not in os.environ:
+            return cls(None, None)
+        folder, cache = temporary.getbasetemp().parent, getattr(config, "cache", None)
+        return cls(folder, _lasting(cache.mkdir("made_once")) if cache else folder)
+
+    def of_sources(self, name: str, make: Callable[[], Made]) -> Made:
+        """Return what depends on nothing but the sources: as ``get`` does, but of an earlier run too."""
+        return MadeOnce(self.lasting, None).get(name, make)
 
     def get(self, name: str, make: Callable[[], Made]) -> Made:
         """Return what another process has made under a name, or make it; who comes meanwhile waits."""
@@ -43,9 +59,29 @@ class MadeOnce:
         with (self.folder / f"{name}.lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             if not kept.exists():
-                kept.write_bytes(_pickled(make()))
+                begun = kept.with_suffix(".begun")
+                begun.write_bytes(_pickled(make()))
+                begun.replace(kept)
         made: Made = pickle.loads(kept.read_bytes())
         return made
+
+
+def _lasting(folder: Path) -> Path:
+    """Return the folder of these sources, libraries and kernels; those not used for longest go."""
+    chosen = sorted(each for each in os.environ.items() if each[0].startswith(CHOOSING))
+    rests_on = (
+        content_key(),
+        platform.platform(),
+        sorted(processor_flags()),
+        chosen,
+        Path(__file__).read_text(),
+    )
+    mine = folder / hashlib.sha256(repr(rests_on).encode()).hexdigest()
+    mine.mkdir(exist_ok=True)
+    os.utime(mine)
+    for old in sorted(folder.iterdir(), key=lambda each: each.stat().st_mtime)[:-MOST_KEPT]:
+        shutil.rmtree(old, ignore_errors=True)
+    return mine
 
 
 class _AsItStands(pickle.Pickler):

@@ -55,8 +55,8 @@ COARSE = DesignSettings(
 
 @pytest.fixture(scope="session")
 def store(made_once: MadeOnce, tmp_path_factory: pytest.TempPathFactory) -> StageStore:
-    """Where its steps are kept, for all processes of a run."""
-    return StageStore(made_once.folder / "kept" if made_once.folder else tmp_path_factory.mktemp("kept"))
+    """Where its steps are kept, for all processes, and for later runs of the same sources."""
+    return StageStore(made_once.lasting / "design" if made_once.lasting else tmp_path_factory.mktemp("kept"))
 
 
 @pytest.fixture(scope="session")

@@ -40,7 +40,7 @@ def programs(made_once: MadeOnce) -> tuple[Program, ...]:
     def make() -> tuple[Program, ...]:
         return corrected_programs(derive_linear_trimmer(), TrimmerParameters.thesis())
 
-    return made_once.get("programs", make)
+    return made_once.of_sources("programs", make)
 
 
 @pytest.fixture(scope="session")
