@@ -72,12 +72,13 @@ class Comparison:
 
         Both are taken relative to their motors and at the same phase of the pin.
         """
-        apart = abs(self.twin.stretch.bridge - self.repeated(self.frozen.bridge))
+        bridge = self.twin.bridge
+        apart = abs(bridge - self.repeated(self.frozen.bridge, len(bridge) // PHASES))
         return float((apart > self.twin.gap / 2).mean())
 
-    def repeated(self, period: Reals) -> Reals:
-        """Return a period of the thesis's model, sampled and repeated like the stretch of the twin."""
-        return np.resize(period[:: len(period) // PHASES], SHOWN * PHASES)
+    def repeated(self, period: Reals, times: int = SHOWN) -> Reals:
+        """Return a period of the thesis's model so many times, sampled like the motion of the twin."""
+        return np.resize(period[:: len(period) // PHASES], times * PHASES)
 
 
 @dataclass(frozen=True, eq=False)

@@ -70,6 +70,13 @@ def test_two_frictions_that_switch_at_once_have_the_multipliers_of_differences(
     hold_against_differences(loop(omega, q1=limit, q2=limit))
 
 
+def test_a_machine_without_springs_to_the_ground_is_left_where_the_drive_took_it() -> None:
+    """It could stand anywhere; with the drive's stroke of 1 it is never far from rest."""
+    for omega in (2.0, 3.0, 4.0, 5.0):
+        orbit = forced_orbit(loop(omega, q1=0.5, q2=0.5))
+        assert abs(orbit.motion.state(0.0)).max() < 3.0
+
+
 def test_of_three_frictions_a_neighbour_meets_that_between_both_bodies_between_the_others() -> None:
     three = loop(1.535376374837822, q1=0.27648545, q2=0.27648545, q1_q2=1.09358154)
     halves = loop(1.535376374837822, q1=0.13824272, q2=0.13824272).frictions

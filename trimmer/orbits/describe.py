@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.work import Log
 from trimmer.motion.motion import Motion, Outcome
 from trimmer.orbits.measures import extremes
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.motion.loops import Loop
     from trimmer.orbits.shooting import Return, Shot
+
+SEAM = 1e-13
+"""Time from the start, as a share of the period, of an event that may as well come at its end."""
 
 
 def orbit_of(
@@ -49,9 +53,18 @@ def orbit_of(
         multipliers=_multipliers(problem, shot),
         driven=problem.driven,
         residual=shot.miss,
-        motion=Motion(loop, period, Outcome.COMPLETED, log),
+        motion=Motion(loop, period, Outcome.COMPLETED, _with_one_seam(log, period)),
         prediction=prediction,
     )
+
+
+def _with_one_seam(log: Log, period: float) -> Log:
+    """Return the segments of a period without those before an event that rounding puts at both its ends."""
+    before = 0 if log.mode[0] == log.mode[-1] else int((log.start <= SEAM * period).sum()) - 1
+    if log.mode[before] != log.mode[-1]:
+        return log
+    log = Log._make(each[before:] for each in log)
+    return log._replace(start=np.append(0.0, log.start[1:]))
 
 
 def _multipliers(problem: Return, shot: Shot) -> Complexes:

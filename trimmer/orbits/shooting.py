@@ -94,6 +94,13 @@ class Return:
         miss = float((abs(end - state) / self.sizes)[: self.count].max())
         return Shot(mode, state, span, log, end, slope, rate, miss)
 
+    def matrix(self, shot: Shot) -> Reals:
+        """Return the derivative of the miss by the state, both as shares of the sizes."""
+        free = slice(self.count)
+        scale = self.sizes[free]
+        matrix: Reals = (shot.slope[free, free] - np.eye(self.count)) * scale / scale[:, None]
+        return matrix
+
     def step(self, shot: Shot) -> tuple[Reals, float]:
         """Return Newton's correction of the state, shape (n,), and of the span, s.
 
@@ -102,7 +109,7 @@ class Return:
         """
         free = slice(self.count)
         scale = self.sizes[free]
-        matrix = (shot.slope[free, free] - np.eye(self.count)) * scale / scale[:, None]
+        matrix = self.matrix(shot)
         gap = (shot.state - shot.end)[free] / scale
         correction = np.zeros_like(shot.state)
         if self.driven:
@@ -145,7 +152,7 @@ def solve(
     Returns:
         The solution; None if Newton's method does not converge.
     """
-    shot = problem.shoot(mode, state, span)
+    first = shot = problem.shoot(mode, state, span)
     for _ in range(most_iterations):
         if shot is None or shot.miss <= SETTLED:
             break
@@ -153,7 +160,21 @@ def solve(
         if following is None:
             break
         shot = following
-    return shot if shot is not None and shot.miss <= CLOSED and not _gone_away(problem, shot) else None
+    if first is None or shot is None or shot.miss > CLOSED or _gone_away(problem, shot):
+        return None
+    return _left_in_place(problem, first, shot) if problem.driven else shot
+
+
+def _left_in_place(problem: Return, first: Shot, shot: Shot) -> Shot:
+    """Undo what rounding moved of that which may stand anywhere, as a machine on no springs to the ground."""
+    free = slice(problem.count)
+    scale = problem.sizes[free]
+    _, values, rows = np.linalg.svd(problem.matrix(shot))
+    anywhere = rows[values <= SINGULAR * max(1.0, values.max())]
+    moved = np.zeros_like(shot.state)
+    moved[free] = scale * (anywhere.T @ (anywhere @ ((shot.state - first.state)[free] / scale)))
+    back = problem.shoot(shot.mode, shot.state - moved, shot.span) if moved.any() else None
+    return back if back is not None and back.miss <= CLOSED else shot
 
 
 def _gone_away(problem: Return, shot: Shot) -> bool:
@@ -165,8 +186,7 @@ def _gone_away(problem: Return, shot: Shot) -> bool:
     scale = problem.sizes[free]
     if not problem.driven or (abs(shot.state[free]) <= TOLD_APART * scale).all():
         return False
-    matrix = (shot.slope[free, free] - np.eye(problem.count)) * scale / scale[:, None]
-    values = np.linalg.svd(matrix, compute_uv=False)
+    values = np.linalg.svd(problem.matrix(shot), compute_uv=False)
     return bool(values.min() <= SINGULAR * max(1.0, values.max()))
 
 

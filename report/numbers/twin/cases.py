@@ -39,12 +39,10 @@ class Stretch:
 
     Attributes:
         stroke: Displacement of the cutter relative to the guard, m.
-        bridge: Displacement of the bridge relative to the motor, m.
         tension: Force of the bridge on the cutter, N; its reaction acts on the motor.
     """
 
     stroke: Reals
-    bridge: Reals
     tension: Reals
 
 
@@ -70,6 +68,8 @@ class TwinCase:
         largest_force: Largest force of the bridge, N.
         contact_share: Share of the time in contact.
         wear: Power lost to the blade's friction, W.
+        bridge: Displacement of the bridge relative to the motor, m, sampled ``PHASES`` times a drive period
+            from where the pin passes 0 upwards, until it repeats, or over ``RECORD`` drive periods.
         stretch: Some drive periods of it.
         spectrum: Order of the drive, amplitude, m, (n, 2), with a Hann window over ``RECORD`` drive periods;
             empty if it repeats.
@@ -92,6 +92,7 @@ class TwinCase:
     largest_force: float
     contact_share: float
     wear: float
+    bridge: Reals
     stretch: Stretch
     spectrum: Reals
 
@@ -186,6 +187,7 @@ def twin_case(gap: float, force: float, frequency: float = FREQUENCY) -> TwinCas
         largest_force=contact.largest_force,
         contact_share=contact.share,
         wear=measures.frictions[BLADE].power if BLADE in measures.frictions else 0.0,
+        bridge=_bridge(found),
         stretch=_stretch(found),
         spectrum=_spectrum(found) if motion.orbit is None else np.empty((0, 2)),
     )
@@ -226,15 +228,21 @@ def lead_to_one(mechanism: Mechanism, starts: int) -> bool:
     return len(unlike) == 1 and all(motion.period_count == 1 for motion in motions)
 
 
+def _bridge(found: Followed) -> Reals:
+    """Return where the bridge is relative to the motor, m, at each sample of the motion."""
+    motion = MechanismMotion(found.flow, found.course)
+    times = found.flow.period * np.arange(found.periods * PHASES) / PHASES
+    spring = motion.states(times)[found.flow.names.index(BRIDGE)]
+    place: Reals = motion.displacement(CUTTER, times) + spring - motion.displacement(MOTOR, times)
+    return place
+
+
 def _stretch(found: Followed) -> Stretch:
     """Return ``SHOWN`` drive periods, repeated if the motion is shorter."""
     motion = MechanismMotion(found.flow, found.course)
     taken = min(found.periods, SHOWN)
     times = found.flow.period * np.arange(taken * PHASES) / PHASES
-    states = motion.states(times)
-    spring = states[found.flow.names.index(BRIDGE)]
-    bridge = motion.displacement(CUTTER, times) + spring - motion.displacement(MOTOR, times)
-    signals = (motion.output(STROKE, times), bridge, motion.contact_force(BRIDGE, times))
+    signals = (motion.output(STROKE, times), motion.contact_force(BRIDGE, times))
     return Stretch(*(np.resize(each, SHOWN * PHASES) for each in signals))
 
 

@@ -40,7 +40,7 @@ def bridge_in_slot(known: Evidence) -> Figure:
     sides, (place, force) = panels(3.1, 1, 2)
     both = {
         "thesis": (case.repeated(case.frozen.bridge), case.repeated(case.frozen.tension)),
-        "twin": (case.twin.stretch.bridge, case.twin.stretch.tension),
+        "twin": (case.twin.bridge, case.twin.stretch.tension),
     }
     for (name, (bridge, tension)), line in zip(both.items(), LINES, strict=False):
         place.plot(phase, 1e6 * (bridge[part] - pin), label=name, **line)

@@ -138,13 +138,15 @@ def test_impacts_are_those_of_a_long_simulation(orbit) -> None:
     assert orbit.impact_speeds == pytest.approx(speeds, rel=1e-4)
 
 
-def test_an_impact_at_the_seam_of_the_period_counts_once() -> None:
+@pytest.mark.parametrize("gap", [1e-4, 2e-4, 3e-4, 5e-4])
+def test_an_impact_at_the_seam_of_the_period_counts_once(gap: float) -> None:
     """The drive begins where the pin meets the load, so that the motion begins with a contact."""
-    gap = 2e-4
     start = math.pi - math.asin((DRIVE.amplitude - gap) / DRIVE.amplitude)
-    for shift in (-1e-9, 0.0, 1e-9):
+    for shift in (-1e-9, -4e-16, 0.0, 4e-16, 1e-9):
         drive = Drive(DRIVE.amplitude, DRIVE.omega, start + math.pi + shift)
-        assert len(forced_orbit(TrimmerLoop(THESIS, FrictionBacklash(gap), drive)).impacts) == 2
+        orbit = forced_orbit(TrimmerLoop(THESIS, FrictionBacklash(gap), drive))
+        assert len(orbit.impacts) == 2
+        assert len(orbit.switching_times) == 4
 
 
 def test_a_limit_cycle_has_strokes_and_impacts_but_no_phase() -> None:

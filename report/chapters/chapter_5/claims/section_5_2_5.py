@@ -200,11 +200,11 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
         f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
         left > DIED_OUT,
         """
-        the motion dies out: at the end of the record [[ left | power0 ]] of the start is left at most. A gap
-        of 4 µm bears [[ most | f3 ]] N at most; the peak is the third natural mode of the loop,
+        the motion dies out: at the end of the record less than [[ left | power0 ]] of the start is left. A
+        gap of 4 µm bears [[ most | f3 ]] N at most; the peak is the third natural mode of the loop,
         [[ mode | f2 ]] Hz
         """,
-        numbers={"left": left, "most": known.cycles.equivalent.force_of_merger, "mode": numbers.modes[2]},
+        numbers={"left": DIED_OUT, "most": known.cycles.equivalent.force_of_merger, "mode": numbers.modes[2]},
         method="exact simulation with true stick",
         second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / SMALL_GAP) == 0),
         item="736.993 Hz, peak read as the limit cycle with 0.6 N of friction",
