@@ -10,6 +10,11 @@ from typing import Self
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, near_match
 
+__all__ = [
+    "Choice",
+    "ChoiceError",
+]
+
 
 class ChoiceError(TrimmerError, ValueError):
     """A value that is none of the possible ones; the message names a near one, or lists their words."""

@@ -14,7 +14,7 @@ class DisplacementError(TrimmerError, ValueError):
     """A displacement that does not exist, with what to write instead."""
 
 
-class Body(Choice):
+class TrimmerBody(Choice):
     """A body of the trimmer; the value is the number of its coordinate, as in q1."""
 
     MOTOR = 1
@@ -53,13 +53,13 @@ class Displacement:
         DisplacementError: if both bodies are the same.
     """
 
-    of: Body
-    relative_to: Body | None = None
+    of: TrimmerBody
+    relative_to: TrimmerBody | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "of", Body.chosen(self.of, "body"))
+        object.__setattr__(self, "of", TrimmerBody.chosen(self.of, "body"))
         if self.relative_to is not None:
-            object.__setattr__(self, "relative_to", Body.chosen(self.relative_to, "body"))
+            object.__setattr__(self, "relative_to", TrimmerBody.chosen(self.relative_to, "body"))
         if self.of is self.relative_to:
             raise DisplacementError(
                 f"{self.label} is zero: a displacement relative to a body needs another body"
@@ -79,13 +79,17 @@ class Displacement:
         pattern = r"\s*[qQ]([1-4])\s*(?:-\s*[qQ]([1-4])\s*)?"
         match = re.fullmatch(pattern, text, flags=re.ASCII) if isinstance(text, str) else None
         if match is None:
-            meanings = ", ".join(f"{body.coordinate} {body.name.lower()}" for body in Body)
+            meanings = ", ".join(f"{body.coordinate} {body.name.lower()}" for body in TrimmerBody)
             advice = did_you_mean(_meant(text) if isinstance(text, str) else ()) or (
                 f"write a coordinate (q2) or a difference of two (q2-q4); coordinates: {meanings}"
             )
             raise DisplacementError(f"{text!r} is not a displacement: {advice}")
         of, relative_to = match.groups()
-        return cls(Body(int(of)), Body(int(relative_to)) if relative_to else None)
+        return cls(TrimmerBody(int(of)), TrimmerBody(int(relative_to)) if relative_to else None)
+
+    def __repr__(self) -> str:
+        """Return the displacement as its label reads."""
+        return f"<Displacement {self.label}>"
 
     @property
     def label(self) -> str:
@@ -97,7 +101,7 @@ class Displacement:
     @property
     def row(self) -> tuple[float, float, float, float]:
         """Factors of q1 to q4 in this displacement: 1, -1 or 0."""
-        factors = [0.0] * len(Body)
+        factors = [0.0] * len(TrimmerBody)
         factors[self.of.index] += 1.0
         if self.relative_to is not None:
             factors[self.relative_to.index] -= 1.0
@@ -107,13 +111,13 @@ class Displacement:
 def _meant(text: str) -> list[str]:
     """Return the displacement that was meant: its bodies by number, or by what they are called."""
     numbered = text.lower()
-    for body in Body:
+    for body in TrimmerBody:
         numbered = numbered.replace(body.name.lower(), str(body.value))
     numbers = re.findall(r"[0-9]+", numbered)
     if not 1 <= len(numbers) <= 2 or len(text) > _LONGEST:
         return []
     bodies = dict.fromkeys(int(digit) for number in numbers for digit in number)
-    if bodies.keys() - {body.value for body in Body} or len(bodies) > 2:
+    if bodies.keys() - {body.value for body in TrimmerBody} or len(bodies) > 2:
         return []
     return ["-".join(f"q{number}" for number in bodies)]
 
@@ -121,5 +125,5 @@ def _meant(text: str) -> list[str]:
 _LONGEST = 40
 """Characters of a text in which a displacement is looked for."""
 
-CUTTER_RELATIVE_TO_GUARD = Displacement(Body.CUTTER, Body.GUARD)
+CUTTER_RELATIVE_TO_GUARD = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
 """The output of the thesis, y = q2 - q4 (equation 2.14)."""

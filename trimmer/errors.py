@@ -2,6 +2,29 @@
 
 from __future__ import annotations
 
+__all__ = [
+    "DivergingMotionError",
+    "FitError",
+    "FrequencyRangeError",
+    "IllPosedLoopError",
+    "LetterWarning",
+    "LinearElementError",
+    "MapError",
+    "MapFileError",
+    "MechanismError",
+    "MissingPackageError",
+    "OrbitNotFoundError",
+    "OrbitNotFoundWarning",
+    "SignalWarning",
+    "TrimmerError",
+    "UncertaintyError",
+    "UndecidedWarning",
+    "UnsupportedElementError",
+    "UnsupportedMotionError",
+    "WorkerError",
+    "WrongTypeError",
+]
+
 
 class TrimmerError(Exception):
     """An input of the user cannot be used; the message is complete in itself and says what to do."""

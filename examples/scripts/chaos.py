@@ -10,8 +10,7 @@ drive period; a motion that repeats would show a few, a torus closed curves.
 
 import matplotlib.pyplot as plt
 
-from trimmer import Mechanism, respond
-from trimmer.mechanism import Body, Friction, Link, Output, Pin, Play
+from trimmer import Body, Friction, Link, Mechanism, Output, Pin, Play, respond
 
 trimmer = Mechanism(
     frequency=110.0,

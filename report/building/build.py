@@ -17,7 +17,7 @@ from report.provenance import provenance
 from report.rendering.render import render
 from report.rendering.request import WHOLE_REPORT, Format, Request
 from report.rendering.selection import select
-from trimmer import write_atomically
+from trimmer.files import write_atomically
 
 LOG = "build.log"
 CACHE = ".cache"

@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from report.cache.data_format import DamagedError, from_bytes, to_bytes
-from trimmer import write_atomically
 from trimmer.command_line.parser import note
-from trimmer.files import FileWriteError
+from trimmer.files import FileWriteError, write_atomically
 
 Result = TypeVar("Result")
 SUFFIX = ".data"

@@ -11,7 +11,8 @@ from report.claim import Confirmation
 from report.numbers.independent import loci, waveforms
 from report.numbers.independent.waveforms import ODD_ORDERS, Values, at_the_jump, sampled_gain
 from report.parts import close, equal, small, so
-from trimmer import Element, LimitCycle, PeriodicOrbit, response_at
+from trimmer import LimitCycle, PeriodicOrbit, response_at
+from trimmer.elements import Element
 
 DIGITS = 30
 RELATIVE = 1e-12

@@ -10,16 +10,8 @@ from derivations.step import Formula, Step
 from report.evidence import Evidence
 from report.numbers.linear_numbers import solve_linear
 from report.text import filled
-from trimmer import (
-    asymptotic_roll_off,
-    bandwidth,
-    encirclements,
-    modes,
-    resonance_peaks,
-    response_at,
-    time_response,
-    transfer_function,
-)
+from trimmer import modes, resonance_peaks, response_at, transfer_function
+from trimmer.linear import asymptotic_roll_off, bandwidth, encirclements, time_response
 
 
 def linear_steps(known: Evidence) -> tuple[Step, ...]:

@@ -16,10 +16,12 @@ import numpy as np
 
 from report.numbers.record import harmonics
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from trimmer import Drive, Element, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, Window, peaks, simulate
+from trimmer import Drive, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, peaks, simulate
 from trimmer.arrays import Reals
+from trimmer.elements import Element
 from trimmer.motion.interconnection import Interconnection, realized
 from trimmer.motion.loops import Loop, element_around
+from trimmer.spectra import Window
 from trimmer.spectra.spectrum import amplitude_spectrum
 
 AMPLITUDES = (1.5e-6, 1.5e-4, DRIVE_AMPLITUDE, 1.5e-2, 1.5e-1)

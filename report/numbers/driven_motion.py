@@ -23,7 +23,7 @@ from report.thesis import (
 )
 from trimmer import CoulombFriction, Drive, FrictionBacklash, Motion, TrimmerParameters, simulate
 from trimmer.arrays import Reals
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, TrimmerBody
 from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
 
 DURATION = 0.6
@@ -146,8 +146,8 @@ def _run(parameters: TrimmerParameters, gap: float, force: float) -> DrivenRun:
         force=force,
         times=times,
         pin=DRIVE_AMPLITUDE * np.sin(MEASURED_DRIVE_OMEGA * times),
-        cutter=state[Body.CUTTER.index],
-        guard=state[Body.GUARD.index],
+        cutter=state[TrimmerBody.CUTTER.index],
+        guard=state[TrimmerBody.GUARD.index],
         transient=motion.output(early) - motion.output(early + PERIODS_LATER * PERIOD),
         harmonics=amplitudes,
         repeat=repeat,
@@ -166,8 +166,8 @@ def _settled(motion: Motion) -> tuple[Reals, float, float]:
 def _two_motions(parameters: TrimmerParameters) -> tuple[Reals, Reals]:
     """Return instants and the energy of the difference of a motion from rest and one from aside."""
     loop = driven_loop(parameters, EXPERIMENT_GAP, FORCES[-1])
-    aside = np.zeros(2 * len(Body))
-    aside[Body.CUTTER.index] = STARTED_ASIDE
+    aside = np.zeros(2 * len(TrimmerBody))
+    aside[TrimmerBody.CUTTER.index] = STARTED_ASIDE
     times = np.linspace(0, DURATION, 2001)
     rest, other = (simulate(loop, DURATION, initial_state=start).state(times) for start in (None, aside))
     energy = difference_energy(parameters, other - rest)
@@ -180,10 +180,10 @@ def difference_energy(parameters: TrimmerParameters, state: Reals) -> Reals:
     The transformed velocities of ``pin_model`` differ from the velocities by a multiple of the pin's
     displacement, which two motions with the same pin share.
     """
-    q1, q2, q3, q4 = state[: len(Body)]
+    q1, q2, q3, q4 = state[: len(TrimmerBody)]
     values = parameters
     masses = np.array([values.m1, values.m2, values.m3, values.m4])
-    kinetic = masses @ state[len(Body) :] ** 2
+    kinetic = masses @ state[len(TrimmerBody) :] ** 2
     potential = values.k1 * q1**2 + values.k2 * (q2 - q1) ** 2 + values.k3 * q3**2
     potential = potential + values.k4 * (q4 - q3) ** 2 + values.k5 * (q2 - q3) ** 2
     return np.asarray((kinetic + potential) / 2)

@@ -14,8 +14,9 @@ from scipy.optimize import fsolve
 
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers, Pair
 from report.numbers.linear_numbers import LinearNumbers
-from trimmer import Element, FrictionBacklash, InertiaBacklash, PeriodicOrbit, periodic_orbits, simulate
+from trimmer import FrictionBacklash, InertiaBacklash, PeriodicOrbit, periodic_orbits, simulate
 from trimmer.arrays import Reals
+from trimmer.elements import Element
 from trimmer.linear.model import InputChannels, pin_model
 
 ASIDE = 1e-3

@@ -14,9 +14,11 @@ import control
 import numpy as np
 
 from report.thesis import TURN
-from trimmer import Body, InputChannels, LimitCycle, TrimmerParameters, linear_model, pin_model
+from trimmer import LimitCycle, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.linear import InputChannels
+from trimmer.thesis import TrimmerBody
 
 BACKLASH = FrictionBacklash(1.0)
 POINTS = 49
@@ -71,8 +73,8 @@ def force_response(parameters: TrimmerParameters) -> control.StateSpace:
     """Build the response of q2 - q4, m, to a force on the cutter and its reaction on the guard, N."""
     model = linear_model(parameters)
     column = np.zeros((model.nstates, 1))
-    column[len(Body) + Body.CUTTER.index] = 1 / parameters.m2
-    column[len(Body) + Body.GUARD.index] = -1 / parameters.m4
+    column[len(TrimmerBody) + TrimmerBody.CUTTER.index] = 1 / parameters.m2
+    column[len(TrimmerBody) + TrimmerBody.GUARD.index] = -1 / parameters.m4
     return control.ss(model.A, column, model.C, [[0.0]])
 
 

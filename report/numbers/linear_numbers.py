@@ -16,19 +16,10 @@ import sympy
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import PARAMETERS
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import (
-    InputChannels,
-    Mode,
-    TrimmerParameters,
-    UndampedMode,
-    modes,
-    pin_model,
-    time_response,
-    transfer_function,
-    undamped_modes,
-)
+from trimmer import TrimmerParameters, modes, pin_model, transfer_function
 from trimmer.arrays import Reals
 from trimmer.generated import linear_trimmer
+from trimmer.linear import InputChannels, Mode, UndampedMode, time_response, undamped_modes
 
 FIRST_PERIOD = 1 / DRIVE_FREQUENCY
 SAMPLES_PER_SECOND = 100_000

@@ -20,7 +20,8 @@ from report.numbers.relay_loop import RelayNumbers, solve_relay
 from report.numbers.released_bodies import ReleasedBodiesNumbers, solve_released_bodies
 from report.numbers.released_motion import ReleasedNumbers, solve_released
 from report.numbers.timed_block import TimedBlockNumbers, solve_timed_block
-from trimmer import InputChannels, pin_model
+from trimmer import pin_model
+from trimmer.linear import InputChannels
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,10 +12,12 @@ import numpy as np
 
 from report.numbers.driven_motion import FORCES, difference_energy, driven_loop
 from report.thesis import LARGEST_GAP
-from trimmer import Body, BodyFriction, CoulombFriction, Displacement, TrimmerParameters, simulate
+from trimmer import CoulombFriction, TrimmerParameters, simulate
 from trimmer.arrays import Reals
+from trimmer.motion import BodyFriction
+from trimmer.thesis import Displacement, TrimmerBody
 
-CUTTER_RELATIVE_TO_MOTOR = Displacement(Body.CUTTER, Body.MOTOR)
+CUTTER_RELATIVE_TO_MOTOR = Displacement(TrimmerBody.CUTTER, TrimmerBody.MOTOR)
 START = 1e-4
 """Displacement of the cutter at the start, m."""
 DURATION = 0.6
@@ -60,8 +62,8 @@ def solve_printed_friction(parameters: TrimmerParameters) -> PrintedFriction:
 def _run(parameters: TrimmerParameters, force: float, factor: float) -> FedRun:
     friction = BodyFriction(CUTTER_RELATIVE_TO_MOTOR, factor * CoulombFriction(force))
     loop = replace(driven_loop(parameters, LARGEST_GAP, 0.0), frictions=(friction,))
-    aside = np.zeros(2 * len(Body))
-    aside[Body.CUTTER.index] = START
+    aside = np.zeros(2 * len(TrimmerBody))
+    aside[TrimmerBody.CUTTER.index] = START
     motion = simulate(loop, DURATION, initial_state=aside)
     times = np.linspace(0, DURATION, 601)
     end = np.linspace(DURATION - LAST, DURATION, _POINTS)

@@ -14,8 +14,10 @@ from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.equivalent_nonlinearity import FORCE
 from report.numbers.record import Record, largest_peaks, line_amplitudes
 from report.thesis import SMALL_GAP, TURN
-from trimmer import Body, FrictionBacklash, InputChannels, TrimmerLoop, TrimmerParameters, pin_model, simulate
+from trimmer import FrictionBacklash, TrimmerLoop, TrimmerParameters, pin_model, simulate
 from trimmer.arrays import Reals
+from trimmer.linear import InputChannels
+from trimmer.thesis import TrimmerBody
 
 DISPLACEMENTS = (0.01, 0.1, 1.0)
 """Displacement that all bodies share at the start, m."""
@@ -77,7 +79,7 @@ def _run(parameters: TrimmerParameters, displacement: float) -> ReleasedBodies:
         channels=InputChannels.DISPLACEMENT_ONLY,
         frictions=friction_between_cutter_and_guard(FORCE),
     )
-    start = np.repeat([displacement, 0.0], len(Body))
+    start = np.repeat([displacement, 0.0], len(TrimmerBody))
     motion = simulate(loop, RECORD.duration, initial_state=start)
     times = np.linspace(0, RECORD.duration, RECORD.samples)
     output = motion.output(times)

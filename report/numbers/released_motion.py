@@ -13,8 +13,10 @@ import numpy as np
 from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.record import padded_spectrum
 from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, SAMPLE_RATE
-from trimmer import Body, FrictionBacklash, InputChannels, Motion, TrimmerLoop, TrimmerParameters, simulate
+from trimmer import FrictionBacklash, Motion, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
+from trimmer.linear import InputChannels
+from trimmer.thesis import TrimmerBody
 
 DURATION = 0.3
 """Length of a run, s."""
@@ -136,8 +138,8 @@ def _run(
         channels=channels,
         frictions=friction_between_cutter_and_guard(force),
     )
-    aside = np.zeros(2 * len(Body))
-    aside[Body.CUTTER.index] = start * gap
+    aside = np.zeros(2 * len(TrimmerBody))
+    aside[TrimmerBody.CUTTER.index] = start * gap
     motion = simulate(loop, DURATION, initial_state=aside)
     times = np.arange(int(DURATION * SAMPLE_RATE) + 1) / SAMPLE_RATE
     return ReleasedRun(gap, force, start, times, motion.output(np.minimum(times, DURATION)), *_end(motion))

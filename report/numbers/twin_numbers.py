@@ -32,8 +32,9 @@ from report.numbers.twin.mechanism import (
     twin,
 )
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
-from trimmer import InputChannels, TrimmerParameters, forced_orbit, pin_model, response_at
+from trimmer import TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
+from trimmer.linear import InputChannels
 
 THESIS_FORCE: Final = 0.5
 """The middle one of the thesis's three frictions, N."""

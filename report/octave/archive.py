@@ -9,7 +9,7 @@ from pathlib import Path
 
 from report.document.derivation import Program
 from report.octave.readme import NAME, readme
-from trimmer import write_atomically
+from trimmer.files import write_atomically
 
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
 _READABLE = 0o100644 << 16

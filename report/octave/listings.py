@@ -20,7 +20,8 @@ from report.octave import formulas
 from report.octave.contents import CONTENTS
 from report.octave.printer import CodePrinter, comment
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, RELAY_LEVEL, TIME_CONSTANT, TIMED_GAP
-from trimmer import TrimmerParameters, parameter_table
+from trimmer import TrimmerParameters
+from trimmer.thesis import parameter_table
 
 NAMES: dict[sympy.Expr, str] = {
     **{quantity.symbol: str(quantity.symbol).replace("_", "") for quantity in PARAMETERS},

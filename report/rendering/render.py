@@ -15,7 +15,7 @@ from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
 from report.rendering.pieces import Converter
 from report.rendering.request import WHOLE_REPORT, Format, Request
-from trimmer import write_atomically
+from trimmer.files import write_atomically
 
 NAMES = {
     Format.HTML: "report.html",

@@ -12,16 +12,15 @@ import control
 from report.numbers.friction_in_place import largest_force
 from report.thesis import DRIVE_OMEGA, EXPERIMENT_GAP
 from trimmer import (
-    Element,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     LimitCycle,
     TrimmerParameters,
-    filtering_ratio,
     limit_cycles,
     transfer_function,
 )
+from trimmer.elements import Element
+from trimmer.linear import InputChannels, filtering_ratio
 
 
 @final

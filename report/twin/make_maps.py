@@ -18,7 +18,8 @@ from report.numbers.twin.grids import COURSES, GRIDS, Grid
 from report.numbers.twin.kept_branch import settings_of, write_branches
 from report.numbers.twin.kept_files import FOLDER
 from report.numbers.twin.kept_map import write_map
-from trimmer import MapFileError, follow
+from trimmer import follow
+from trimmer.errors import MapFileError
 from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import MapInputs
 from trimmer.maps.motion_map import MapInterruptedError, motion_map

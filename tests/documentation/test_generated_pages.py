@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import re
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
-import trimmer
 from scripts.site.built import loaded_from_elsewhere
 from scripts.site.command_pages import command_pages
 from scripts.site.library_pages import library_pages
 from scripts.site.mathematics import FormulaError, with_mathml
 from scripts.site.output_lines import with_wrapped_sentences
 from scripts.site.schema_tables import mechanism_keys, parameter_page
+from tests.public_names import public_names
 from trimmer.command_line.main import installed_commands
 from trimmer.mechanism.quantities import PARTS, QUANTITIES
 from trimmer.parameters import parameter_table
@@ -21,8 +22,11 @@ from trimmer.parameters import parameter_table
 
 def test_every_public_name_has_its_place(project_folder: Path) -> None:
     pages = library_pages(project_folder)
-    entries = [name for _, page in pages.values() for name in re.findall(r"^::: trimmer\.(\w+)$", page, re.M)]
-    assert sorted(entries) == sorted(set(trimmer.__all__) - {"__version__"})
+    found = [
+        each for _, page in pages.values() for each in re.findall(r"^::: (trimmer[.\w]*)\.(\w+)$", page, re.M)
+    ]
+    assert sorted(name for _, name in found) == sorted(public_names())
+    assert all(hasattr(import_module(place), name) for place, name in found)
 
 
 def test_every_command_has_its_page_with_its_examples() -> None:

@@ -33,33 +33,33 @@ def balance() -> trimmer.HarmonicBalance:
 
 
 @cache
-def orbits() -> trimmer.PeriodicOrbits:
+def orbits() -> trimmer.orbits.PeriodicOrbits:
     return trimmer.periodic_orbits(loop())
 
 
 @cache
-def identification() -> trimmer.Identification:
+def identification() -> trimmer.balance.Identification:
     return trimmer.identify_time_constant(system(), GAP, 740.0, frequency_uncertainty=2.0)
 
 
 @cache
 def driven() -> trimmer.Motion:
     parameters, drive = trimmer.TrimmerParameters.thesis(), trimmer.Drive(1.5e-3, frequency=110.0)
-    between = trimmer.Displacement(trimmer.Body.CUTTER, trimmer.Body.GUARD)
-    friction = trimmer.BodyFriction(between, trimmer.CoulombFriction(2.0))
+    between = trimmer.thesis.Displacement(trimmer.thesis.TrimmerBody.CUTTER, trimmer.thesis.TrimmerBody.GUARD)
+    friction = trimmer.motion.BodyFriction(between, trimmer.CoulombFriction(2.0))
     element = trimmer.FrictionBacklash(2e-4)
     return trimmer.simulate(trimmer.TrimmerLoop(parameters, element, drive, frictions=(friction,)), 0.03)
 
 
 @cache
-def summary() -> trimmer.LinearSummary:
+def summary() -> trimmer.linear.LinearSummary:
     return trimmer.summarise(trimmer.TrimmerParameters.thesis())
 
 
 @cache
-def time_response() -> trimmer.TimeResponse:
+def time_response() -> trimmer.linear.TimeResponse:
     times = np.linspace(0.0, 0.06, 601)
-    return trimmer.time_response(control.ss([[-100.0]], [[100.0]], [[1.0]], 0.0), times, np.ones(601))
+    return trimmer.linear.time_response(control.ss([[-100.0]], [[100.0]], [[1.0]], 0.0), times, np.ones(601))
 
 
 @cache
@@ -70,23 +70,25 @@ def signal() -> trimmer.Signal:
 
 
 @cache
-def analysis() -> trimmer.SpectrumAnalysis:
+def analysis() -> trimmer.spectra.SpectrumAnalysis:
     return trimmer.analyse_signal(signal(), 110.0, [222.35], [554.3], closed_loop=True)
 
 
 @cache
-def averaged() -> trimmer.AveragedSpectrum:
-    return trimmer.averaged_spectrum(signal())
+def averaged() -> trimmer.spectra.AveragedSpectrum:
+    return trimmer.spectra.averaged_spectrum(signal())
 
 
 @cache
-def comparison() -> trimmer.Comparison:
-    return trimmer.compare_motions(signal(), trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0))
+def comparison() -> trimmer.spectra.Comparison:
+    return trimmer.spectra.compare_motions(
+        signal(), trimmer.spectra.SimulatedLines(np.array([1e-3, 2e-6]), 110.0)
+    )
 
 
 @cache
-def fit() -> trimmer.Fit:
-    settings = trimmer.FitSettings(starts=1)
+def fit() -> trimmer.fitting.Fit:
+    settings = trimmer.fitting.FitSettings(starts=1)
     measured = {"stroke": record(driven_trimmer(), 2e-6)}
     return trimmer.fit_mechanism(driven_trimmer(), measured, ["plays.bridge.gap"], settings=settings)
 
@@ -126,15 +128,15 @@ def motion_map() -> trimmer.MotionMap:
 
 
 @cache
-def basin() -> trimmer.Basin:
+def basin() -> trimmer.maps.Basin:
     values = {"mass.displacement": [-25.0, 0.0, 12.0], "mass.velocity": [-100.0, 0.0, 100.0]}
     return trimmer.basin(impact_oscillator(), values, runner=SerialRunner(), quiet=True)
 
 
-def locus() -> trimmer.Locus:
+def locus() -> trimmer.branches.Locus:
     """A locus put together by hand."""
     values = np.array([[1.0, 8e-6], [1.2, 9e-6], [1.4, 12e-6]])
-    return trimmer.Locus(
+    return trimmer.branches.Locus(
         trimmer.SpecialKind.FOLD,
         (),
         ("frequency", "stops.wall.gap"),
@@ -143,11 +145,11 @@ def locus() -> trimmer.Locus:
         np.zeros((3, 2)),
         np.zeros(3),
         np.zeros(3),
-        trimmer.LocusEnd.LEFT,
+        trimmer.branches.LocusEnd.LEFT,
         "it leaves the ranges",
         ("Hz", "m"),
     )
 
 
-def curves() -> trimmer.SpecialCurves:
-    return trimmer.SpecialCurves((trimmer.SpecialCurve((locus(),)),), "by hand")
+def curves() -> trimmer.maps.SpecialCurves:
+    return trimmer.maps.SpecialCurves((trimmer.maps.SpecialCurve((locus(),)),), "by hand")

@@ -12,7 +12,7 @@ import pytest
 
 from report.rendering.request import Format, Paper, Request
 from trimmer.choices import Choice, ChoiceError
-from trimmer.displacement import Body, Displacement, DisplacementError
+from trimmer.displacement import Displacement, DisplacementError, TrimmerBody
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
 from trimmer.linear.summary import summarise
@@ -29,7 +29,7 @@ from trimmer.spectra.window import Window
 
 P = TrimmerParameters.thesis()
 SINE = np.sin(2 * np.pi * 110 * np.arange(8000) / 8000)
-CHOICES = [InputChannels, MissingValues, Window, Delimiter, DecimalSign, BitDepth, Body, Format, Paper]
+CHOICES = [InputChannels, MissingValues, Window, Delimiter, DecimalSign, BitDepth, TrimmerBody, Format, Paper]
 
 
 def shown(model: Any) -> list[float]:
@@ -52,7 +52,7 @@ USES: list[tuple[type[Choice], Callable[[Any, Path], Any]]] = [
     (Delimiter, lambda value, folder: CsvLayout(delimiter=value)),
     (DecimalSign, lambda value, folder: CsvLayout(decimal=value)),
     (BitDepth, lambda value, folder: write_wav(folder / "a.wav", SINE, 8000.0, value)),
-    (Body, lambda value, folder: Displacement(value)),
+    (TrimmerBody, lambda value, folder: Displacement(value)),
     (Format, lambda value, folder: Request(formats=frozenset({value}))),
     (Paper, lambda value, folder: Request(paper=value)),
 ]
@@ -94,7 +94,7 @@ def test_a_member_of_another_choice_is_refused(kind: type[Choice]) -> None:
                     kind.chosen(member, "argument")
 
 
-@pytest.mark.parametrize("value", ["output", "q5", "", 2, None, True, Body.CUTTER])
+@pytest.mark.parametrize("value", ["output", "q5", "", 2, None, True, TrimmerBody.CUTTER])
 def test_what_is_no_displacement_is_refused(value: Any) -> None:
     uses: list[Callable[[], object]] = [
         lambda: linear_model(P, [value]),

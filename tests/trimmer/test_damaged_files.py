@@ -28,7 +28,7 @@ from trimmer import (
 from trimmer.command_line.main import main
 from trimmer.design.design_file import read_design_file
 from trimmer.runners.runner import SerialRunner
-from trimmer.signals.read_wav import read_wav
+from trimmer.signals.reading_wav import read_wav
 from trimmer.uncertainty.loop_samples import read_loop_file
 from trimmer.uncertainty.sample_file import read_sample_file
 

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement, DisplacementError
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, DisplacementError, TrimmerBody
 
-EVERY = [*map(Displacement, Body), *(Displacement(*pair) for pair in permutations(Body, 2))]
+EVERY = [*map(Displacement, TrimmerBody), *(Displacement(*pair) for pair in permutations(TrimmerBody, 2))]
 
 
 def test_the_thesis_output_is_cutter_relative_to_guard() -> None:
@@ -42,7 +42,7 @@ def test_a_displacement_that_was_meant_is_named(text: str, meant: str) -> None:
 
 def test_a_body_relative_to_itself_is_refused() -> None:
     with pytest.raises(DisplacementError, match="q3-q3 is zero"):
-        Displacement(Body.HOUSING, Body.HOUSING)
+        Displacement(TrimmerBody.HOUSING, TrimmerBody.HOUSING)
 
 
 @given(st.text(max_size=12))

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from trimmer import (
-    BodyFriction,
     CoulombFriction,
     Drive,
     Mechanism,
@@ -21,6 +20,7 @@ from trimmer import (
 )
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.mechanism import Body, Force, Friction, Link, Play, Stop
+from trimmer.motion import BodyFriction
 
 HALVES = TrimmerParameters(
     **{"m1": 1.0, "m2": 1.0, "m3": 1.0, "m4": 1.0},

@@ -8,7 +8,6 @@ import control
 import pytest
 
 from trimmer import (
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
     Drive,
@@ -16,12 +15,9 @@ from trimmer import (
     OpenLoop,
     OrbitSearch,
     Relay,
-    Simulations,
     TrimmerLoop,
     TrimmerParameters,
     UndecidedWarning,
-    UnsupportedElementError,
-    UnsupportedSystemError,
     WrongTypeError,
     harmonic_balance,
     harmonic_leakage,
@@ -30,6 +26,10 @@ from trimmer import (
     periodic_orbits,
     pin_model,
 )
+from trimmer.errors import UnsupportedElementError
+from trimmer.linear import UnsupportedSystemError
+from trimmer.motion import BodyFriction
+from trimmer.orbits import Simulations
 
 THESIS = TrimmerParameters.thesis()
 SYSTEM, PLAY = pin_model(THESIS), FrictionBacklash(4e-5)
@@ -77,7 +77,7 @@ def test_mixtures_are_refused(function) -> None:
             function(*given, **named)
     with pytest.raises(WrongTypeError, match=f"{function.__name__} needs a loop, .*: neither is given"):
         function()
-    with pytest.raises(UnsupportedElementError, match=r"give a trimmer\.Element"):
+    with pytest.raises(UnsupportedElementError, match=r"give a trimmer\.elements\.Element"):
         function(PLAY, SYSTEM)
     with pytest.raises(UnsupportedSystemError, match="2 inputs"):
         function(control.ss(-1, [[1, 2]], 1, 0), PLAY)

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import trimmer
+from tests.public_names import public_names
 
 HEAVY = ("control", "matplotlib", "numpy", "scipy", "shtab", "sympy", "tqdm")
 
@@ -47,9 +48,7 @@ def test_the_linear_model_needs_no_sympy(project_folder: Path) -> None:
 
 
 def test_every_public_name_comes_from_its_module() -> None:
-    for name in set(trimmer.__all__) - {"__version__"}:
-        value = getattr(trimmer, name)
-        assert name in dir(trimmer)
+    for name, value in public_names().items():
         if hasattr(value, "__module__") and callable(value):
             assert getattr(import_module(value.__module__), name) is value, name
 
@@ -77,6 +76,23 @@ def test_star_import_gives_the_public_names() -> None:
     names: dict[str, object] = {}
     exec("from trimmer import *", names)
     assert set(trimmer.__all__) <= set(names)
+
+
+def test_few_names_stand_at_the_top() -> None:
+    assert set(trimmer.__all__) - {"__version__"} <= set(dir(trimmer))
+    assert len(trimmer.__all__) <= 80
+
+
+def test_a_name_that_stands_in_a_room_is_answered_with_its_place() -> None:
+    for name in set(public_names()) - set(trimmer.__all__):
+        with pytest.warns(DeprecationWarning, match=rf"from trimmer\.\w+ import {name}$"):
+            assert getattr(trimmer, name) is public_names()[name]
+
+
+def test_bodies_at_the_top_are_those_of_a_mechanism() -> None:
+    held = {"spring": trimmer.Link(("ground", "one"), stiffness=1.0)}
+    assert trimmer.Mechanism({"one": trimmer.Body(1.0)}, links=held).bodies["one"].mass == 1.0
+    assert trimmer.thesis.TrimmerBody.CUTTER.coordinate == "q2"
 
 
 def test_an_unknown_name_is_an_error() -> None:

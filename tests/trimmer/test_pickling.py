@@ -10,15 +10,11 @@ import control
 import numpy as np
 import pytest
 
-import trimmer
+from tests.public_names import public_names
 from trimmer import (
-    Body,
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
-    Displacement,
     Drive,
-    Element,
     FrictionBacklash,
     InertiaBacklash,
     OpenLoop,
@@ -41,11 +37,14 @@ from trimmer import (
     summarise,
     transfer_function,
 )
+from trimmer.elements import Element
+from trimmer.motion import BodyFriction
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 PLAY = FrictionBacklash(4e-5)
 DRIVE = Drive(1.5e-3, frequency=110.0, phase=0.2)
-FRICTION = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(0.5))
+FRICTION = BodyFriction(Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), CoulombFriction(0.5))
 TIMES = np.linspace(0.0, 0.02, 333)
 
 LOOPS = {
@@ -155,7 +154,7 @@ def test_signals_stay_read_only(copied: Callable) -> None:
     assert not second.signal.values.flags.writeable
 
 
-@pytest.mark.parametrize("name", sorted(set(trimmer.__all__) - {"__version__"}))
+@pytest.mark.parametrize("name", sorted(public_names()))
 def test_every_public_class_and_function_is_found_again(name: str) -> None:
-    value = getattr(trimmer, name)
+    value = public_names()[name]
     assert pickle.loads(pickle.dumps(value)) == value

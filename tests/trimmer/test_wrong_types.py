@@ -25,10 +25,10 @@ MOTION = trimmer.simulate(TRIMMER, 0.001)
 SAMPLES = np.sin(np.arange(200.0))
 SIGNAL = trimmer.Signal(SAMPLES, 1000.0)
 MOVING = trimmer.Signal(SAMPLES, 1000.0, "x", "m")
-SPECTRUM = trimmer.amplitude_spectrum(SAMPLES, 1000.0)
+SPECTRUM = trimmer.spectra.amplitude_spectrum(SAMPLES, 1000.0)
 FRICTION = trimmer.CoulombFriction(1.0)
 STATIC = trimmer.StaticElement(np.sin)
-SEARCH = trimmer.OrbitSearch(trimmer.Simulations.NEVER)
+SEARCH = trimmer.OrbitSearch(trimmer.orbits.Simulations.NEVER)
 
 ANYTHING = {"text": "1.0", "an object": object(), "a class": trimmer.FrictionBacklash, "complex": 1j}
 ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
@@ -59,40 +59,40 @@ CALLS = {
     trimmer.DeadZone: {"threshold": 1.0, "slope": 1.0},
     trimmer.Preload: {"level": 1.0, "slope": 1.0},
     trimmer.StaticElement: {"function": np.sin, "scale": 1.0, "kinks": (0.5,)},
-    trimmer.ControlElement: {"nonlinearity": control.saturation_nonlinearity(1.0)},
+    trimmer.elements.ControlElement: {"nonlinearity": control.saturation_nonlinearity(1.0)},
     STATIC.describing_function_estimate: {"amplitude": 1.0, "omega": 1.0, "harmonic": 1},
     trimmer.ViscousFriction: {"damping": 1.0},
     trimmer.FrictionBacklash: {"gap": 1.0},
     trimmer.InertiaBacklash: {"gap": 1.0},
     trimmer.ViscousBacklash: {"gap": 1.0, "time_constant": 1.0},
-    trimmer.ElementAtFrequency: {"element": PLAY, "omega": 1.0},
-    trimmer.ScaledElement: {"element": PLAY, "factor": 2.0},
-    trimmer.SumOfElements: {"terms": (PLAY,)},
+    trimmer.elements.ElementAtFrequency: {"element": PLAY, "omega": 1.0},
+    trimmer.elements.ScaledElement: {"element": PLAY, "factor": 2.0},
+    trimmer.elements.SumOfElements: {"terms": (PLAY,)},
     PLAY.describing_function: {"amplitude": 1.0, "omega": 1.0, "harmonic": 1},
     PLAY.waveform: {"phase": 1.0, "amplitude": 1.0, "omega": 1.0},
     PLAY.derivatives: {"amplitude": 1.0, "omega": 1.0},
     PLAY.mean_gain: {"amplitude": 1.0},
     PLAY.at: {"omega": 1.0},
-    trimmer.gain_crossings: {"system": SYSTEM, "level": 1.0},
-    trimmer.real_axis_crossings: {"system": SYSTEM},
-    trimmer.antiresonances: {"system": SYSTEM},
+    trimmer.linear.gain_crossings: {"system": SYSTEM, "level": 1.0},
+    trimmer.linear.real_axis_crossings: {"system": SYSTEM},
+    trimmer.linear.antiresonances: {"system": SYSTEM},
     trimmer.resonance_peaks: {"system": SYSTEM},
     trimmer.response_at: {"system": SYSTEM, "omega": 1.0},
-    trimmer.asymptotic_roll_off: {"system": SYSTEM},
-    trimmer.bandwidth: {"system": SYSTEM, "dbdrop": -3.0},
-    trimmer.bandwidth_crossings: {"system": SYSTEM, "dbdrop": -3.0},
-    trimmer.filtering_ratio: {"system": SYSTEM, "omega": 1.0, "harmonic": 3},
-    trimmer.local_slope: {"system": SYSTEM, "omega": 1.0},
+    trimmer.linear.asymptotic_roll_off: {"system": SYSTEM},
+    trimmer.linear.bandwidth: {"system": SYSTEM, "dbdrop": -3.0},
+    trimmer.linear.bandwidth_crossings: {"system": SYSTEM, "dbdrop": -3.0},
+    trimmer.linear.filtering_ratio: {"system": SYSTEM, "omega": 1.0, "harmonic": 3},
+    trimmer.linear.local_slope: {"system": SYSTEM, "omega": 1.0},
     trimmer.linear_model: {"parameters": THESIS, "output": "q2"},
     trimmer.pin_model: {"parameters": THESIS},
     trimmer.transfer_function: {"parameters": THESIS},
     trimmer.modes: {"parameters": THESIS},
-    trimmer.undamped_modes: {"parameters": THESIS},
+    trimmer.linear.undamped_modes: {"parameters": THESIS},
     trimmer.summarise: {"parameters": THESIS},
-    trimmer.encirclements: {"system": SYSTEM, "point": -1.0},
-    trimmer.steady_state: {"system": SYSTEM, "omega": 1.0, "amplitude": 1.0},
-    trimmer.steady_state(SYSTEM, 1.0).at: {"times": 1.0},
-    trimmer.time_response: {
+    trimmer.linear.encirclements: {"system": SYSTEM, "point": -1.0},
+    trimmer.linear.steady_state: {"system": SYSTEM, "omega": 1.0, "amplitude": 1.0},
+    trimmer.linear.steady_state(SYSTEM, 1.0).at: {"times": 1.0},
+    trimmer.linear.time_response: {
         "system": SYSTEM,
         "times": [0.0, 1.0],
         "inputs": [0.0, 1.0],
@@ -102,7 +102,7 @@ CALLS = {
     trimmer.ClosedLoop: {"system": SYSTEM, "element": PLAY},
     trimmer.OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
     trimmer.TrimmerLoop: {"parameters": THESIS, "element": PLAY, "drive": DRIVE, "frictions": ()},
-    trimmer.BodyFriction: {"between": trimmer.CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
+    trimmer.motion.BodyFriction: {"between": trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
     trimmer.simulate: {"loop": LOOP, "duration": 0.001, "initial_state": np.zeros(8), "impulse": 1e-6}
     | {"element_output": 0.0, "event_limit": 10, "step_limit": 1000},
     MOTION.output: {"times": 0.0},
@@ -117,12 +117,12 @@ CALLS = {
         "steps": 1,
         "half_periods": (1.0, 2.0),
     },
-    trimmer.write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
+    trimmer.files.write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
     trimmer.TrimmerParameters.from_toml: {"path": "nothing.toml"},
     trimmer.Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
     | {"interpolated": 0, "converted": 0},
     trimmer.write_signal: {"path": "a.csv", "signal": SIGNAL, "overwrite": True},
-    trimmer.write_wav: {
+    trimmer.signals.write_wav: {
         "path": "a.wav",
         "signal": SAMPLES,
         "sample_rate": 8000.0,
@@ -134,19 +134,23 @@ CALLS = {
     trimmer.read_signal: {
         "path": "a.csv",
         "sample_rate": 1.0,
-        "layout": trimmer.CsvLayout(),
-        "sampling": trimmer.Sampling(),
+        "layout": trimmer.signals.CsvLayout(),
+        "sampling": trimmer.signals.Sampling(),
     },
-    trimmer.read_wav: {"path": "a.wav", "channel": 1, "begin": 0.0, "end": 1.0},
+    trimmer.signals.read_wav: {"path": "a.wav", "channel": 1, "begin": 0.0, "end": 1.0},
     trimmer.convert: {"signal": MOVING, "quantity": "velocity", "highest": 200.0, "sensor_corner": 1.0},
     trimmer.faults: {"signal": SIGNAL},
-    trimmer.averaged_spectrum: {"signals": SIGNAL, "averages": 2},
-    trimmer.compare_motions: {
+    trimmer.spectra.averaged_spectrum: {"signals": SIGNAL, "averages": 2},
+    trimmer.spectra.compare_motions: {
         "signal": MOVING,
-        "simulated": trimmer.SimulatedLines(np.array([1.0 + 0j]), 160.0),
+        "simulated": trimmer.spectra.SimulatedLines(np.array([1.0 + 0j]), 160.0),
     }
     | {"drive_frequency": 160.0},
-    trimmer.SimulatedLines: {"displacement": np.array([1.0 + 0j]), "frequency": 1.0, "period_count": 1},
+    trimmer.spectra.SimulatedLines: {
+        "displacement": np.array([1.0 + 0j]),
+        "frequency": 1.0,
+        "period_count": 1,
+    },
     trimmer.analyse_signal: {
         "signal": SIGNAL,
         "drive_frequency": 100.0,
@@ -154,17 +158,22 @@ CALLS = {
         "limit": 3,
     }
     | {"limit_cycle_frequencies": (10.0,), "closed_loop": True},
-    trimmer.classify: {
+    trimmer.spectra.classify: {
         "peaks": (),
         "bin_width": 1.0,
         "natural_frequencies": (1.0,),
         "limit_cycle_frequencies": (1.0,),
     }
-    | {"tolerance": trimmer.Tolerance(), "closed_loop": True},
-    trimmer.fit_harmonics: {"signal": SAMPLES, "sample_rate": 1000.0, "drive_frequency": 100.0, "count": 2},
+    | {"tolerance": trimmer.spectra.Tolerance(), "closed_loop": True},
+    trimmer.spectra.fit_harmonics: {
+        "signal": SAMPLES,
+        "sample_rate": 1000.0,
+        "drive_frequency": 100.0,
+        "count": 2,
+    },
     trimmer.peaks: {"spectrum": SPECTRUM, "limit": 3},
-    trimmer.amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
-    trimmer.Tolerance: {"bins": 1.0, "model": 0.1},
+    trimmer.spectra.amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
+    trimmer.spectra.Tolerance: {"bins": 1.0, "model": 0.1},
 }
 NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
 NONE_WILL_DO |= {
@@ -249,7 +258,7 @@ def test_nonsense_works_or_is_refused_on_purpose(call, tmp_path, monkeypatch) ->
 
 
 def test_frictions_may_be_a_list() -> None:
-    friction = trimmer.BodyFriction(trimmer.CUTTER_RELATIVE_TO_GUARD, FRICTION)
+    friction = trimmer.motion.BodyFriction(trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, FRICTION)
     assert trimmer.TrimmerLoop(THESIS, PLAY, DRIVE, frictions=[friction]).frictions == (friction,)
 
 

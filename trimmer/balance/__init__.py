@@ -8,3 +8,7 @@ is linear in the element (``linear_part``) to 1/G; ``inverse_response`` and ``el
 zeros are off. ``leakage`` tests the filtering hypothesis, ``identification`` solves for the load's time
 constant instead of the frequency.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

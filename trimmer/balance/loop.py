@@ -61,7 +61,9 @@ def require_element(element: object) -> Element:
             "FrictionBacklash(4e-5)"
         )
     if not is_element(element):
-        raise UnsupportedElementError(f"element: {shown(element)} is not an element: give a trimmer.Element")
+        raise UnsupportedElementError(
+            f"element: {shown(element)} is not an element: give a trimmer.elements.Element"
+        )
     return adopted("element", element)
 
 

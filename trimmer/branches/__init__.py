@@ -12,3 +12,7 @@ what has been followed already. ``branch`` and ``special`` are the result.
 
 ``loci`` follows special points over two numbers.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

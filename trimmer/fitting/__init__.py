@@ -6,3 +6,7 @@ orbit for their values, and ``misfit`` its whitened distance from the measuremen
 from several starts; ``profile`` gives the intervals, ``weak`` what cannot be told apart, and ``judgement``
 says whether the mechanism explains the measurement. ``fit`` is the entry, ``result`` what it gives.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

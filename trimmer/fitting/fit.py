@@ -104,7 +104,7 @@ def fit_mechanism(
     """
     settings = settings or FitSettings()
     require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
-    require_instance("settings", settings, FitSettings, "a trimmer.FitSettings")
+    require_instance("settings", settings, FitSettings, "a trimmer.fitting.FitSettings")
     free = require_instances("free", free, str, "a dotted place")
     frequency = _checked(mechanism, measured)
     if drive_frequency is not None and not 0 < real_number("drive_frequency", drive_frequency, "Hz") < np.inf:

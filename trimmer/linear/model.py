@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.arguments import require_instances
 from trimmer.choices import Choice
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, TrimmerBody
 from trimmer.generated import linear_trimmer
 from trimmer.parameters import ParameterError, require_parameters
 
@@ -18,7 +18,9 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.parameters import TrimmerParameters
 
-STATES = tuple(body.coordinate for body in Body) + tuple(f"{body.coordinate}_dot" for body in Body)
+STATES = tuple(body.coordinate for body in TrimmerBody) + tuple(
+    f"{body.coordinate}_dot" for body in TrimmerBody
+)
 """Names of the states: four displacements (m), then their velocities (m/s)."""
 
 INPUTS = ("pin_displacement", "pin_velocity")
@@ -70,7 +72,7 @@ def linear_model(
     return control.ss(
         np.array(linear_trimmer.state_matrix(*values)),
         np.array(linear_trimmer.input_matrix(*values)),
-        np.array([displacement.row + (0.0,) * len(Body) for displacement in outputs]),
+        np.array([displacement.row + (0.0,) * len(TrimmerBody) for displacement in outputs]),
         np.zeros((len(outputs), len(INPUTS))),
         name="linear_trimmer",
         states=list(STATES),
@@ -116,7 +118,7 @@ def pin_model(
         pin_input, feedthrough, states = from_displacement, np.zeros((1, 1)), STATES
     else:
         pin_input, feedthrough = from_displacement + A @ from_velocity, C @ from_velocity
-        states = STATES[: len(Body)] + tuple(f"z{body.value}" for body in Body)
+        states = STATES[: len(TrimmerBody)] + tuple(f"z{body.value}" for body in TrimmerBody)
     return control.ss(
         *(A, pin_input, C, feedthrough),
         name="linear_trimmer",

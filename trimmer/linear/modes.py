@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.linalg import eig, eigh
 
-from trimmer.displacement import Body
+from trimmer.displacement import TrimmerBody
 from trimmer.generated import linear_trimmer
 from trimmer.parameters import require_parameters
 from trimmer.showing.shown import Record
@@ -86,7 +86,7 @@ def modes(parameters: TrimmerParameters) -> tuple[Mode, ...]:
     require_parameters(parameters)
     A = np.array(linear_trimmer.state_matrix(*parameters.values()))
     # Time is scaled so that displacements and velocities are of one size; else real parts lose digits.
-    n = len(Body)
+    n = len(TrimmerBody)
     scale = math.sqrt(np.abs(np.diag(A[n:, :n])).max()) or 1.0
     states = np.repeat([1.0, scale], n)
     eigenvalues, vectors = eig(A * states / states[:, None] / scale)

@@ -6,3 +6,7 @@ cells in several processes, and ``checkpoint`` keeps them in a file. ``motion_ma
 ``result``, ``basin`` varies the start instead of the mechanism, and ``coexistence`` looks for motions that no
 start of the map led to. ``drawing`` draws them.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -8,3 +8,7 @@ for which ``implicit_outputs`` finds what follows from conditions; ``system`` is
 ``trimmer.hybrid`` asks for it, ``integration`` asks that core for a motion, ``initial`` gives the state at
 the start. In ``frictions`` is what several frictions do at once.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

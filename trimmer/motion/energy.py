@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.arguments import require_instance
-from trimmer.displacement import Body
+from trimmer.displacement import TrimmerBody
 from trimmer.errors import UnsupportedMotionError
 from trimmer.generated import linear_trimmer
 from trimmer.hybrid.taylor import DEGREE
@@ -29,7 +29,7 @@ NODES = DEGREE + 1
 """Points of Gauss and Legendre in a step: exact for products of two polynomials of that degree."""
 INTERVALS = 10_000
 """Steps that are integrated at once."""
-BODIES = len(Body)
+BODIES = len(TrimmerBody)
 
 
 @final
@@ -148,7 +148,7 @@ def _powers(loop: TrimmerLoop, C: Reals, at: _Sampled) -> Reals:
     force = loop.parameters.k2 * at.bridge
     if loop.channels is InputChannels.DISPLACEMENT_AND_VELOCITY:
         force = force + loop.parameters.c2 * at.bridge_rate
-    pin = force * (at.rate[Body.CUTTER.index] - at.rate[Body.MOTOR.index])
+    pin = force * (at.rate[TrimmerBody.CUTTER.index] - at.rate[TrimmerBody.MOTOR.index])
     return np.array(
         [pin, np.einsum("it,ij,jt->t", at.rate, C, at.rate), (at.forces * at.sliding).sum(axis=0)]
     )

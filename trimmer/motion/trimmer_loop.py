@@ -82,7 +82,9 @@ class TrimmerLoop(Loop):
             object.__setattr__(self, "element", adopted("element", self.element))
         if self.drive is not None:
             require_instance("drive", self.drive, Drive, "a trimmer.Drive")
-        frictions = require_instances("frictions", self.frictions, BodyFriction, "a trimmer.BodyFriction")
+        frictions = require_instances(
+            "frictions", self.frictions, BodyFriction, "a trimmer.motion.BodyFriction"
+        )
         object.__setattr__(self, "frictions", frictions)
 
     def _parts(self) -> tuple[object, ...]:

@@ -5,3 +5,7 @@ and ``measures`` fill. ``shooting`` is Newton's method on the ``return_map``; it
 the first harmonic or from a ``balanced_start`` on several, for which ``multi_harmonic_balance`` uses
 ``steady_response`` and ``trigonometric``.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -13,3 +13,7 @@ have the errors that ``estimate`` gives, and ``verdict`` says what it is, with t
 ``energy`` collect the results. ``simulate`` is the entry of plain simulation, ``motion`` its result, and
 ``starts`` reads where a motion begins.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

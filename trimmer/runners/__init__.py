@@ -1,1 +1,5 @@
 """Who does the work of many independent cells: this process, several, or a cluster."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

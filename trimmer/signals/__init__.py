@@ -8,3 +8,7 @@ what is done about them, with ``resample``, and a ``recording`` holds the stretc
 it. ``convert`` makes displacement, velocity and acceleration of one another, with ``noise_floor`` and
 ``omega_kernel``. ``write`` writes CSV and ``wav`` audio.
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -74,8 +74,8 @@ def read_recording(
 ) -> Recording:
     """Read all stretches of a signal from a CSV file; arguments and errors are those of ``read_signal``."""
     path = file_path("path", path)
-    require_instance("layout", layout, CsvLayout, "a trimmer.CsvLayout")
-    require_instance("sampling", sampling, Sampling, "a trimmer.Sampling")
+    require_instance("layout", layout, CsvLayout, "a trimmer.signals.CsvLayout")
+    require_instance("sampling", sampling, Sampling, "a trimmer.signals.Sampling")
     missing = MissingValues.chosen(missing, "missing")
     given = None if sample_rate is None else checked_rate(sample_rate)
     table = read_table(path, layout)

@@ -71,7 +71,7 @@ class Signal(Tabular):
             require_instance(name, getattr(self, name), str, "a text")
         whole_number("interpolated", self.interpolated, 0)
         whole_number("converted", self.converted)
-        require_instance("trusted", self.trusted, Band, "a trimmer.Band")
+        require_instance("trusted", self.trusted, Band, "a trimmer.signals.Band")
         if not real_number("full_scale", self.full_scale, self.unit) > 0:
             raise SignalError(f"full_scale is {self.full_scale!r}: it must be positive, or infinite")
         object.__setattr__(self, "notes", require_instances("notes", self.notes, str, "a text"))

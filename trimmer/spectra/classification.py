@@ -221,7 +221,7 @@ def classify(
     """
     _check(peaks, bin_width, drive_frequency, natural_frequencies, limit_cycle_frequencies)
     closed_loop = truth_value("closed_loop", closed_loop)
-    require_instance("tolerance", tolerance, Tolerance, "a trimmer.Tolerance")
+    require_instance("tolerance", tolerance, Tolerance, "a trimmer.spectra.Tolerance")
     modes: list[Origin] = [
         NaturalMode(number, frequency)
         for number, frequency in enumerate(natural_frequencies, start=1)
@@ -290,7 +290,7 @@ def _check(
     natural_frequencies: Sequence[float],
     limit_cycle_frequencies: Sequence[float],
 ) -> None:
-    require_instances("peaks", peaks, Peak, "a trimmer.Peak")
+    require_instances("peaks", peaks, Peak, "a trimmer.spectra.Peak")
     require_positive("bin width", bin_width)
     if drive_frequency is not None:
         require_positive("frequency of the drive", drive_frequency)

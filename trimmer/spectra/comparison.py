@@ -183,7 +183,7 @@ def compare_motions(
         WrongTypeError: if an argument is of another type.
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
-    require_instance("simulated", simulated, SimulatedLines, "a trimmer.SimulatedLines")
+    require_instance("simulated", simulated, SimulatedLines, "a trimmer.spectra.SimulatedLines")
     if signal.quantity is Quantity.OTHER:
         raise SignalError(
             f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "

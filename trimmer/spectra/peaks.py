@@ -99,9 +99,9 @@ def peaks(
     Raises:
         SignalError: if limit, smallest or false_alarm is out of its range.
     """
-    require_instance("spectrum", spectrum, Spectrum, "a trimmer.Spectrum")
+    require_instance("spectrum", spectrum, Spectrum, "a trimmer.spectra.Spectrum")
     _check(limit, smallest, false_alarm)
-    require_instance("band", band, Band, "a trimmer.Band")
+    require_instance("band", band, Band, "a trimmer.signals.Band")
     threshold = _threshold(spectrum, spectrum.amplitude, smallest, false_alarm)
     lines = _lines_above(threshold, spectrum, NONE)
     while lines.bins.size and (crowded := _crowded(spectrum, lines)).any():

@@ -25,8 +25,8 @@ from report.thesis import (
     SAMPLE_RATE,
     TABLE_2,
 )
-from trimmer import Spectrum, Window, amplitude_spectrum
 from trimmer.arrays import Reals
+from trimmer.spectra import Spectrum, Window, amplitude_spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,8 +11,8 @@ import sympy
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from trimmer import encirclements
 from trimmer.arrays import Reals
+from trimmer.linear import encirclements
 
 CUBIC_SAMPLES, VAN_DER_POL_SAMPLES = 4096, 512
 """Samples of a period of the cubic spring's input, and of Van der Pol's limit cycle."""

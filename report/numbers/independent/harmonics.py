@@ -15,8 +15,10 @@ import numpy as np
 from report.numbers.friction_in_place import force_response
 from report.numbers.record import line_amplitudes
 from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA, TURN
-from trimmer import Body, Element, FrictionBacklash, TrimmerParameters, response_at
+from trimmer import FrictionBacklash, TrimmerParameters, response_at
 from trimmer.arrays import Complexes, Reals
+from trimmer.elements import Element
+from trimmer.thesis import TrimmerBody
 
 BY_THE_PIN = np.array([-1.0, 1.0, 0.0, 0.0])
 """Directions of the forces that a displacement of the pin makes on the bodies, per unit of k2."""
@@ -90,9 +92,9 @@ def guard_over_cutter(parameters: TrimmerParameters, gap: float, force: float) -
         spring = (parameters.k2 + 1j * omega * parameters.c2) * lines[order]
         by_pin = abs(displacements(parameters, omega, spring * BY_THE_PIN))
         by_friction = abs(displacements(parameters, omega, 4 * force / math.pi * BY_FRICTION))
-        guard += float((by_pin + by_friction)[Body.GUARD.index])
-        own = float(by_pin[Body.CUTTER.index])
-        cutter += (own if order == 1 else -own) - float(by_friction[Body.CUTTER.index])
+        guard += float((by_pin + by_friction)[TrimmerBody.GUARD.index])
+        own = float(by_pin[TrimmerBody.CUTTER.index])
+        cutter += (own if order == 1 else -own) - float(by_friction[TrimmerBody.CUTTER.index])
     return guard / cutter
 
 

@@ -12,8 +12,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TURN
-from trimmer import InputChannels, TrimmerParameters, filtering_ratio, linear_model, pin_model, time_response
+from trimmer import TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
+from trimmer.linear import InputChannels, filtering_ratio, time_response
 
 ROUNDING = 1e-10
 """Singular value below which a matrix with entries of order one has no full rank."""

@@ -10,15 +10,9 @@ import numpy as np
 from matplotlib.path import Path
 
 from report.thesis import PLOT_OFFSET
-from trimmer import (
-    Element,
-    FrictionBacklash,
-    InertiaBacklash,
-    LimitCycle,
-    ViscousBacklash,
-    response_at,
-)
+from trimmer import FrictionBacklash, InertiaBacklash, LimitCycle, ViscousBacklash, response_at
 from trimmer.arrays import Complexes
+from trimmer.elements import Element
 
 GRID = np.geomspace(1, 1e6, 20_000)
 FINE_GRID = np.geomspace(100, 1e5, 40_001)

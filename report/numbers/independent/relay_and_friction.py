@@ -9,17 +9,8 @@ import sympy
 from derivations.symbols import s
 from report.numbers.linear_numbers import LinearNumbers
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from trimmer import (
-    ClosedLoop,
-    Drive,
-    InputChannels,
-    OpenLoop,
-    Relay,
-    TrimmerParameters,
-    pin_model,
-    response_at,
-    simulate,
-)
+from trimmer import ClosedLoop, Drive, OpenLoop, Relay, TrimmerParameters, pin_model, response_at, simulate
+from trimmer.linear import InputChannels
 
 SETTLED_AFTER = 60
 """Periods of the drive after which the open loop with a relay is settled."""

@@ -10,7 +10,8 @@ import numpy as np
 import sympy
 
 from derivations.elements.waveform import THETA, Segment, Waveform
-from trimmer import Element, response_at
+from trimmer import response_at
+from trimmer.elements import Element
 
 DIGITS = 30
 PHASES = 2**15

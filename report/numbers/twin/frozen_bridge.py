@@ -15,8 +15,9 @@ from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.record import change, harmonics
 from report.numbers.twin.mechanism import FREQUENCY
 from report.thesis import DRIVE_AMPLITUDE
-from trimmer import Body, Drive, FrictionBacklash, TrimmerLoop, TrimmerParameters, simulate
+from trimmer import Drive, FrictionBacklash, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
+from trimmer.thesis import TrimmerBody
 
 PHASES: Final = 8192
 """Samples of a drive period."""
@@ -103,7 +104,7 @@ def frozen_bridge(gap: float, force: float, frequency: float = FREQUENCY) -> Fro
     )
     motion = simulate(loop, (PERIODS + 0.01) * drive.period)
     times = drive.period * (PERIODS - 2 + np.arange(2 * PHASES) / PHASES)
-    q1, q2, _, q4 = (motion.state(times)[body.index] for body in Body)
+    q1, q2, _, q4 = (motion.state(times)[body.index] for body in TrimmerBody)
     before, stroke = (q2 - q4).reshape(2, PHASES)
     q1, q2, bridge = (each[PHASES:] for each in (q1, q2, motion.element_output(times)))
     follows = _rate(q1 - q2, drive.omega) + _bridge_rate(bridge, drive, times[PHASES:])

@@ -12,7 +12,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from trimmer import TrimmerError, write_atomically
+from trimmer import TrimmerError
+from trimmer.files import write_atomically
 
 FOLDER: Final = Path(__file__).parents[2] / "data" / "twin"
 REMEDY: Final = "run `make maps`, look at what changes in the report, and commit the file"

@@ -15,9 +15,11 @@ from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displa
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps
 from report.parts import so
 from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
-from trimmer import Body, real_axis_crossings, response_at
+from trimmer import response_at
+from trimmer.linear import real_axis_crossings
+from trimmer.thesis import TrimmerBody
 
-CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
+CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index
 
 
 def test_a_second_way_that_leads_elsewhere_stops_the_judgement(inventory):

@@ -7,9 +7,10 @@ import pytest
 from scipy.optimize import fsolve
 
 from report.numbers.friction_in_place import force_response, friction_branch
-from trimmer import InputChannels, TrimmerParameters, pin_model, response_at
+from trimmer import TrimmerParameters, pin_model, response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.linear import InputChannels
 
 OMEGA = 2 * math.pi * np.array([37.0, 222.0, 355.0, 551.0, 734.0, 2000.0])
 

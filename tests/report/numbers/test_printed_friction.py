@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from report.numbers.driven_motion import FORCES
 from trimmer import linear_model
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, TrimmerBody
 
 BRACKET = (2 * math.pi * 530, 2 * math.pi * 570)
 
@@ -37,8 +37,8 @@ def test_amplitude_and_frequency_are_those_of_harmonic_balance(runs, evidence):
     parameters = evidence.numbers.parameters
     model = linear_model(parameters)
     column = np.zeros((8, 1))
-    column[4 + Body.CUTTER.index] = 1 / parameters.m2
-    column[4 + Body.MOTOR.index] = -1 / parameters.m1
+    column[4 + TrimmerBody.CUTTER.index] = 1 / parameters.m2
+    column[4 + TrimmerBody.MOTOR.index] = -1 / parameters.m1
     sliding = np.array([[0, 0, 0, 0, -1.0, 1.0, 0, 0]])
     mobility = control.ss(model.A, column, sliding, 0)
     omega = brentq(lambda value: mobility(1j * value).imag, *BRACKET)

@@ -7,8 +7,9 @@ import pytest
 
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
 from report.thesis import EXPERIMENT_GAP, LARGEST_GAP
-from trimmer import InputChannels, pin_model
+from trimmer import pin_model
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer.linear import InputChannels
 from trimmer.orbits.periodic_orbits import periodic_orbits
 
 

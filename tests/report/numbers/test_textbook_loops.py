@@ -15,7 +15,8 @@ from report.numbers.textbook_loops import (
     growing_poles,
     relay_loop,
 )
-from trimmer import encirclements, response_at
+from trimmer import response_at
+from trimmer.linear import encirclements
 
 
 def test_the_relay_loop_has_the_limit_cycle_of_its_closed_form():

@@ -12,7 +12,6 @@ from trimmer import (
     CoulombFriction,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     TrimmerParameters,
     ViscousBacklash,
     limit_cycles,
@@ -22,6 +21,7 @@ from trimmer import (
     response_at,
     transfer_function,
 )
+from trimmer.linear import InputChannels
 
 pytestmark = pytest.mark.octave
 THESIS = TrimmerParameters.thesis()

@@ -9,14 +9,8 @@ import subprocess
 import pytest
 
 from report.octave.archive import files, write_files
-from trimmer import (
-    FrictionBacklash,
-    InputChannels,
-    TrimmerParameters,
-    limit_cycles,
-    modes,
-    transfer_function,
-)
+from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, modes, transfer_function
+from trimmer.linear import InputChannels
 
 pytestmark = pytest.mark.octave
 THESIS = TrimmerParameters.thesis()

@@ -14,15 +14,9 @@ from report.explorable.script import script
 from report.folders import templates
 from report.numbers.linear_numbers import exact_values
 from tests.report.rendering.page_checks import opened
-from trimmer import (
-    InputChannels,
-    TrimmerParameters,
-    ViscousBacklash,
-    limit_cycles,
-    response_at,
-    transfer_function,
-)
+from trimmer import TrimmerParameters, ViscousBacklash, limit_cycles, response_at, transfer_function
 from trimmer.elements.backlashes.contact_equation import steady_motion
+from trimmer.linear import InputChannels
 
 CLOSE = 1e-12
 PARAMETERS = TrimmerParameters.thesis()

@@ -14,7 +14,8 @@ from report.robustness.page import robustness
 from report.robustness.predictions import QUANTITIES, predict
 from report.robustness.printed_parameters import PRINTED, left_open, significant_digits
 from report.robustness.variation import SHARE, random_parameters
-from trimmer import FrictionBacklash, InputChannels, TrimmerParameters, limit_cycles, transfer_function
+from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, transfer_function
+from trimmer.linear import InputChannels
 
 THESIS = TrimmerParameters.thesis()
 LOOP = InputChannels.DISPLACEMENT_ONLY

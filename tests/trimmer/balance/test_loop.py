@@ -8,8 +8,9 @@ import control
 import pytest
 
 from tests.trimmer.balance.loops import THIRD_ORDER
-from trimmer import Relay, UnsupportedSystemError, limit_cycles
+from trimmer import Relay, limit_cycles
 from trimmer.balance.loop import inverse_response
+from trimmer.linear import UnsupportedSystemError
 
 
 def test_the_same_system_is_factored_once() -> None:

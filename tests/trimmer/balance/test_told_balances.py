@@ -10,17 +10,16 @@ import pytest
 
 from tests.trimmer.balance.loops import THIRD_ORDER, s
 from trimmer import (
-    Certificate,
-    Element,
     FrictionBacklash,
     HarmonicBalance,
     LimitCycle,
     Relay,
-    UndecidedRegion,
     ViscousBacklash,
     ViscousFriction,
     harmonic_balance,
 )
+from trimmer.balance import Certificate, UndecidedRegion
+from trimmer.elements import Element
 
 REGION = UndecidedRegion((1.0, 2.0), (3.0, 4.0))
 CERTIFICATE = Certificate("by hand", (1.0, 9.0), True, 12, (), 0.0, 1, 1, False)

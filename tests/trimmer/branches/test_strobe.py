@@ -11,16 +11,8 @@ import pytest
 from tests.mechanisms.shifted_phases import differences_of_branches, shifted, state_at
 from tests.trimmer.branches.bouncing_ball import ball, damping, fold, resting, thrown
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer import (
-    FollowSettings,
-    LocusRanges,
-    LocusSettings,
-    Mechanism,
-    SpecialKind,
-    follow,
-    follow_special,
-    forced_orbit,
-)
+from trimmer import FollowSettings, Mechanism, SpecialKind, follow, follow_special, forced_orbit
+from trimmer.branches import LocusRanges, LocusSettings
 from trimmer.mechanism.parts import ContactLaw
 
 QUIET, LOCUS = FollowSettings(quiet=True), LocusSettings(quiet=True)

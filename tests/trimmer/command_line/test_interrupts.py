@@ -95,12 +95,12 @@ def test_a_search_for_orbits_tells_what_it_found(capsys) -> None:
 
 def test_the_orbits_found_are_kept() -> None:
     loop = trimmer.ClosedLoop(trimmer.pin_model(THESIS), trimmer.InertiaBacklash(4e-5))
-    search = trimmer.OrbitSearch(trimmer.Simulations.ALWAYS)
+    search = trimmer.OrbitSearch(trimmer.orbits.Simulations.ALWAYS)
     whole = trimmer.periodic_orbits(loop, search=search)
     with (
         Interrupter(200, "orbits/settling").at_work(),
         pytest.raises(
-            trimmer.OrbitSearchInterrupted, match="periodic orbits found; the search was"
+            trimmer.orbits.OrbitSearchInterrupted, match="periodic orbits found; the search was"
         ) as caught,
     ):
         trimmer.periodic_orbits(loop, search=search)
@@ -142,14 +142,14 @@ def test_a_motion_is_known_until_then() -> None:
     with (
         interrupted_after(0.3),
         pytest.raises(
-            trimmer.SimulationInterrupted, match=r"interrupted after \d\S* s of the motion"
+            trimmer.motion.SimulationInterrupted, match=r"interrupted after \d\S* s of the motion"
         ) as caught,
     ):
         trimmer.simulate(loop, 1e5)
     motion = caught.value.motion
     assert isinstance(caught.value, KeyboardInterrupt)
     assert (motion.outcome, motion.success, motion.message) == (
-        trimmer.Outcome.INTERRUPTED,
+        trimmer.motion.Outcome.INTERRUPTED,
         False,
         "interrupted",
     )

@@ -50,7 +50,9 @@ def printed(folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
 
 def test_the_linear_trimmer(printed) -> None:
     content = printed("linear", "--output", "q1", "--channels", "displacement", "--json")
-    summary = trimmer.summarise(THESIS, trimmer.Displacement.parse("q1"), InputChannels.DISPLACEMENT_ONLY)
+    summary = trimmer.summarise(
+        THESIS, trimmer.thesis.Displacement.parse("q1"), InputChannels.DISPLACEMENT_ONLY
+    )
     assert content["parameters"] == vars(THESIS)
     assert [complex(*mode["eigenvalue"]) for mode in content["modes"]] == [
         mode.eigenvalue for mode in summary.modes

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from trimmer import TrimmerParameters, linear_matrices, modes
+from trimmer import TrimmerParameters, modes
 from trimmer.design.design_file import DesignFile
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import Contacts, linear_states
+from trimmer.mechanism import linear_matrices
 
 
 def test_the_linear_trimmer_has_the_modes_of_its_other_model(linear_file: DesignFile) -> None:

@@ -94,7 +94,7 @@ def calm() -> trimmer.HarmonicBalance:
 
 
 @cache
-def peaks() -> trimmer.SpectrumAnalysis:
+def peaks() -> trimmer.spectra.SpectrumAnalysis:
     """Lines of all origins, by falling amplitude."""
     times = np.arange(4000) / 4000.0
     frequencies = [100.0, 103.0, 200.0, 310.0, 400.0, 554.3, 600.0, 700.0, 800.0]
@@ -107,7 +107,7 @@ def peaks() -> trimmer.SpectrumAnalysis:
 
 
 @cache
-def dying() -> trimmer.SpectrumAnalysis:
+def dying() -> trimmer.spectra.SpectrumAnalysis:
     """Of a vibration that dies out."""
     times = np.arange(4000) / 4000.0
     signal = trimmer.Signal(np.exp(-5.0 * times) * np.sin(2 * np.pi * 200.0 * times), 4000.0)

@@ -37,7 +37,7 @@ def test_limit_cycles_lie_on_both_curves_full_where_stable() -> None:
 
 
 @pytest.mark.parametrize("element", [results.PLAY, RELAY], ids=repr)
-def test_a_describing_function_is_drawn_with_its_phase(element: trimmer.Element) -> None:
+def test_a_describing_function_is_drawn_with_its_phase(element: trimmer.elements.Element) -> None:
     axes = element.plot(new_axes())
     (magnitude,) = axes.lines
     (phases,) = (each for each in axes.figure.axes if each is not axes)
@@ -49,7 +49,7 @@ def test_a_describing_function_is_drawn_with_its_phase(element: trimmer.Element)
 
 
 @pytest.mark.parametrize("element", [results.PLAY, RELAY], ids=repr)
-def test_the_arrow_of_a_locus_points_to_larger_amplitudes(element: trimmer.Element) -> None:
+def test_the_arrow_of_a_locus_points_to_larger_amplitudes(element: trimmer.elements.Element) -> None:
     axes = element.plot_locus(new_axes())
     (arrow,) = axes.texts
     curve = axes.lines[0]

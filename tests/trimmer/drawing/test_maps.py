@@ -165,7 +165,7 @@ def test_motions_of_a_basin_have_colours_in_turn_but_for_those_that_do_not_repea
     values = (tuple(range(1, 11)), (8.0, 9.0))
     result = drawn_map(values, kinds)
     motions = tuple(cell.motions[0] for cell in result.cells[:10])
-    basin = trimmer.Basin(result, motions, np.tile(np.arange(10), (2, 1)))
+    basin = trimmer.maps.Basin(result, motions, np.tile(np.arange(10), (2, 1)))
     shown = list(patches(basin.plot(new_axes())).values())
     colours = [to_hex(each.get_facecolor()) for each in shown]
     looks = [(colour, each.get_hatch()) for colour, each in zip(colours, shown, strict=True)]

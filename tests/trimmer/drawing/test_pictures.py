@@ -15,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import trimmer
+from tests.public_names import public_names
 from tests.trimmer import results
 from tests.trimmer.command_line.alike import NUMBER
 from tests.trimmer.drawing.pictures import FIGURES, PLOTS, SAMPLED, in_words, kept, new_axes, pictures
@@ -56,9 +57,9 @@ def test_a_picture_is_what_it_was(name: str) -> None:
 
 
 def test_all_public_results_with_a_plot_are_drawn() -> None:
-    public = {name: getattr(trimmer, name) for name in trimmer.__all__}
+    public = public_names()
     with_plot = {name for name, each in public.items() if isinstance(each, type) and hasattr(each, "plot")}
-    elements = {name for name in with_plot if issubclass(public[name], trimmer.Element)}
+    elements = {name for name in with_plot if issubclass(public[name], trimmer.elements.Element)}
     assert with_plot - elements <= {name.split(",")[0] for name in PLOTS}
     assert len(elements) > 5
     assert list(kept()) == list(pictures())
@@ -161,7 +162,7 @@ def test_a_file_has_all_panels_and_names(
 
 def test_lines_are_told_apart_without_their_colours(tmp_path: Path) -> None:
     """Each of six lines has dashes of its own, the first has none."""
-    response = trimmer.TimeResponse(np.arange(3.0), np.ones((5, 3)), np.ones((1, 3)), np.ones((1, 3)))
+    response = trimmer.linear.TimeResponse(np.arange(3.0), np.ones((5, 3)), np.ones((1, 3)), np.ones((1, 3)))
     axes = response.plot(new_axes())
     assert [each.get_linestyle() for each in axes.lines] == ["-", *(5 * ["--"])]
     axes.figure.savefig(tmp_path / "a.svg")

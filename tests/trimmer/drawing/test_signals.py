@@ -71,7 +71,7 @@ def test_many_samples_keep_their_extremes(count: int) -> None:
 
 def test_signals_of_a_response_are_drawn_by_their_names() -> None:
     system = control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2)))
-    response = trimmer.time_response(system, np.linspace(0, 1, 5), np.ones((2, 5)))
+    response = trimmer.linear.time_response(system, np.linspace(0, 1, 5), np.ones((2, 5)))
     axes = response.plot(new_axes())
     assert [each.get_label() for each in axes.lines] == ["input 1", "input 2", "output 1", "output 2"]
     for line, values in zip(axes.lines, response.named.values(), strict=True):
@@ -93,7 +93,7 @@ def test_each_peak_is_marked_once_and_the_largest_are_written_apart() -> None:
 @pytest.mark.parametrize("count", [8000, 8001, 30_000])
 def test_an_outline_of_many_bins_has_the_largest_of_each_block(count: int) -> None:
     values = np.random.default_rng(2).normal(size=count)
-    spectrum = trimmer.amplitude_spectrum(values, 1000.0)
+    spectrum = trimmer.spectra.amplitude_spectrum(values, 1000.0)
     frequency, amplitude = spectrum.plot(new_axes()).lines[0].get_data()
     assert frequency.size == 4000 if count == 8000 else 2000 <= frequency.size <= 4000
     begins = np.searchsorted(spectrum.frequency, frequency)

@@ -10,17 +10,16 @@ import pytest
 from trimmer import (
     CoulombFriction,
     DeadZone,
-    Element,
     FrictionBacklash,
     InertiaBacklash,
     Preload,
     Relay,
     Saturation,
     StaticElement,
-    SumOfElements,
     ViscousBacklash,
     ViscousFriction,
 )
+from trimmer.elements import Element, SumOfElements
 
 BACKLASH = ViscousBacklash(4e-5, 2e-3)
 LOOP, REST = Relay(3.0, hysteresis=1e-5), Relay(0.2, 1e-5, 4e-5)

@@ -10,21 +10,18 @@ import pytest
 
 from trimmer import (
     ClosedLoop,
-    ControlElement,
     DeadZone,
-    Element,
     FrictionBacklash,
     OpenLoop,
     Preload,
     Relay,
     Saturation,
-    ScaledElement,
-    SumOfElements,
-    UnsupportedElementError,
     WrongTypeError,
     harmonic_balance,
     harmonic_leakage,
 )
+from trimmer.elements import ControlElement, Element, ScaledElement, SumOfElements
+from trimmer.errors import UnsupportedElementError
 
 PLANT = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 PAIRS = (

@@ -10,14 +10,12 @@ import scipy.special
 from trimmer import (
     ClosedLoop,
     DeadZone,
-    Element,
     OwnElement,
     Preload,
     Relay,
     Saturation,
     StaticElement,
     UndecidedWarning,
-    UnsupportedElementError,
     UnsupportedMotionError,
     ViscousBacklash,
     WrongTypeError,
@@ -25,6 +23,8 @@ from trimmer import (
     limit_cycles,
     simulate,
 )
+from trimmer.elements import Element
+from trimmer.errors import UnsupportedElementError
 
 PLANT = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 

@@ -12,7 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mpc, mpf
 
-from trimmer import DeadZone, Element, Preload, Relay, Saturation
+from trimmer import DeadZone, Preload, Relay, Saturation
+from trimmer.elements import Element
 
 POINTS = [
     (1.0 + 2.0**-40, 1),

@@ -8,8 +8,9 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 
-from trimmer import FrictionBacklash, ParameterError, TrimmerParameters, limit_cycles, pin_model
+from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
 from trimmer.ensembles.limit_cycles import BLOCK, sampled_limit_cycles
+from trimmer.thesis import ParameterError
 
 THESIS = asdict(TrimmerParameters.thesis())
 

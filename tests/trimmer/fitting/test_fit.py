@@ -10,9 +10,11 @@ import pytest
 from scipy.stats import binom
 
 from tests.trimmer.fitting.made import exact, record, trimmer
-from trimmer import Fit, FitSettings, Mechanism, Signal, SignalError, fit_mechanism
+from trimmer import Mechanism, Signal, fit_mechanism
 from trimmer.errors import FitError, WrongTypeError
+from trimmer.fitting import Fit, FitSettings
 from trimmer.mechanism import Friction, Output
+from trimmer.signals import SignalError
 
 GAP, DAMPING, FORCE = "plays.bridge.gap", "plays.bridge.damping", "frictions.blade.force"
 TRUE = {GAP: 40e-6, "plays.bridge.stiffness": 30e3, DAMPING: 0.4, FORCE: 1.0}

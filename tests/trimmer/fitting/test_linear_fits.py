@@ -10,8 +10,9 @@ import pytest
 from scipy.optimize import brentq, least_squares
 from scipy.stats import f
 
-from trimmer import Fit, FitSettings, Mechanism, Signal, fit_mechanism
+from trimmer import Mechanism, Signal, fit_mechanism
 from trimmer.errors import FitError
+from trimmer.fitting import Fit, FitSettings
 from trimmer.mechanism import Body, Force, Link, Output
 
 DRIVE, RATE, COUNT, BEGIN = 20.0, 1000.0, 2000, 0.00723

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, exact_response, trimmers
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Body, Displacement
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, TrimmerBody
 from trimmer.errors import WrongTypeError
 from trimmer.generated import linear_trimmer
 from trimmer.linear.model import (
@@ -26,7 +26,7 @@ from trimmer.linear.model import (
 from trimmer.parameters import ParameterError, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
-OUTPUTS = (*map(Displacement, Body), *(Displacement(*pair) for pair in permutations(Body, 2)))
+OUTPUTS = (*map(Displacement, TrimmerBody), *(Displacement(*pair) for pair in permutations(TrimmerBody, 2)))
 CHANNELS = tuple(InputChannels)
 OMEGAS = (10.0, 628.3, 1400.0, 2230.0, 3453.0, 7160.0, 1e5)
 

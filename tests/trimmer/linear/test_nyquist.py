@@ -10,7 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import stable_systems
-from trimmer.displacement import Body, Displacement
+from trimmer.displacement import Displacement, TrimmerBody
 from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.model import InputChannels, pin_model, transfer_function
@@ -18,7 +18,7 @@ from trimmer.linear.nyquist import PointOnLocusError, encirclements
 from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
-CUTTER = Displacement(Body.CUTTER)
+CUTTER = Displacement(TrimmerBody.CUTTER)
 POINTS = st.sampled_from([-30.0, -2.0, -1.0, -0.3, 0.4, 3.0])
 
 

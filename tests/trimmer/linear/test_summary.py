@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import trimmers
-from trimmer.displacement import Body, Displacement
+from trimmer.displacement import Displacement, TrimmerBody
 from trimmer.linear.crossings import gain_crossings, real_axis_crossings
 from trimmer.linear.extrema import antiresonances, resonance_peaks
 from trimmer.linear.frequency_response import UnsupportedSystemError
@@ -44,7 +44,7 @@ def test_the_summary_says_what_the_state_space_says(channels: InputChannels) -> 
 def test_the_summary_follows_the_cutter_from_the_guard_by_both_channels_unless_told() -> None:
     summary = summarise(THESIS)
     assert (summary.output.label, summary.channels) == ("q2-q4", InputChannels.DISPLACEMENT_AND_VELOCITY)
-    assert summarise(THESIS, "q3", "displacement").output == Displacement(Body(3))
+    assert summarise(THESIS, "q3", "displacement").output == Displacement(TrimmerBody(3))
 
 
 def test_a_pin_that_touches_nothing_is_an_error() -> None:
@@ -59,11 +59,11 @@ def test_without_a_gain_at_zero_frequency_there_is_no_bandwidth() -> None:
 def test_a_free_trimmer_has_a_gain_at_zero_frequency() -> None:
     """Its rigid-body motion is a double pole at 0 that the pin, an inner force, does not excite."""
     free = dataclasses.replace(THESIS, k1=0.0, c1=0.0, k3=0.0, c3=0.0, k5=0.0)
-    summary = summarise(free, Displacement(Body.CUTTER, Body.MOTOR))
+    summary = summarise(free, Displacement(TrimmerBody.CUTTER, TrimmerBody.MOTOR))
     assert summary.factored.static_gain == pytest.approx(1.0, rel=1e-9)
 
 
-@given(trimmers(), st.sampled_from(list(Body)), st.sampled_from(list(InputChannels)))
+@given(trimmers(), st.sampled_from(list(TrimmerBody)), st.sampled_from(list(InputChannels)))
 @settings(max_examples=30)
 def test_any_trimmer_can_be_summarised(parameters, body, channels) -> None:
     summary = summarise(parameters, Displacement(body), channels)

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from trimmer.displacement import Body, Displacement
+from trimmer.displacement import Displacement, TrimmerBody
 from trimmer.generated import linear_trimmer
 from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear.in_time import steady_state, time_response
 from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
-from trimmer.linear.time_response import steady_state, time_response
 from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
@@ -79,7 +79,7 @@ def test_without_asymptotic_stability_there_is_no_steady_state(denominator: list
 
 
 def test_several_outputs_are_rows() -> None:
-    model = linear_model(THESIS, [Displacement(Body.CUTTER), Displacement(Body.GUARD)])
+    model = linear_model(THESIS, [Displacement(TrimmerBody.CUTTER), Displacement(TrimmerBody.GUARD)])
     times = np.linspace(0, 0.01, 101)
     response = time_response(model, times, np.ones((2, times.size)))
     assert response.outputs.shape == (2, 101)

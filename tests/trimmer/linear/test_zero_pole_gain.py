@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import stable_systems, trimmers
-from trimmer.displacement import Body, Displacement
+from trimmer.displacement import Displacement, TrimmerBody
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.model import InputChannels, pin_model, transfer_function
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
@@ -17,8 +17,8 @@ THESIS = TrimmerParameters.thesis()
 
 
 @pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("body", Body)
-def test_both_forms_of_the_trimmer_have_the_same_factors(body: Body, channels: InputChannels) -> None:
+@pytest.mark.parametrize("body", TrimmerBody)
+def test_both_forms_of_the_trimmer_have_the_same_factors(body: TrimmerBody, channels: InputChannels) -> None:
     output = Displacement(body)
     from_states = ZeroPoleGain.of(pin_model(THESIS, output, channels))
     from_polynomials = ZeroPoleGain.of(transfer_function(THESIS, output, channels))

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from trimmer import ContactLaw, Mechanism, TrimmerParameters, linear_matrices
-from trimmer.mechanism import Friction, Link, Play
+from trimmer import ContactLaw, Mechanism, TrimmerParameters
+from trimmer.mechanism import Friction, Link, Play, linear_matrices
 
 FOLDER = Path(__file__).parents[3]
 EXAMPLES = sorted((FOLDER / "examples").glob("*.toml"))

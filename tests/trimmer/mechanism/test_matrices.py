@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from tests.trimmer.mechanism.mechanisms import mechanisms
 from tests.trimmer.trimmers import trimmers
-from trimmer import Mechanism, TrimmerParameters, WrongTypeError, linear_matrices, linear_model
-from trimmer.mechanism import Body, Force, Friction, Link, Pin
+from trimmer import Mechanism, TrimmerParameters, WrongTypeError, linear_model
+from trimmer.mechanism import Body, Force, Friction, Link, Pin, linear_matrices
 from trimmer.mechanism.matrices import displacement_rows
 
 

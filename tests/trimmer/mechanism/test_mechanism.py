@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.mechanism.mechanisms import mechanisms
-from trimmer import ContactLaw, Mechanism, MechanismError, WrongTypeError, linear_matrices
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer import ContactLaw, Mechanism, MechanismError, WrongTypeError
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop, linear_matrices
 
 BODIES = {"a": Body(1.0), "b": Body(2.0)}
 LINK = Link(("a", "b"), 3.0)

@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trimmer import Mechanism, MechanismError, ParameterError, TrimmerParameters
+from trimmer import Mechanism, MechanismError, TrimmerParameters
+from trimmer.thesis import ParameterError
 
 GOOD = """\
 frequency = 110.0

@@ -8,12 +8,10 @@ import control
 import pytest
 
 from trimmer import (
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
     Drive,
     FrictionBacklash,
-    IllPosedLoopError,
     OpenLoop,
     Relay,
     TrimmerError,
@@ -25,6 +23,8 @@ from trimmer import (
 )
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD
 from trimmer.elements.element import Element
+from trimmer.errors import IllPosedLoopError
+from trimmer.motion import BodyFriction
 
 THESIS = TrimmerParameters.thesis()
 LOOP = TrimmerLoop(THESIS, FrictionBacklash(4e-5))

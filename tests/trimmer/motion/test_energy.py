@@ -10,16 +10,11 @@ import numpy as np
 import pytest
 
 from trimmer import (
-    Body,
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
-    Displacement,
     Drive,
-    EnergyBalance,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     TrimmerLoop,
     TrimmerParameters,
     UnsupportedMotionError,
@@ -28,12 +23,15 @@ from trimmer import (
     energy_balance,
     simulate,
 )
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction, EnergyBalance
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 SOFT = replace(THESIS, k1=4e4, k5=3e5, m2=0.004, c2=0.2)
 DRIVE = Drive(1.5e-3, 2 * math.pi * 110, phase=0.3)
-BLADES = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(2.0))
-GUARD = BodyFriction(Displacement(Body.GUARD), CoulombFriction(0.3) + ViscousFriction(0.2))
+BLADES = BodyFriction(Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), CoulombFriction(2.0))
+GUARD = BodyFriction(Displacement(TrimmerBody.GUARD), CoulombFriction(0.3) + ViscousFriction(0.2))
 ONE_CHANNEL = InputChannels.DISPLACEMENT_ONLY
 
 LOOPS = {
@@ -94,9 +92,9 @@ def test_rounding_is_not_compared_with_rounding(element: FrictionBacklash | None
     frictions = tuple(
         BodyFriction(Displacement(*bodies), CoulombFriction(force))
         for *bodies, force in (
-            (Body.HOUSING, 1.0),
-            (Body.MOTOR, Body.CUTTER, 71.0),
-            (Body.CUTTER, Body.GUARD, 62.0),
+            (TrimmerBody.HOUSING, 1.0),
+            (TrimmerBody.MOTOR, TrimmerBody.CUTTER, 71.0),
+            (TrimmerBody.CUTTER, TrimmerBody.GUARD, 62.0),
         )
     )
     loop = TrimmerLoop(THESIS, element, DRIVE, frictions=frictions, channels=ONE_CHANNEL)

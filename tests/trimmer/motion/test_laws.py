@@ -14,25 +14,26 @@ from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import trimmers
 from trimmer import (
-    Body,
-    BodyFriction,
     CoulombFriction,
-    Displacement,
     Drive,
     FrictionBacklash,
-    InputChannels,
     Motion,
-    Outcome,
     TrimmerLoop,
     TrimmerParameters,
     ViscousBacklash,
     ViscousFriction,
     simulate,
 )
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction, Outcome
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 GAP, AMPLITUDE, OMEGA, FORCE, IMPULSE = 2e-4, 1.5e-3, 2 * math.pi * 110, 2.0, 1e-6
-BLADES, SHELL = Displacement(Body.CUTTER, Body.GUARD), Displacement(Body.HOUSING, Body.GUARD)
+BLADES, SHELL = (
+    Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD),
+    Displacement(TrimmerBody.HOUSING, TrimmerBody.GUARD),
+)
 TAUS = st.sampled_from([0.0, 1e-6, 1e-3, math.inf])
 CHANNELS = st.sampled_from(InputChannels)
 

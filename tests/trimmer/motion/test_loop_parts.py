@@ -11,21 +11,13 @@ import pytest
 import tqdm
 
 from trimmer import (
-    Body,
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
-    Displacement,
     Drive,
-    Element,
     FrictionBacklash,
-    IllPosedLoopError,
     InertiaBacklash,
-    InputChannels,
     OpenLoop,
-    Outcome,
     Relay,
-    SimulationInterrupted,
     TrimmerLoop,
     TrimmerParameters,
     UnsupportedMotionError,
@@ -34,6 +26,11 @@ from trimmer import (
     WrongTypeError,
     simulate,
 )
+from trimmer.elements import Element
+from trimmer.errors import IllPosedLoopError
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction, Outcome, SimulationInterrupted
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 SYSTEM = control.ss([[0.0, 1.0], [-4.0, -0.5]], [[3.0], [7.0]], [[0.6, 0.0]], 0)
@@ -41,7 +38,7 @@ ELEMENT = 2.0 * FrictionBacklash(0.1) + 3.0 * ViscousFriction(0.4)
 DRIVE = Drive(0.3, 5.0, 0.2)
 GAP = 4e-5
 BLADES = BodyFriction("q2-q4", 3.0 * CoulombFriction(0.5) + ViscousFriction(0.2))
-MOUNT = BodyFriction(Displacement(Body.MOTOR), CoulombFriction(0.7))
+MOUNT = BodyFriction(Displacement(TrimmerBody.MOTOR), CoulombFriction(0.7))
 
 
 @pytest.mark.parametrize(
@@ -84,7 +81,7 @@ def test_a_trimmer_shows_its_parts_and_names_its_components() -> None:
     [
         ({"element": 3.0}, "element"),
         ({"drive": 3.0}, "drive .*a trimmer.Drive"),
-        ({"frictions": (MOUNT, 3.0)}, "frictions.*a trimmer.BodyFriction"),
+        ({"frictions": (MOUNT, 3.0)}, "frictions.*a trimmer.motion.BodyFriction"),
         ({"parameters": 3.0}, "parameters"),
     ],
 )

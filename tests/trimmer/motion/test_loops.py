@@ -16,13 +16,13 @@ from trimmer import (
     FrictionBacklash,
     InertiaBacklash,
     OpenLoop,
-    Outcome,
     Relay,
     ViscousBacklash,
     ViscousFriction,
     simulate,
 )
 from trimmer.elements.element import Element
+from trimmer.motion import Outcome
 
 DRIVE = (1.3, 1.1, 0.4)
 GAP, LEVEL = 1.0, 0.7

@@ -11,16 +11,11 @@ import numpy as np
 import pytest
 
 from trimmer import (
-    Body,
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
-    Displacement,
     Drive,
-    EventKind,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     Motion,
     TrimmerLoop,
     TrimmerParameters,
@@ -28,10 +23,13 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements.element import Element
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction, EventKind
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 GAP = 2e-4
-FRICTION = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(5.0))
+FRICTION = BodyFriction(Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), CoulombFriction(5.0))
 ELEMENTS = [FrictionBacklash(GAP), ViscousBacklash(GAP, 1e-3), InertiaBacklash(GAP)]
 
 
@@ -77,7 +75,7 @@ def test_events_are_ordered_and_alternate(element: Element) -> None:
 
 def test_a_reversal_of_sliding_leaves_the_contact_alone() -> None:
     """The force of a stick that does not last would pull the pin away, and push it back at the same time."""
-    friction = BodyFriction(Displacement(Body.CUTTER, Body.GUARD), CoulombFriction(2.0))
+    friction = BodyFriction(Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), CoulombFriction(2.0))
     loop = TrimmerLoop(THESIS, ViscousBacklash(GAP, 1e-3), frictions=(friction,))
     for channels in InputChannels:
         motion = simulate(replace(loop, channels=channels), 0.02, impulse=1e-5)

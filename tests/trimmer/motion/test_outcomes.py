@@ -10,18 +10,13 @@ import numpy as np
 import pytest
 
 from trimmer import (
-    Body,
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
-    Displacement,
     Drive,
-    EventKind,
     FrictionBacklash,
     InertiaBacklash,
     Motion,
     OpenLoop,
-    Outcome,
     Relay,
     TrimmerLoop,
     TrimmerParameters,
@@ -29,13 +24,15 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements.element import Element
+from trimmer.motion import BodyFriction, EventKind, Outcome
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110
 DRIVE = Drive(AMPLITUDE, OMEGA)
 MASS = control.tf([1.0], [1.0, 0.0, 0.0])
 OSCILLATOR = control.ss(control.tf([1.0], [1.0, 0.2, 1.0]))
-BLADES = Displacement(Body.CUTTER, Body.GUARD)
+BLADES = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
 
 
 def with_friction(force: float, *between: Displacement, element: Element | None = None) -> Motion:
@@ -58,7 +55,7 @@ def test_friction_ends_in_sticking_for_ever() -> None:
 
 @pytest.mark.parametrize("force", [1e4, 1e12, 1e300])
 def test_nothing_moves_under_a_friction_that_is_too_large(force: float) -> None:
-    everything = tuple(Displacement(body) for body in Body)
+    everything = tuple(Displacement(body) for body in TrimmerBody)
     motion = with_friction(force, *everything, element=FrictionBacklash(2e-4))
     times = np.linspace(0.0, 0.05, 100)
     assert motion.outcome is Outcome.COMPLETED

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from tests.trimmer.motion.reference.exact_cases import CASES, COUNT, computed, simulated, tabulated
-from trimmer import Drive, EventKind, FrictionBacklash, OpenLoop, simulate
+from trimmer import Drive, FrictionBacklash, OpenLoop, simulate
+from trimmer.motion import EventKind
 
 NAMES = sorted(CASES)
 

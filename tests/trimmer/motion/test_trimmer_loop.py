@@ -10,31 +10,35 @@ import pytest
 
 from tests.trimmer.motion.reference.peer_trimmer import Course, Friction, PeerTrimmer
 from trimmer import (
-    Body,
-    BodyFriction,
     CoulombFriction,
-    Displacement,
     Drive,
-    InputChannels,
     TrimmerLoop,
     TrimmerParameters,
     ViscousBacklash,
     ViscousFriction,
     simulate,
 )
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 DRIVE = (1.5e-3, 2 * math.pi * 110)
 SPEED = 0.02
 """Velocity that motor and cutter start with, in opposite directions, where nothing drives, m/s."""
-PAIRS = [Displacement(of, to) for of in Body for to in (None, *Body) if to is None or to.value > of.value]
+PAIRS = [
+    Displacement(of, to)
+    for of in TrimmerBody
+    for to in (None, *TrimmerBody)
+    if to is None or to.value > of.value
+]
 
 
 def own_loop(peer: PeerTrimmer) -> TrimmerLoop:
     frictions = []
     for each in peer.frictions:
-        of = Body(each.row.index(1.0) + 1)
-        between = Displacement(of, Body(each.row.index(-1.0) + 1) if -1.0 in each.row else None)
+        of = TrimmerBody(each.row.index(1.0) + 1)
+        between = Displacement(of, TrimmerBody(each.row.index(-1.0) + 1) if -1.0 in each.row else None)
         law = CoulombFriction(each.force) if each.force else ViscousFriction(each.damping)
         if each.force and each.damping:
             law = law + ViscousFriction(each.damping)

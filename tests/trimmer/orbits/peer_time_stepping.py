@@ -14,7 +14,8 @@ import numba
 import numpy as np
 from scipy.linalg import expm
 
-from trimmer import Element, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
+from trimmer import FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
+from trimmer.elements import Element
 
 GROWN = 1e9
 STEADY = 2e-4

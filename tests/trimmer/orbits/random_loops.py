@@ -9,16 +9,9 @@ import control
 import numpy as np
 import scipy.signal
 
-from trimmer import (
-    ClosedLoop,
-    Element,
-    FrictionBacklash,
-    InertiaBacklash,
-    Outcome,
-    Relay,
-    ViscousBacklash,
-    simulate,
-)
+from trimmer import ClosedLoop, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash, simulate
+from trimmer.elements import Element
+from trimmer.motion import Outcome
 
 STARTS = 20
 DURATION = 300.0

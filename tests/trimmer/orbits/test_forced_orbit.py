@@ -8,16 +8,11 @@ import pytest
 
 from tests.trimmer.orbits.random_loops import mixed_states
 from trimmer import (
-    Body,
-    BodyFriction,
     ClosedLoop,
     CoulombFriction,
-    Displacement,
     Drive,
-    Element,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     OpenLoop,
     OrbitNotFoundError,
     Saturation,
@@ -28,9 +23,13 @@ from trimmer import (
     pin_model,
     simulate,
 )
+from trimmer.elements import Element
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction
+from trimmer.thesis import Displacement, TrimmerBody
 
 DRIVE = Drive(0.0015, 2 * np.pi * 109.845)
-CUTTER_ON_GUARD = Displacement(Body.CUTTER, Body.GUARD)
+CUTTER_ON_GUARD = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
 
 
 def open_loop(element: Element, drive: Drive = DRIVE) -> OpenLoop:

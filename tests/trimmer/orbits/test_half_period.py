@@ -10,7 +10,8 @@ import scipy.optimize
 import scipy.signal
 
 from tests.trimmer.orbits.random_loops import roots
-from trimmer import CoulombFriction, OrbitSearch, Relay, Simulations, ViscousFriction, periodic_orbits
+from trimmer import CoulombFriction, OrbitSearch, Relay, ViscousFriction, periodic_orbits
+from trimmer.orbits import Simulations
 from trimmer.orbits.half_period import HalfPeriodEquation, interval_of, zeros
 
 GRID = 300

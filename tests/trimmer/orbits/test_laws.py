@@ -15,21 +15,20 @@ from trimmer import (
     DeadZone,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     LoopSignal,
     OrbitSearch,
     PeriodicOrbit,
-    PeriodicOrbits,
     Preload,
     Relay,
     Saturation,
-    Simulations,
     TrimmerParameters,
     ViscousBacklash,
     periodic_orbits,
     pin_model,
     simulate,
 )
+from trimmer.linear import InputChannels
+from trimmer.orbits import PeriodicOrbits, Simulations
 
 SERVO = control.ss(control.tf([3.0], [1.0, 1.0, 0.0]))
 WITH_INTEGRATOR = control.ss(control.tf([1.0], [1.0, 2.0, 1.0, 0.0]))
@@ -82,7 +81,7 @@ def assert_alike(found: PeriodicOrbits, expected: PeriodicOrbits, size: float, s
 
 
 @pytest.mark.parametrize("name", LOOPS)
-@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.OrbitNotFoundWarning")
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.errors.OrbitNotFoundWarning")
 def test_orbits_scale_in_amplitude_and_time(name: str) -> None:
     system, element = LOOPS[name]
     found = periodic_orbits(slowed(system, SPEED), element(SIZE, SPEED))
@@ -90,7 +89,7 @@ def test_orbits_scale_in_amplitude_and_time(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", LOOPS)
-@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.OrbitNotFoundWarning")
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.errors.OrbitNotFoundWarning")
 def test_factors_of_the_element_may_be_those_of_the_system_in_other_states(name: str) -> None:
     system, element = LOOPS[name]
     turn = np.diag(10.0 ** np.resize([-1, 1, 0, 2, -2], system.nstates))
@@ -179,7 +178,7 @@ ONLY_SCALED = ("load that bounces", "friction", "sum")
 
 
 @pytest.mark.parametrize("name", [name for name in LOOPS if name not in ONLY_SCALED])
-@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.OrbitNotFoundWarning")
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.errors.OrbitNotFoundWarning")
 def test_multipliers_are_those_of_disturbed_motions(name: str) -> None:
     """Where a load is in contact, the states of the linear system tell all multipliers that are not zero."""
     load = name.startswith(("load", "friction", "viscous", "inertia"))

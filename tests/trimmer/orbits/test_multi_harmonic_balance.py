@@ -8,10 +8,8 @@ import pytest
 
 from trimmer import (
     CoulombFriction,
-    Element,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     OrbitNotFoundError,
     Relay,
     TrimmerParameters,
@@ -23,6 +21,8 @@ from trimmer import (
     periodic_orbits,
     pin_model,
 )
+from trimmer.elements import Element
+from trimmer.linear import InputChannels
 
 PLANT = control.tf([1.0], [1.0, 3.0, 2.0, 0.0])
 TRIMMER = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)

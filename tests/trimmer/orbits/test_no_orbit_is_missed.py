@@ -8,7 +8,8 @@ import pytest
 import scipy.signal
 
 from tests.trimmer.motion.reference.peers import Course, Plant, play, switch
-from trimmer import Element, InertiaBacklash, Relay, periodic_orbits
+from trimmer import InertiaBacklash, Relay, periodic_orbits
+from trimmer.elements import Element
 
 LOAD = ([20, 8.5], [1, 4.7, 0], InertiaBacklash(0.64), [0.3, -0.7])
 GROWING = ([-63.2], [1, 0.386, 3.45, 0.37, 1.94], Relay(2.5), [300, 100, 50, 10])

@@ -9,15 +9,10 @@ import numpy as np
 import pytest
 
 from trimmer import (
-    Body,
-    BodyFriction,
     CoulombFriction,
-    Displacement,
     Drive,
-    Element,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     LoopSignal,
     OpenLoop,
     TrimmerLoop,
@@ -31,11 +26,15 @@ from trimmer import (
     pin_model,
     simulate,
 )
+from trimmer.elements import Element
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 DRIVE = Drive(1.5e-3, frequency=110.0, phase=0.3)
 SAMPLES = 2**14
-CUTTER_ON_GUARD = Displacement(Body.CUTTER, Body.GUARD)
+CUTTER_ON_GUARD = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
 LOOPS = {
     "friction-controlled": TrimmerLoop(THESIS, FrictionBacklash(2e-4), DRIVE),
     "viscous-controlled": TrimmerLoop(THESIS, ViscousBacklash(2e-4, 1e-3), DRIVE),
@@ -65,7 +64,7 @@ def sampled(orbit, signal, times) -> np.ndarray:
     return named[signal](times)
 
 
-@pytest.mark.parametrize("signal", [*LoopSignal, Displacement(Body.HOUSING), CUTTER_ON_GUARD])
+@pytest.mark.parametrize("signal", [*LoopSignal, Displacement(TrimmerBody.HOUSING), CUTTER_ON_GUARD])
 def test_strokes_and_harmonics_are_those_of_samples(orbit, signal) -> None:
     times = np.arange(SAMPLES) / SAMPLES * orbit.period
     values = sampled(orbit, signal, times)
@@ -169,7 +168,7 @@ def test_displacements_need_the_states_of_a_trimmer() -> None:
     assert orbit.stroke_of(CUTTER_ON_GUARD) == pytest.approx(orbit.stroke_of(), rel=1e-12)
     other = forced_orbit(OpenLoop(control.tf([1], [1, 1, 1]), FrictionBacklash(1.0), Drive(2.0, 1.0)))
     with pytest.raises(UnsupportedMotionError, match="q2 cannot be read from this loop"):
-        other.stroke_of(Displacement(Body.CUTTER))
+        other.stroke_of(Displacement(TrimmerBody.CUTTER))
     with pytest.raises(WrongTypeError, match="signal must be a LoopSignal or a Displacement, not 'q2'"):
         other.stroke_of("q2")
 
@@ -177,7 +176,7 @@ def test_displacements_need_the_states_of_a_trimmer() -> None:
 def test_absolute_displacements_are_those_of_the_model_with_all_outputs() -> None:
     """Without play: the response of each body from python-control."""
     orbit = forced_orbit(TrimmerLoop(THESIS, drive=DRIVE))
-    for body in Body:
+    for body in TrimmerBody:
         model = linear_model(THESIS, Displacement(body))
         inputs = np.array([1.0, 1j * DRIVE.omega])
         gain = complex((model(1j * DRIVE.omega) @ inputs).item())

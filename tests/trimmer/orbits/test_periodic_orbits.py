@@ -17,10 +17,7 @@ from trimmer import (
     CoulombFriction,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
-    OrbitNotFoundWarning,
     PeriodicOrbit,
-    PeriodicOrbits,
     Relay,
     TrimmerParameters,
     ViscousBacklash,
@@ -29,6 +26,9 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements.element import Element
+from trimmer.errors import OrbitNotFoundWarning
+from trimmer.linear import InputChannels
+from trimmer.orbits import PeriodicOrbits
 
 THIRD_ORDER = [
     control.tf([1], [1, 2, 1, 0]),

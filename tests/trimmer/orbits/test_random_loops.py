@@ -6,7 +6,8 @@ import pytest
 
 from tests.trimmer.orbits.brute_force import sustained
 from tests.trimmer.orbits.random_loops import random_loop, stable_amplitudes
-from trimmer import ClosedLoop, OrbitSearch, Simulations, periodic_orbits
+from trimmer import ClosedLoop, OrbitSearch, periodic_orbits
+from trimmer.orbits import Simulations
 
 CHUNKS, PLANTS = 50, 10
 WITH_ORBIT = (3, 9, 12, 14, 18, 24, 27, 40)

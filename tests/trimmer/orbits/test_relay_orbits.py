@@ -13,7 +13,6 @@ from trimmer import (
     ClosedLoop,
     CoulombFriction,
     DeadZone,
-    Element,
     FrictionBacklash,
     OrbitSearch,
     Relay,
@@ -21,6 +20,7 @@ from trimmer import (
     ViscousFriction,
     periodic_orbits,
 )
+from trimmer.elements import Element
 
 NEVER = OrbitSearch("never")
 GAIN, RATE, LEVEL, THRESHOLD = 4.0, 0.7, 1.5, 0.9

@@ -11,23 +11,19 @@ import pytest
 import scipy.signal
 
 from trimmer import (
-    ChoiceError,
     FrictionBacklash,
     InertiaBacklash,
-    OrbitNotFoundWarning,
     OrbitSearch,
-    OrbitSearched,
-    OrbitSearchInterrupted,
     Relay,
-    RelaySearch,
     Saturation,
-    Simulations,
-    SimulationSearch,
     TrimmerParameters,
     WrongTypeError,
     periodic_orbits,
     pin_model,
 )
+from trimmer.choices import ChoiceError
+from trimmer.errors import OrbitNotFoundWarning
+from trimmer.orbits import OrbitSearched, OrbitSearchInterrupted, RelaySearch, Simulations, SimulationSearch
 
 QUIET = control.ss(control.tf([1], [1, 1, 1]))
 BOUNCING = control.ss(*scipy.signal.tf2ss([20, 8.5], [1, 4.7, 0])), InertiaBacklash(0.64)

@@ -13,18 +13,17 @@ from trimmer import (
     ClosedLoop,
     DeadZone,
     Drive,
-    Element,
     OpenLoop,
     Preload,
     Relay,
     Saturation,
-    ScaledElement,
     UnsupportedMotionError,
     harmonic_balance,
     multi_harmonic_balance,
     periodic_orbits,
     simulate,
 )
+from trimmer.elements import Element, ScaledElement
 from trimmer.motion.motion import Outcome
 
 THIRD_ORDER = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
@@ -85,7 +84,7 @@ def test_a_driven_element_is_that_of_its_definition(element: Element) -> None:
 
 @pytest.mark.parametrize("element", ELEMENTS, ids=repr)
 @pytest.mark.parametrize("system", [THIRD_ORDER, WITH_INTEGRATOR], ids=["lags", "integrator"])
-@pytest.mark.filterwarnings("ignore::trimmer.OrbitNotFoundWarning")
+@pytest.mark.filterwarnings("ignore::trimmer.errors.OrbitNotFoundWarning")
 def test_harmonic_balance_is_certain_and_near_the_exact_orbit(system: control.LTI, element: Element) -> None:
     balance = harmonic_balance(system, element)
     assert balance.certificate.complete

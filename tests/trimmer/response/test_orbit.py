@@ -15,10 +15,9 @@ from trimmer import (
     OrbitNotFoundError,
     UnsupportedMotionError,
     forced_orbit,
-    linear_matrices,
     simulate,
 )
-from trimmer.mechanism import Body, Force, Link, Output, Pin, Play
+from trimmer.mechanism import Body, Force, Link, Output, Pin, Play, linear_matrices
 
 LAWS = {ContactLaw.RELAXING: 2.933334121400e-3, ContactLaw.TRUNCATED: 2.933334121515e-3}
 """Peak to peak of the stroke, m: definition of the mechanism, computed twice by different means."""

@@ -62,7 +62,7 @@ def test_contact_forces_and_accelerations_are_one() -> None:
 def test_a_regular_mechanism_follows_another_integrator() -> None:
     mechanism = example("thesis")
     motion = simulate(mechanism, 0.03)
-    from trimmer import linear_matrices
+    from trimmer.mechanism import linear_matrices
 
     matrices, omega = linear_matrices(mechanism), 2 * np.pi * mechanism.frequency
     (pin,) = mechanism.pins.values()

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from IPython.core.formatters import HTMLFormatter
 
-from trimmer.displacement import Body
+from trimmer.displacement import TrimmerBody
 from trimmer.errors import MissingPackageError
 from trimmer.showing import html
 from trimmer.showing.frame import to_frame
@@ -28,7 +28,7 @@ class Colour(Enum):
     [
         (None, ""),
         (Colour.RED, "red one"),
-        (Body.CUTTER, "q2"),
+        (TrimmerBody.CUTTER, "q2"),
         (True, "yes"),
         (np.False_, "no"),
         (1234567, "1234567"),
@@ -98,7 +98,7 @@ def test_a_frame_has_words_and_units() -> None:
     frame = Made("told").to_dataframe()
     assert frame["a<b"].tolist() == [0, 1, 2]
     assert frame.attrs == {"title": "Title & more", "units": {"a<b": "m", "c": ""}}
-    worded = to_frame(Table("t", [Body.CUTTER], (Column("body", "", lambda each: each),)))
+    worded = to_frame(Table("t", [TrimmerBody.CUTTER], (Column("body", "", lambda each: each),)))
     assert worded["body"].tolist() == ["q2"]
 
 

@@ -15,6 +15,7 @@ from IPython.core.formatters import HTMLFormatter
 
 import trimmer
 from tests.json_document import documented
+from tests.public_names import public_names
 from tests.trimmer import results
 from trimmer.showing.shown import Shown, Tabular, counted
 
@@ -40,7 +41,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "Response": results.response,
     "SettledMotion": lambda: results.response().motion,
     "Mechanism": lambda: results.forced().mechanism,
-    "LinearMatrices": lambda: trimmer.linear_matrices(results.forced().mechanism),
+    "LinearMatrices": lambda: trimmer.mechanism.linear_matrices(results.forced().mechanism),
     "FollowedBranch": results.branch,
     "FollowedOrbit": lambda: results.branch().points[0],
     "OutputMeasure": lambda: results.branch().points[0].outputs["x"],
@@ -55,7 +56,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "ZeroPoleGain": lambda: results.summary().factored,
     "Mode": lambda: results.summary().modes[0],
     "TimeResponse": results.time_response,
-    "SteadyState": lambda: trimmer.steady_state(results.system(), 700.0),
+    "SteadyState": lambda: trimmer.linear.steady_state(results.system(), 700.0),
     "Signal": results.signal,
     "SpectrumAnalysis": results.analysis,
     "Spectrum": lambda: results.analysis().spectrum,
@@ -64,15 +65,15 @@ RESULTS: dict[str, Callable[[], object]] = {
     "AveragedSpectrum": results.averaged,
     "Comparison": results.comparison,
     "Fit": results.fit,
-    "SimulatedLines": lambda: trimmer.SimulatedLines(np.array([1e-3, 2e-6]), 110.0),
-    "Recording": lambda: trimmer.Recording((results.signal(),)),
+    "SimulatedLines": lambda: trimmer.spectra.SimulatedLines(np.array([1e-3, 2e-6]), 110.0),
+    "Recording": lambda: trimmer.signals.Recording((results.signal(),)),
     "Conversion": lambda: trimmer.convert(results.signal(), "velocity"),
     "BalancedHarmonics": lambda: trimmer.multi_harmonic_balance(
         results.loop(), results.balance().limit_cycles[-1], [1, 3]
     )[-1],
-    "SampledLimitCycles": lambda: trimmer.sampled_limit_cycles({"k2": [3e4, 3.1e4]}, gap=4e-5),
+    "SampledLimitCycles": lambda: trimmer.ensembles.sampled_limit_cycles({"k2": [3e4, 3.1e4]}, gap=4e-5),
 }
-TABLES = [name for name in RESULTS if issubclass(getattr(trimmer, name, object), Tabular)]
+TABLES = [name for name in RESULTS if issubclass(public_names().get(name, object), Tabular)]
 LONGEST = 240
 
 JSON = {
@@ -98,7 +99,7 @@ def result(request: pytest.FixtureRequest) -> object:
 
 
 def test_all_results_that_show_themselves_are_tried() -> None:
-    public = {name: getattr(trimmer, name) for name in trimmer.__all__}
+    public = public_names()
     shown = {name for name, each in public.items() if isinstance(each, type) and issubclass(each, Shown)}
     assert shown <= set(RESULTS)
 
@@ -188,7 +189,7 @@ def test_without_pandas_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPat
         return real(name, *others, **named)  # type: ignore[arg-type]
 
     monkeypatch.setattr(builtins, "__import__", without)
-    with pytest.raises(trimmer.MissingPackageError, match="pip install pandas"):
+    with pytest.raises(trimmer.errors.MissingPackageError, match="pip install pandas"):
         results.balance().to_dataframe()
 
 

@@ -10,7 +10,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import i0
 
-from trimmer import Band, Signal, convert
+from trimmer import Signal, convert
+from trimmer.signals import Band
 from trimmer.signals.noise_floor import powers
 from trimmer.signals.signal import SignalError
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.io import wavfile
 
-from trimmer.signals.read_wav import is_wav, read_wav
+from trimmer.signals.reading_wav import is_wav, read_wav
 from trimmer.signals.text_file import SignalFileError
 from trimmer.signals.wav import write_wav
 

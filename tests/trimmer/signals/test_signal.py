@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trimmer import Band
 from trimmer.errors import WrongTypeError
+from trimmer.signals import Band
 from trimmer.signals.signal import Signal, SignalError, split_heading
 
 

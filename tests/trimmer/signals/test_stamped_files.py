@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer import Sampling, read_recording, read_signal
+from trimmer import read_recording, read_signal
+from trimmer.signals import Sampling
 
 SPLIT = Sampling(gaps="split")
 RESAMPLE = Sampling("resample", "split")

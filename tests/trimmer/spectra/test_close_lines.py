@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from trimmer import Band, Signal, Window, amplitude_spectrum, analyse_signal, peaks
+from trimmer import Signal, analyse_signal, peaks
 from trimmer.errors import SignalWarning
+from trimmer.signals import Band
+from trimmer.spectra import Window, amplitude_spectrum
 
 SAMPLES = 1000
 TIMES = np.arange(SAMPLES) / SAMPLES  # of a record, so that places are in bins

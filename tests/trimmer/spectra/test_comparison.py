@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer import Band
 from trimmer.errors import WrongTypeError
+from trimmer.signals import Band
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.comparison import SimulatedLines, compare_motions, found_frequency
 

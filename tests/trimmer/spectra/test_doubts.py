@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from tests.complaints import complaints
-from trimmer import Band
 from trimmer.command_line.main import main
 from trimmer.errors import SignalWarning
+from trimmer.signals import Band
 from trimmer.signals.signal import Signal
 from trimmer.signals.write import write_signal
 from trimmer.spectra.analysis import analyse_signal

@@ -8,7 +8,7 @@ from dataclasses import asdict
 
 from trimmer.command_line.json_values import document, finite, pair
 from trimmer.command_line.table import table
-from trimmer.displacement import Body
+from trimmer.displacement import TrimmerBody
 from trimmer.linear.model import InputChannels
 from trimmer.linear.modes import Mode
 from trimmer.linear.summary import CRITICAL_POINT, LinearSummary
@@ -30,7 +30,13 @@ def as_text(summary: LinearSummary) -> str:
         ],
         _table(
             "Modes",
-            ("Hz", "rad/s", "damping ratio", "eigenvalue, 1/s", *(f"|{body.coordinate}|" for body in Body)),
+            (
+                "Hz",
+                "rad/s",
+                "damping ratio",
+                "eigenvalue, 1/s",
+                *(f"|{body.coordinate}|" for body in TrimmerBody),
+            ),
             _mode_rows(summary.modes),
         ),
         _table("Poles and zeros, rad/s", ("poles", "zeros"), _root_rows(summary)),

@@ -174,7 +174,7 @@ def _columns(arguments: Namespace, mechanism: Mechanism) -> dict[str, str | None
 
 def _named(arguments: Namespace, outputs: list[str]) -> dict[str, str | None]:
     """Return the columns that the options name."""
-    from trimmer.signals.read_wav import is_wav
+    from trimmer.signals.reading_wav import is_wav
 
     if is_wav(arguments.measured):
         raise OptionError("--column has no effect on a WAV file; choose its channel (--channel)")
@@ -208,7 +208,7 @@ def _headings(file: Path) -> list[str]:
     """Return the names of the columns of a file; none of one without headings, or from standard input."""
     from trimmer.signals.csv_layout import CsvLayout
     from trimmer.signals.csv_table import read_table
-    from trimmer.signals.read_wav import is_wav
+    from trimmer.signals.reading_wav import is_wav
     from trimmer.signals.signal import split_heading
 
     if file == STANDARD_INPUT or is_wav(file):

@@ -195,7 +195,7 @@ def chosen_recording(arguments: Namespace) -> ChosenRecording:
         TrimmerError: if the file cannot be used, or options do not fit it.
     """
     from trimmer.signals.faults import faults
-    from trimmer.signals.read_wav import is_wav
+    from trimmer.signals.reading_wav import is_wav
     from trimmer.signals.recording import Recording
     from trimmer.signals.signal import SignalError
 
@@ -233,7 +233,7 @@ def _check(arguments: Namespace, wav: bool) -> None:
 
 
 def _from_wav(arguments: Namespace) -> Recording:
-    from trimmer.signals.read_wav import read_wav
+    from trimmer.signals.reading_wav import read_wav
     from trimmer.signals.recording import Recording
 
     begin = 0.0 if arguments.begin is None else arguments.begin

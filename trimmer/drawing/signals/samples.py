@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
-    from trimmer.linear.time_response import TimeResponse
+    from trimmer.linear.in_time import TimeResponse
     from trimmer.signals.signal import Signal
 
 MOST_POINTS = 8000

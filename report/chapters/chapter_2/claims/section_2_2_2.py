@@ -27,7 +27,7 @@ SOURCE = "derivations/algebra/laplace.py"
 STATE_ITEM = "sQ = AQ + BU, state equation in the Laplace domain"
 OUTPUT_ITEM = "Y = CQ + DU, output equation in the Laplace domain"
 """Printed things that appendix D prints again."""
-IN_TIME = "trimmer/linear/time_response.py"
+IN_TIME = "trimmer/linear/in_time.py"
 
 
 def responses(known: Evidence) -> tuple[complex, complex, complex]:

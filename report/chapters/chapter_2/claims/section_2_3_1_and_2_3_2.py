@@ -16,7 +16,7 @@ from report.parts import assertion, close, expression, same
 from report.record import Record, claim, text
 from report.thesis import LIMIT_CYCLE_OMEGA
 from report.verdict import Certainty, Impact, Severity
-from trimmer import filtering_ratio
+from trimmer.linear import filtering_ratio
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_and_2_3_2.py"
 LINEAR, NONLINEAR, SIGNAL = sympy.symbols("G N Y")

@@ -23,7 +23,8 @@ from report.parts import assertion, close, equal, expression, made_here, part, s
 from report.record import Record, claim, text
 from report.shown import Words
 from report.verdict import Certainty, Impact, Severity
-from trimmer import CoulombFriction, FrictionBacklash, SumOfElements
+from trimmer import CoulombFriction, FrictionBacklash
+from trimmer.elements import SumOfElements
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_4.py"
 b = sympy.Symbol("b", positive=True)

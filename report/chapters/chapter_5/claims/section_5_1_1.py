@@ -12,9 +12,9 @@ from report.parts import assertion, close, digits
 from report.record import Record, claim, text
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
 from report.verdict import Certainty, Impact, Severity
-from trimmer import steady_state
+from trimmer.linear import steady_state
 
-SOURCE = "trimmer/linear/time_response.py"
+SOURCE = "trimmer/linear/in_time.py"
 SMALL_DEVIATION = 0.01
 
 

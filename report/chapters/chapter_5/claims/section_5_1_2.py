@@ -17,14 +17,14 @@ from report.parts import assertion, close, digits, equal, made_here, repeated, s
 from report.record import Record, claim, text
 from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from report.verdict import Certainty, Impact, Severity
-from trimmer import (
+from trimmer import resonance_peaks
+from trimmer.linear import (
     asymptotic_roll_off,
     bandwidth_crossings,
     encirclements,
     filtering_ratio,
     gain_crossings,
     local_slope,
-    resonance_peaks,
 )
 
 LOW_PASS = "trimmer/linear/low_pass.py"

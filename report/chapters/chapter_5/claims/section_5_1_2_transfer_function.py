@@ -16,10 +16,8 @@ from report.numbers.independent import linear_trimmer
 from report.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
 from report.record import Record, claim, text
 from report.verdict import Certainty, Impact, Severity
-from trimmer import (
-    Body,
-    linear_model,
-)
+from trimmer import linear_model
+from trimmer.thesis import TrimmerBody
 
 SOURCE = "derivations/transfer_function.py"
 PRINTED_NUMERATOR = ("1e7", "1.233e10", "5.939e14", "1.655e17", "4.079e21", "3.71e23", "5.79e27")
@@ -27,7 +25,7 @@ PRINTED_DENOMINATOR = (
     *("1", "1378", "7.0767", "3.878e10", "1.069e15"),
     *("2.676e17", "4.889e21", "4.595e23", "5.971e27"),
 )
-CUTTER, GUARD = Body.CUTTER.index, Body.GUARD.index
+CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index
 
 
 @claim(

@@ -12,7 +12,8 @@ from report.parts import assertion, close, digits, so
 from report.record import Record, claim, text
 from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from report.verdict import Certainty, Impact, Severity
-from trimmer import filtering_ratio, resonance_peaks
+from trimmer import resonance_peaks
+from trimmer.linear import filtering_ratio
 from trimmer.linear.extrema import Extremum
 
 MODES = "trimmer/linear/modes.py"

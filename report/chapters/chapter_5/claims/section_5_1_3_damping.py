@@ -33,7 +33,8 @@ from report.numbers.linear_numbers import (
 from report.parts import assertion, close, made_here, matrix, small
 from report.record import Record, claim, text
 from report.verdict import Certainty, Impact, Severity
-from trimmer import Body, Displacement, linear_model, resonance_peaks, response_at
+from trimmer import linear_model, resonance_peaks, response_at
+from trimmer.thesis import Displacement, TrimmerBody
 
 DAMPING = "report/numbers/linear_numbers.py"
 OUTPUT, SUM = np.array([0.0, 1.0, 0.0, -1.0]), np.ones(4)
@@ -51,10 +52,10 @@ VISIBLE = 3
     severity=Severity.SLIP,
 )
 def output_matrix(known: Evidence) -> Record:
-    parameters, bodies = known.numbers.parameters, len(Body)
+    parameters, bodies = known.numbers.parameters, len(TrimmerBody)
     tracked = sympy.ImmutableMatrix.vstack(*(output_row(body, None, bodies) for body in range(bodies)))
     added = sympy.ImmutableMatrix(sympy.ones(1, bodies) * tracked)
-    model = linear_model(parameters, [Displacement(body) for body in Body])
+    model = linear_model(parameters, [Displacement(body) for body in TrimmerBody])
     difference = np.abs(np.array(tracked, dtype=float) - np.asarray(model.C)).max()
     yield matrix(
         "",

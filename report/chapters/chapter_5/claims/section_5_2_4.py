@@ -23,7 +23,7 @@ from report.parts import assertion, close, digits, expression, made_here, so
 from report.record import Record, claim, text
 from report.thesis import LARGE_GAP, RELAY_LEVEL, SMALL_GAP
 from report.verdict import Certainty, Impact, Severity
-from trimmer import real_axis_crossings
+from trimmer.linear import real_axis_crossings
 
 SIMULATED = "report/numbers/relay_loop.py"
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}

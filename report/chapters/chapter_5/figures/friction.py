@@ -16,7 +16,8 @@ from report.numbers.relay_loop import HALF_PERIODS, VISCOUS, friction_motion, ou
 from report.numbers.released_bodies import RECORD
 from report.record import figure
 from report.thesis import DRIVE_OMEGA, LARGER_GAP, RELEASED_PEAKS, SMALL_GAP
-from trimmer import FrictionBacklash, InputChannels, pin_model
+from trimmer import FrictionBacklash, pin_model
+from trimmer.linear import InputChannels
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -13,8 +13,9 @@ from report.drawing.style import BLACK, LINES, panels
 from report.evidence import Evidence
 from report.numbers.linear_numbers import lightly_damped, pin_and_output, sum_of_displacements
 from report.record import figure
-from trimmer import bandwidth_crossings, gain_crossings, resonance_peaks, response_at
+from trimmer import resonance_peaks, response_at
 from trimmer.drawing.frequency_response import decibels
+from trimmer.linear import bandwidth_crossings, gain_crossings
 
 if TYPE_CHECKING:
     import control

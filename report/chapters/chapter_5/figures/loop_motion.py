@@ -16,7 +16,8 @@ from report.numbers.record import Record, line_amplitudes
 from report.numbers.timed_block import RECORD as SHORT
 from report.record import figure
 from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
-from trimmer import FrictionBacklash, Window, amplitude_spectrum
+from trimmer import FrictionBacklash
+from trimmer.spectra import Window, amplitude_spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -18,8 +18,9 @@ from report.numbers.independent.waveforms import coefficient
 from report.parts import assertion, close, digits, lost_in_the_copy
 from report.record import Record, claim, text
 from report.verdict import Certainty, Impact, Severity
-from trimmer import FrictionBacklash, asymptotic_roll_off, harmonic_leakage, limit_cycles
+from trimmer import FrictionBacklash, harmonic_leakage, limit_cycles
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
+from trimmer.linear import asymptotic_roll_off
 
 EXACT = 1e-6
 """Share below which an error counts as none."""

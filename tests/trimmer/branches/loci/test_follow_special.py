@@ -18,17 +18,13 @@ from tests.trimmer.maps.machines import linear_oscillator
 from trimmer import (
     FollowedBranch,
     FollowSettings,
-    Locus,
-    LocusEnd,
-    LocusRanges,
-    LocusSettings,
     Mechanism,
     SpecialKind,
-    SpecialPoint,
     WrongTypeError,
     follow,
     follow_special,
 )
+from trimmer.branches import Locus, LocusEnd, LocusRanges, LocusSettings, SpecialPoint
 from trimmer.errors import MechanismError, UnsupportedMotionError
 from trimmer.mechanism.parts import Force, Stop
 

@@ -6,18 +6,17 @@ import numpy as np
 import pytest
 
 from trimmer import (
-    BodyFriction,
     CoulombFriction,
     Drive,
     FrictionBacklash,
     InertiaBacklash,
-    Outcome,
     TrimmerLoop,
     TrimmerParameters,
     ViscousBacklash,
     energy_balance,
     simulate,
 )
+from trimmer.motion import BodyFriction, Outcome
 
 THESIS = TrimmerParameters.thesis()
 FORCES = ((-2, 2), (-1, 1), (-3, 0.5))

@@ -12,45 +12,44 @@ import pytest
 from tests.trimmer.motion.reference.peer_time_stepping import time_stepping
 from tests.trimmer.motion.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
 from trimmer import (
-    Body,
-    BodyFriction,
     CoulombFriction,
-    Displacement,
     Drive,
-    EventKind,
     FrictionBacklash,
     InertiaBacklash,
-    InputChannels,
     Motion,
-    Outcome,
     TrimmerLoop,
     TrimmerParameters,
     energy_balance,
     simulate,
 )
 from trimmer.elements.element import Element
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction, EventKind, Outcome
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110
 DRIVE = Drive(AMPLITUDE, OMEGA)
 Ring = tuple[tuple[Displacement, float], ...]
-NODES = (None, *Body)
+NODES = (None, *TrimmerBody)
 BETWEEN_BODIES: Ring = (
-    (Displacement(Body.CUTTER, Body.MOTOR), 3.5),
-    (Displacement(Body.GUARD, Body.MOTOR), 0.12),
-    (Displacement(Body.GUARD, Body.CUTTER), 0.014),
+    (Displacement(TrimmerBody.CUTTER, TrimmerBody.MOTOR), 3.5),
+    (Displacement(TrimmerBody.GUARD, TrimmerBody.MOTOR), 0.12),
+    (Displacement(TrimmerBody.GUARD, TrimmerBody.CUTTER), 0.014),
 )
 WITH_GROUND: Ring = (
-    (Displacement(Body.CUTTER), 0.1),
-    (Displacement(Body.GUARD), 0.15),
-    (Displacement(Body.CUTTER, Body.GUARD), 18.0),
+    (Displacement(TrimmerBody.CUTTER), 0.1),
+    (Displacement(TrimmerBody.GUARD), 0.15),
+    (Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), 18.0),
 )
 EXAMPLES = {"between bodies": BETWEEN_BODIES, "with ground": WITH_GROUND}
 
 
-def between(first: Body | None, second: Body | None) -> Displacement:
+def between(first: TrimmerBody | None, second: TrimmerBody | None) -> Displacement:
     return (
-        Displacement(second, None) if first is None and second else Displacement(first or Body.MOTOR, second)
+        Displacement(second, None)
+        if first is None and second
+        else Displacement(first or TrimmerBody.MOTOR, second)
     )
 
 
@@ -178,8 +177,8 @@ def test_a_mirrored_drive_mirrors_the_motion(ring: Ring) -> None:
 
 
 def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -> None:
-    blades = Displacement(Body.CUTTER, Body.GUARD)
-    ground = (Displacement(Body.GUARD), 0.3)
+    blades = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
+    ground = (Displacement(TrimmerBody.GUARD), 0.3)
     one = simulate(loop_of(((blades, 2.0), ground)), 0.1)
     three = simulate(loop_of(((blades, 0.2), (blades, 1.7), ground, (blades, 0.1))), 0.1)
     times = np.linspace(0.0, 0.1, 200)
@@ -193,11 +192,11 @@ def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -
 def test_a_force_just_at_its_limit_is_no_event_for_ever(gap: float | None) -> None:
     """The cutter slides and pulls the guard with 1 N; the motor holds it with at most 1 N."""
     ring = (
-        (Displacement(Body.MOTOR, Body.GUARD), 1.0),
-        (Displacement(Body.CUTTER), 1.0),
-        (Displacement(Body.MOTOR), 5.0),
-        (Displacement(Body.HOUSING, Body.GUARD), 1.0),
-        (Displacement(Body.CUTTER, Body.GUARD), 1.0),
+        (Displacement(TrimmerBody.MOTOR, TrimmerBody.GUARD), 1.0),
+        (Displacement(TrimmerBody.CUTTER), 1.0),
+        (Displacement(TrimmerBody.MOTOR), 5.0),
+        (Displacement(TrimmerBody.HOUSING, TrimmerBody.GUARD), 1.0),
+        (Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), 1.0),
     )
     motion = simulate(loop_of(ring, None if gap is None else FrictionBacklash(gap)), 0.1)
     assert motion.outcome is Outcome.COMPLETED
@@ -206,11 +205,11 @@ def test_a_force_just_at_its_limit_is_no_event_for_ever(gap: float | None) -> No
 
 def test_a_load_comes_to_rest_at_a_pin_that_friction_holds() -> None:
     ring = (
-        (Displacement(Body.CUTTER), 1.0),
-        (Displacement(Body.MOTOR, Body.GUARD), 6.0),
-        (Displacement(Body.MOTOR, Body.CUTTER), 16.0),
-        (Displacement(Body.MOTOR), 16.0),
-        (Displacement(Body.HOUSING), 1.0),
+        (Displacement(TrimmerBody.CUTTER), 1.0),
+        (Displacement(TrimmerBody.MOTOR, TrimmerBody.GUARD), 6.0),
+        (Displacement(TrimmerBody.MOTOR, TrimmerBody.CUTTER), 16.0),
+        (Displacement(TrimmerBody.MOTOR), 16.0),
+        (Displacement(TrimmerBody.HOUSING), 1.0),
     )
     motion = simulate(loop_of(ring, InertiaBacklash(2e-4), None), 0.1, impulse=1e-3)
     assert motion.outcome is Outcome.COMPLETED

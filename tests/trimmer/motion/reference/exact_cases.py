@@ -12,19 +12,10 @@ from mpmath import mpf
 
 from tests.trimmer.motion.reference.exact_events import first_instants
 from tests.trimmer.motion.reference.exact_flight import Friction, Moment, Trimmer
-from trimmer import (
-    Body,
-    BodyFriction,
-    CoulombFriction,
-    Displacement,
-    Drive,
-    InputChannels,
-    Motion,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    simulate,
-)
+from trimmer import CoulombFriction, Drive, Motion, TrimmerLoop, TrimmerParameters, ViscousBacklash, simulate
+from trimmer.linear import InputChannels
+from trimmer.motion import BodyFriction
+from trimmer.thesis import Displacement, TrimmerBody
 
 TABLE = Path(__file__).with_name("exact_times.csv")
 COUNT = 50
@@ -34,7 +25,7 @@ IMPULSE = 1e-6
 THESIS = TrimmerParameters.thesis()
 PIN = (1.5e-3, 2 * math.pi * 110)
 """Amplitude (m) and omega (rad/s) of the thesis's drive."""
-BODIES = tuple(Body)
+BODIES = tuple(TrimmerBody)
 
 CASES = {
     "closed loop, friction-controlled": Trimmer(THESIS, 4e-5, 0.0, False),

@@ -1,0 +1,31 @@
+"""The public names of this room, each imported on first use."""
+
+from .crossings import RealAxisCrossing as RealAxisCrossing
+from .crossings import gain_crossings as gain_crossings
+from .crossings import real_axis_crossings as real_axis_crossings
+from .extrema import Extremum as Extremum
+from .extrema import antiresonances as antiresonances
+from .extrema import resonance_peaks as resonance_peaks
+from .frequency_response import UnsupportedSystemError as UnsupportedSystemError
+from .frequency_response import response_at as response_at
+from .in_time import SteadyState as SteadyState
+from .in_time import TimeResponse as TimeResponse
+from .in_time import steady_state as steady_state
+from .in_time import time_response as time_response
+from .low_pass import asymptotic_roll_off as asymptotic_roll_off
+from .low_pass import bandwidth as bandwidth
+from .low_pass import bandwidth_crossings as bandwidth_crossings
+from .low_pass import filtering_ratio as filtering_ratio
+from .low_pass import local_slope as local_slope
+from .model import InputChannels as InputChannels
+from .model import linear_model as linear_model
+from .model import pin_model as pin_model
+from .model import transfer_function as transfer_function
+from .modes import Mode as Mode
+from .modes import UndampedMode as UndampedMode
+from .modes import undamped_modes as undamped_modes
+from .nyquist import PointOnLocusError as PointOnLocusError
+from .nyquist import encirclements as encirclements
+from .summary import LinearSummary as LinearSummary
+from .summary import summarise as summarise
+from .zero_pole_gain import ZeroPoleGain as ZeroPoleGain

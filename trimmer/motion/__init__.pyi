@@ -1,0 +1,15 @@
+"""The public names of this room, each imported on first use."""
+
+from .energy import EnergyBalance as EnergyBalance
+from .energy import energy_balance as energy_balance
+from .loop_signal import LoopSignal as LoopSignal
+from .loops import ClosedLoop as ClosedLoop
+from .loops import Drive as Drive
+from .loops import OpenLoop as OpenLoop
+from .motion import Event as Event
+from .motion import Motion as Motion
+from .motion import Outcome as Outcome
+from .simulation import SimulationInterrupted as SimulationInterrupted
+from .switched_component import EventKind as EventKind
+from .trimmer_loop import BodyFriction as BodyFriction
+from .trimmer_loop import TrimmerLoop as TrimmerLoop
