@@ -16,6 +16,7 @@ from report.numbers.twin.map_numbers import MapNumbers
 from report.numbers.twin.mechanism import FORCE, GAP, twin
 from report.twin import make_maps
 from report.twin.cell_check import CellDifferenceError, check_cell, check_cells, name_of, seed_of
+from report.twin.chapter import of_check
 from trimmer import Mechanism
 
 MOST_BYTES = 1_500_000
@@ -92,14 +93,16 @@ def test_the_draw_notices_an_altered_map(friction):
         check_cells([altered(part, 4, period_count=2)], 7, 6)
 
 
-def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction):
+def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction, evidence):
     """Rounding decides how a long transient ends; some 20 of all cells differ for it."""
     small = Grid("gap-friction", twin(), {GAP: (400e-6, 420e-6, 3), FORCE: (3.0, 3.0, 1)})
     numbers = [number_of(friction, gap, 3.0) for gap in (400e-6, 410e-6, 420e-6)]
     said = replace(friction, grid=small, cells=tuple(friction.cells[n] for n in numbers), beside={})
     assert [cell.kind for cell in said.cells] == ["c", "c", "c"]
     for count in range(3):
-        assert len(check_cells([said], 7, 3).others) == count
+        check = check_cells([said], 7, 3)
+        told = of_check(check).observation(evidence).text
+        assert len(check.others) == count == sum(name in told for name in check.cells)
         said = altered(said, count, kind="t")
     with pytest.raises(CellDifferenceError, match="kept is a torus"):
         check_cells([said], 7, 3)
