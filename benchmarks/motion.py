@@ -23,9 +23,9 @@ from benchmarks.calibration import sentence
 from trimmer.arrays import Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.motion.motion import Motion
-from trimmer.motion.simulation import simulate_loop as simulate
-from trimmer.motion.trimmer_loop import TrimmerLoop
+from trimmer.loops.motion import Motion
+from trimmer.loops.simulation import simulate_loop as simulate
+from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 
 GAP, IMPULSE, DURATION = 4e-5, 1e-6, 0.1

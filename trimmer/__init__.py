@@ -22,7 +22,18 @@ _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 __all__ += ["__version__"]
 ROOMS = (
     *("balance", "branches", "choices", "elements", "ensembles", "errors", "files", "fitting", "linear"),
-    *("maps", "mechanism", "motion", "orbits", "response", "runners", "signals", "spectra", "thesis"),
+    *(
+        "loops",
+        "maps",
+        "mechanism",
+        "motion",
+        "orbits",
+        "response",
+        "runners",
+        "signals",
+        "spectra",
+        "thesis",
+    ),
 )
 """Packages and modules with public names that are not at the top."""
 

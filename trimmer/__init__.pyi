@@ -36,6 +36,13 @@ from .linear.model import pin_model as pin_model
 from .linear.model import transfer_function as transfer_function
 from .linear.modes import modes as modes
 from .linear.summary import summarise as summarise
+from .loops.energy import energy_balance as energy_balance
+from .loops.loop_signal import LoopSignal as LoopSignal
+from .loops.loops import ClosedLoop as ClosedLoop
+from .loops.loops import Drive as Drive
+from .loops.loops import OpenLoop as OpenLoop
+from .loops.motion import Motion as Motion
+from .loops.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .maps.basin import basin as basin
 from .maps.coexistence import coexisting_motions as coexisting_motions
 from .maps.motion_map import motion_map as motion_map
@@ -51,13 +58,6 @@ from .mechanism.parts import Output as Output
 from .mechanism.parts import Pin as Pin
 from .mechanism.parts import Play as Play
 from .mechanism.parts import Stop as Stop
-from .motion.energy import energy_balance as energy_balance
-from .motion.loop_signal import LoopSignal as LoopSignal
-from .motion.loops import ClosedLoop as ClosedLoop
-from .motion.loops import Drive as Drive
-from .motion.loops import OpenLoop as OpenLoop
-from .motion.motion import Motion as Motion
-from .motion.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits

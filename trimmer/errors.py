@@ -9,6 +9,7 @@ __all__ = [
     "IllPosedLoopError",
     "LetterWarning",
     "LinearElementError",
+    "LoopError",
     "MapError",
     "MapFileError",
     "MechanismError",
@@ -59,6 +60,10 @@ class LetterWarning(UserWarning):
 
 class SignalWarning(UserWarning):
     """A record is clipped, or too short for what is asked, so that its spectrum is doubtful."""
+
+
+class LoopError(TrimmerError, ValueError):
+    """A loop has no such number, or it cannot have such a value; the message says which there are."""
 
 
 class IllPosedLoopError(TrimmerError, ValueError):

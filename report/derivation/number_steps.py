@@ -15,7 +15,7 @@ from report.text import filled
 from report.thesis import SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage, limit_cycles, periodic_orbits
 from trimmer.arrays import Reals
-from trimmer.motion.simulation import simulate_loop
+from trimmer.loops.simulation import simulate_loop
 
 
 def number_steps(known: Evidence) -> tuple[Step, ...]:

@@ -19,8 +19,8 @@ from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_G
 from trimmer import Drive, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, peaks, simulate
 from trimmer.arrays import Reals
 from trimmer.elements import Element
-from trimmer.motion.interconnection import Interconnection, realized
-from trimmer.motion.loops import Loop, element_around
+from trimmer.loops.interconnection import Interconnection, realized
+from trimmer.loops.loops import Loop, element_around
 from trimmer.spectra import Window
 from trimmer.spectra.spectrum import amplitude_spectrum
 

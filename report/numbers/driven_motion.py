@@ -24,7 +24,7 @@ from report.thesis import (
 from trimmer import CoulombFriction, Drive, FrictionBacklash, Motion, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, TrimmerBody
-from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
+from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 
 DURATION = 0.6
 """Length of a run from rest, s: fifteen time constants of the slowest mode."""

@@ -14,7 +14,7 @@ from report.numbers.driven_motion import FORCES, difference_energy, driven_loop
 from report.thesis import LARGEST_GAP
 from trimmer import CoulombFriction, TrimmerParameters, simulate
 from trimmer.arrays import Reals
-from trimmer.motion import BodyFriction
+from trimmer.loops import BodyFriction
 from trimmer.thesis import Displacement, TrimmerBody
 
 CUTTER_RELATIVE_TO_MOTOR = Displacement(TrimmerBody.CUTTER, TrimmerBody.MOTOR)

@@ -46,7 +46,7 @@ def identification() -> trimmer.balance.Identification:
 def driven() -> trimmer.Motion:
     parameters, drive = trimmer.TrimmerParameters.thesis(), trimmer.Drive(1.5e-3, frequency=110.0)
     between = trimmer.thesis.Displacement(trimmer.thesis.TrimmerBody.CUTTER, trimmer.thesis.TrimmerBody.GUARD)
-    friction = trimmer.motion.BodyFriction(between, trimmer.CoulombFriction(2.0))
+    friction = trimmer.loops.BodyFriction(between, trimmer.CoulombFriction(2.0))
     element = trimmer.FrictionBacklash(2e-4)
     return trimmer.simulate(trimmer.TrimmerLoop(parameters, element, drive, frictions=(friction,)), 0.03)
 

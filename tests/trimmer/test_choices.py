@@ -16,7 +16,7 @@ from trimmer.displacement import Displacement, DisplacementError, TrimmerBody
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
 from trimmer.linear.summary import summarise
-from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
+from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
 from trimmer.signals.missing import MissingValues

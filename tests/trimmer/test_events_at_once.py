@@ -19,8 +19,8 @@ from trimmer import (
     simulate,
 )
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.loops import BodyFriction
 from trimmer.mechanism import Body, Force, Friction, Link, Play, Stop
-from trimmer.motion import BodyFriction
 
 HALVES = TrimmerParameters(
     **{"m1": 1.0, "m2": 1.0, "m3": 1.0, "m4": 1.0},

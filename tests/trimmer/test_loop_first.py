@@ -28,7 +28,7 @@ from trimmer import (
 )
 from trimmer.errors import UnsupportedElementError
 from trimmer.linear import UnsupportedSystemError
-from trimmer.motion import BodyFriction
+from trimmer.loops import BodyFriction
 from trimmer.orbits import Simulations
 
 THESIS = TrimmerParameters.thesis()

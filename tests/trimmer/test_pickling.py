@@ -38,7 +38,7 @@ from trimmer import (
     transfer_function,
 )
 from trimmer.elements import Element
-from trimmer.motion import BodyFriction
+from trimmer.loops import BodyFriction
 from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()

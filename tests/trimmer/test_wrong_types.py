@@ -102,7 +102,7 @@ CALLS = {
     trimmer.ClosedLoop: {"system": SYSTEM, "element": PLAY},
     trimmer.OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
     trimmer.TrimmerLoop: {"parameters": THESIS, "element": PLAY, "drive": DRIVE, "frictions": ()},
-    trimmer.motion.BodyFriction: {"between": trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
+    trimmer.loops.BodyFriction: {"between": trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
     trimmer.simulate: {"loop": LOOP, "duration": 0.001, "initial_state": np.zeros(8), "impulse": 1e-6}
     | {"element_output": 0.0, "event_limit": 10, "step_limit": 1000},
     MOTION.output: {"times": 0.0},
@@ -258,7 +258,7 @@ def test_nonsense_works_or_is_refused_on_purpose(call, tmp_path, monkeypatch) ->
 
 
 def test_frictions_may_be_a_list() -> None:
-    friction = trimmer.motion.BodyFriction(trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, FRICTION)
+    friction = trimmer.loops.BodyFriction(trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, FRICTION)
     assert trimmer.TrimmerLoop(THESIS, PLAY, DRIVE, frictions=[friction]).frictions == (friction,)
 
 

@@ -13,7 +13,7 @@ from trimmer.balance.loop_first import takes_a_loop
 from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
 HARMONICS = (3, 5, 7)
 """The first harmonics above the fundamental that an odd element has."""

@@ -13,7 +13,7 @@ from trimmer.showing.table import Table, attributes
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
 NEAR_TANGENCY = math.radians(5.0)
 """Crossing angle, rad, below which a limit cycle is reported as near tangency."""

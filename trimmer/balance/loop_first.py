@@ -13,8 +13,8 @@ from trimmer.balance.loop import require_element
 from trimmer.elements.control_element import is_element
 from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import require_siso
-from trimmer.motion.loops import ClosedLoop, Loop
-from trimmer.motion.trimmer_loop import TrimmerLoop
+from trimmer.loops.loops import ClosedLoop, Loop
+from trimmer.loops.trimmer_loop import TrimmerLoop
 
 if TYPE_CHECKING:
     from trimmer.elements.element import Element

@@ -25,7 +25,7 @@ from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
-from trimmer.motion.loops import ClosedLoop
+from trimmer.loops.loops import ClosedLoop
 
 if TYPE_CHECKING:
     from control.lti import LTI

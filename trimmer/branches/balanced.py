@@ -12,8 +12,8 @@ from trimmer.harmonics.balance import harmonic_balance_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.flow import Course
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Course
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from trimmer.branches.arc import Arc
 from trimmer.branches.narrowing import narrowed
 from trimmer.branches.orbit import Place
-from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.motion.part import Phase
 
 MOST_BORDERS = 12
 """Changes of phases on one step, beyond which the step is shortened."""

@@ -1,4 +1,4 @@
-"""Following the exact periodic motions of a mechanism over any of its numbers."""
+"""Following the exact periodic motions of a mechanism or a loop over any of its numbers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import real_array, require_instance, whole_number
+from trimmer.arguments import real_array, whole_number
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
@@ -15,23 +15,26 @@ from trimmer.branches.period_maps.fitting import fitting
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
-from trimmer.contact.flow import ExactFlow
-from trimmer.errors import MechanismError, OrbitNotFoundError
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.errors import LoopError, MechanismError, OrbitNotFoundError
+from trimmer.loops.loops import Loop
 from trimmer.mechanism.place_text import parse_place
 from trimmer.messages import listed
-from trimmer.response.forced_orbit import mechanism_orbit, require_repeating
+from trimmer.response.flows import flow_of, require_subject
+from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.orbit import NEUTRAL, MechanismOrbit
-from trimmer.response.self_excited import self_excited_orbit
+from trimmer.response.self_excited import orbit_by_itself
 from trimmer.response.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
+
 
 def follow(
-    mechanism: Mechanism,
+    mechanism: Mechanism | Loop,
     place: str,
     start: float | str,
     stop: float | str,
@@ -40,7 +43,7 @@ def follow(
     state: ArrayLike | None = None,
     settings: FollowSettings = DEFAULT,
 ) -> FollowedBranch:
-    """Follow a branch of exact periodic motions of a mechanism over one of its numbers.
+    """Follow a branch of exact periodic motions of a mechanism or a loop over one of its numbers.
 
     It begins with what the mechanism settles to from rest at ``start``, goes towards ``stop``, and ends on
     leaving the interval at either end. A motion that is its own mirror image half a period later is followed
@@ -48,17 +51,19 @@ def follow(
     a branch of asymmetric motions joins the symmetric one, it goes on along that towards ``stop``, and the
     other side of the symmetric one is followed as a branch that parts.
 
-    A mechanism without a frequency moves by itself. Then the period is an unknown of each orbit; the
-    multiplier that is 1, since the motion may be shifted in time, has no say in stability and special points.
+    A mechanism without a frequency moves by itself, and so does a closed loop. Then the period is an unknown
+    of each orbit; the multiplier that is 1, since the motion may be shifted in time, has no say in stability
+    and special points. At rest nothing happens in a closed loop, so that its branch begins with the stable
+    orbit of largest amplitude that ``periodic_orbits`` finds, or an unstable one if there is no other.
 
     Args:
-        mechanism: The mechanism.
-        place: Dotted place of the number, such as ``frequency`` or ``plays.bridge.gap``.
+        mechanism: The mechanism or loop.
+        place: Dotted place of the number, such as ``frequency``, ``plays.bridge.gap`` or ``element.gap``.
         start: First value in SI units (Hz for a frequency), or text with its unit.
         stop: The other end of the interval.
         periods: Drive periods after which the motion repeats; by default those after which it does.
         state: State at the start of a drive period from which to begin instead, shape (n,); see
-            ``trimmer.contact.flow.ExactFlow.names`` for its entries. Without a drive a state anywhere on the
+            ``FollowedBranch.state_names`` for its entries. Without a drive a state anywhere on the
             motion and its period, s, shape (n + 1,), as ``FollowedOrbit.state``.
         settings: How to follow it.
 
@@ -66,7 +71,7 @@ def follow(
         The branch. If the mechanism does not settle, it has no points and a message that says so.
 
     Raises:
-        MechanismError: if there is no such number, or it cannot have these values.
+        MechanismError, LoopError: if there is no such number, or it cannot have these values.
         UnsupportedMotionError: if the mechanism never repeats, because a pin goes on for ever and pulls.
         WrongTypeError: if an argument has another type.
         ValueError: if start and stop are equal, a number is out of its range, or ``periods`` is given without
@@ -76,7 +81,7 @@ def follow(
         Allgower and Georg, Introduction to Numerical Continuation Methods, 2003; Leine and Nijmeijer,
         Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004.
     """
-    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    require_subject(mechanism)
     if periods is not None:
         whole_number("periods", periods, 1)
     begin, end = _interval(mechanism, place, start, stop)
@@ -96,7 +101,7 @@ def follow(
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
         map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
-        first = instant_of(ExactFlow.returning(at_start), real_array("state", state)).state
+        first = instant_of(flow_of(at_start), real_array("state", state)).state
     map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:
@@ -117,7 +122,7 @@ def require_continuous(place: str) -> None:
         raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
 
 
-def _interval(mechanism: Mechanism, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
+def _interval(mechanism: Subject, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
     """Return both ends of an interval of a number, in SI units, once they were checked."""
     begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
     if begin == end:
@@ -126,7 +131,7 @@ def _interval(mechanism: Mechanism, place: str, start: float | str, stop: float 
     if mechanism.frequency is None and parse_place(place) == ("frequency",):
         mechanism.value(place)
     for each in (begin, end):
-        require_repeating(ExactFlow.returning(mechanism.with_value(place, each)))
+        require_repeating(flow_of(mechanism.with_value(place, each)))
     return begin, end
 
 
@@ -137,7 +142,7 @@ def _self_excited(
     flow = map.flow(begin)
     if state is None:
         try:
-            orbit = self_excited_orbit(flow, flow.rest())
+            orbit = orbit_by_itself(flow)
         except OrbitNotFoundError as error:
             message = f"at {begin:.10g} there is no motion to begin with: {error}"
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
@@ -145,7 +150,8 @@ def _self_excited(
     else:
         first = real_array("state", state)
         if first.shape != (map.size,):
-            raise MechanismError(
+            error = LoopError if isinstance(map.subject, Loop) else MechanismError
+            raise error(
                 f"the start has the shape {first.shape}, but without a drive it is {map.size - 1} states "
                 f"and the period: {listed((*flow.names, 'period'))}"
             )
@@ -159,12 +165,12 @@ def _self_excited(
     return _followed(continuation(doubled, first, begin, end, settings), map)
 
 
-def _orbit_at_start(mechanism: Mechanism, most_periods: int, periods: int | None) -> MechanismOrbit | None:
+def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) -> MechanismOrbit | None:
     """Return what a mechanism settles to, or an orbit of a given number of periods, stable or not."""
     if periods is None:
         return orbit_from_rest(mechanism, most_periods)
     try:
-        orbit = mechanism_orbit(mechanism, periods)
+        orbit = exact_orbit(mechanism, periods)
     except OrbitNotFoundError:
         return None
     return orbit if orbit.success else None
@@ -178,7 +184,7 @@ def _unsettled(begin: float, most_periods: int) -> str:
 
 
 def _followed(branch: Branch, base: MechanismMap) -> FollowedBranch:
-    """Return a branch of a mechanism, with the map of which all others are doubled."""
+    """Return a branch, with the map of which all others are doubled."""
     map = base
     for _ in range(branch.doublings):
         map = map.doubled()

@@ -18,7 +18,9 @@ from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text, unit_of
+from trimmer.response.flows import flow_of
 from trimmer.response.orbit import with_shifts
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
@@ -114,7 +116,10 @@ class FollowedOrbit(Shown):
             raise UnsupportedMotionError(
                 "harmonic balance runs beside driven motions only, and the mechanism has no frequency"
             )
-        return balanced_beside(self.passage.course, self.passage.flow.mechanism, self.periods, harmonics)
+        mechanism = self.passage.flow.subject
+        if not isinstance(mechanism, Mechanism):
+            raise UnsupportedMotionError("harmonic balance runs beside motions of mechanisms only")
+        return balanced_beside(self.passage.course, mechanism, self.periods, harmonics)
 
     def _told(self) -> str:
         kind = "stable" if self.stable else "not stable"
@@ -152,7 +157,12 @@ class FollowedBranch(Tabular):
     @property
     def unit(self) -> str:
         """SI unit of the number that is varied; Hz for a frequency."""
-        return self.map.mechanism.places[place_text(parse_place(self.map.place))]
+        return self.map.subject.places[place_text(parse_place(self.map.place))]
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Unit of each output, empty for a number."""
+        return {name: each.unit for name, each in flow_of(self.map.subject).outputs.items()}
 
     def outputs_at(self, special: SpecialPoint) -> Mapping[str, OutputMeasure]:
         """Return peak to peak and harmonics of each output at a special point of the branch."""
@@ -190,11 +200,11 @@ class FollowedBranch(Tabular):
     def _table(self) -> Table:
         items = [(number, point) for number, each in enumerate(self.all()) for point in each.points]
         outputs = (
-            Column(f"outputs.{name}.peak_to_peak", "m", _stroke(name)) for name in self.map.mechanism.outputs
+            Column(f"outputs.{name}.peak_to_peak", unit, _stroke(name)) for name, unit in self.units.items()
         )
         columns = (
             Column("branch", "", lambda item: item[0]),
-            Column("value", unit_of(self.map.mechanism.places, self.map.place), lambda item: item[1].value),
+            Column("value", unit_of(self.map.subject.places, self.map.place), lambda item: item[1].value),
             Column("stable", "", lambda item: item[1].stable),
             Column("period", "s", lambda item: item[1].period),
             Column("period_count", "", lambda item: item[1].periods),
@@ -222,7 +232,7 @@ class FollowedBranch(Tabular):
 
 def _outputs(passage: MechanismPassage) -> Mapping[str, OutputMeasure]:
     flow, course = passage.flow.travelling(passage.course)
-    return output_measures(flow.mechanism, course)
+    return output_measures(flow, course)
 
 
 def _stroke(name: str) -> Callable[[tuple[int, FollowedOrbit]], float]:

@@ -15,7 +15,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc
 from trimmer.branches.orbit import Place
-from trimmer.branches.period_maps.period_map import Phase
+from trimmer.motion.part import Phase
 
 MOST_TRIALS = 70
 POWERS = (1, 2)

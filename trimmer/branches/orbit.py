@@ -13,8 +13,9 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_maps.period_map import Passage, PeriodMap, Phase
+from trimmer.branches.period_maps.period_map import Passage, PeriodMap
 from trimmer.errors import TrimmerError
+from trimmer.motion.part import Phase
 
 MOST_ITERATIONS = 14
 MOST_HALVINGS = 4

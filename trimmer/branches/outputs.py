@@ -7,54 +7,55 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.response.extremes import extremes
-from trimmer.response.fourier import fourier
-from trimmer.response.motion_signals import output_rows, output_speeds, steady
+from trimmer.motion.extremes import extremes
+from trimmer.motion.fourier import fourier
+from trimmer.motion.signals import read
 from trimmer.showing.shown import Shown
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.flow import Course
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Course, Flow
 
 HARMONICS = 15
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class OutputMeasure(Shown):
-    """What a displacement does over a period.
+    """What an output does over a period, in its unit.
 
     Attributes:
-        advance: Shift over the period, m, which is taken off evenly before it is measured.
-        peak_to_peak: m.
-        harmonics: Amplitudes a_n, m, of a_n cos(n omega t + phase), n = 1 ... 15, omega that of the drive, or
-            of the motion without a drive.
+        advance: Shift over the period, which is taken off evenly before it is measured.
+        peak_to_peak: Largest less smallest value.
+        harmonics: Amplitudes a_n of a_n cos(n omega t + phase), n = 1 ... 15, omega that of the drive, or of
+            the motion without a drive.
+        unit: The unit, empty for a number.
     """
 
     advance: float
     peak_to_peak: float
     harmonics: Reals
+    unit: str = "m"
 
     def _told(self) -> str:
-        return f"{self.peak_to_peak:.6g} m peak to peak, {len(self.harmonics)} harmonics"
+        unit = f" {self.unit}" if self.unit else ""
+        return f"{self.peak_to_peak:.6g}{unit} peak to peak, {len(self.harmonics)} harmonics"
 
 
-def output_measures(mechanism: Mechanism, course: Course) -> dict[str, OutputMeasure]:
+def output_measures(flow: Flow, course: Course) -> dict[str, OutputMeasure]:
     """Return the measures of all outputs by name.
 
     Args:
-        mechanism: The mechanism.
+        flow: What moves.
         course: Its motion over a whole number of drive periods, after which it repeats, in the frame that
             advances with it; without a drive over its own period.
     """
-    layout, found = course.modes.system.layout, {}
-    speeds = output_speeds(mechanism, layout)
-    omega = layout.omega or 2.0 * np.pi / course.duration
-    for name, row in output_rows(mechanism, layout).items():
-        lowest, highest = extremes(course, steady(row))
-        amplitudes = fourier(course, (course.nodes.states @ row)[:, None], omega, HARMONICS)
-        advance = speeds[name] * course.duration
-        found[name] = OutputMeasure(advance, highest - lowest, np.abs(amplitudes[:, 0]))
+    nodes, found = course.nodes, {}
+    omega = course.modes.system.layout.omega or 2.0 * np.pi / course.duration
+    for name, output in flow.outputs.items():
+        lowest, highest = extremes(course, output.signal)
+        amplitudes = fourier(course, read(course, [output], nodes.rows, nodes.states), omega, HARMONICS)
+        advance = output.speed * course.duration
+        found[name] = OutputMeasure(advance, highest - lowest, np.abs(amplitudes[:, 0]), output.unit)
     return found
 
 

@@ -36,7 +36,7 @@ from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
 if TYPE_CHECKING:
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.motion import Motion
     from trimmer.response.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
@@ -84,7 +84,7 @@ def _run(arguments: Namespace) -> int:
     show("\n".join([text, *(f"wrote {path}" for path in targets if not arguments.json)]), *targets)
     if motion.success:
         return 0
-    from trimmer.motion.motion import Outcome
+    from trimmer.loops.motion import Outcome
 
     tell(f"only {motion.duration:.6g} s of {arguments.duration:.6g} s: {motion.message}")
     return INTERRUPTED if getattr(motion, "outcome", None) is Outcome.INTERRUPTED else ENDED_EARLY
@@ -102,7 +102,7 @@ def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
     loop, impulse = chosen_loop(arguments), impulse_of(arguments)
     check_periods(arguments.duration, arguments.drive)
     from trimmer.command_line.loops import motion_text as of_loop
-    from trimmer.motion.simulation import SimulationInterrupted, simulate_loop
+    from trimmer.loops.simulation import SimulationInterrupted, simulate_loop
 
     try:
         with patience():
@@ -167,7 +167,7 @@ def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signa
 
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.command_line.mechanisms import motion_text as of_mechanism
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.motion import Motion
     from trimmer.signals.signal import Signal
 
     times = np.arange(int(motion.duration * sample_rate)) / sample_rate

@@ -1,8 +1,4 @@
-"""The exact motion of a mechanism: the interface of this package.
-
-Times in a ``Course`` count from its start, in which whole drive periods follow each other. Between the rows
-of its log the motion is linear, so it is known at all times.
-"""
+"""The exact motion of a mechanism: the interface of this package."""
 
 from __future__ import annotations
 
@@ -16,9 +12,18 @@ from trimmer.contact.assembly import force_of
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
+from trimmer.contact.readouts import (
+    acceleration,
+    contact_measures,
+    forces_at,
+    friction_measures,
+    outputs_of,
+    parts_of,
+)
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
+    CONTACT_MADE,
     FORWARD,
     FREE,
     MINUS,
@@ -31,132 +36,38 @@ from trimmer.contact.statuses import (
     TRUNCATES,
 )
 from trimmer.contact.system import MechanismSystem
-from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
-from trimmer.hybrid.nodes import Nodes, nodes, sample
-from trimmer.hybrid.system import ARRIVED, NO_STATE, NOTHING
+from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.system import ARRIVED, NO_STATE
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
-from trimmer.hybrid.variation import propagated
-from trimmer.hybrid.work import Log
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.flow import Flow
+from trimmer.sides import DIFFERENT
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from trimmer.arrays import Integers, Reals
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.hybrid.system import Mode
+    from trimmer.mechanism.parts import Force, Pin
+    from trimmer.motion.flow import Course
+    from trimmer.motion.measures import ContactMeasures, FrictionMeasures
+    from trimmer.motion.part import Part
+    from trimmer.motion.signals import Readout, Signal
+    from trimmer.motion.subject import Subject
 
-
-BLOCK = 100_000
-"""Steps that drive periods followed in one call of the compiled code may take: no interrupt ends it."""
 NEGLIGIBLE = 1e-9
-"""Share of the largest velocity of a motion below which the mean velocity is rounding."""
+"""Share of the largest velocity of a motion, or eigenvalue of a matrix, below which another may be none."""
+NO_MORE = 1e-14
+"""Share of the largest displacement or velocity up to which another one is rounding."""
+STRETCHED = 1e-2
+"""Least scale of the stretch of a relaxing spring, relative to the largest displacement."""
+ROUNDING = 64 * float(np.finfo(float).eps)
+"""Rounding of a sum as a share of the moduli of its terms."""
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
-    """A motion between two instants.
-
-    Attributes:
-        modes: The modes of the mechanism.
-        begin: The instant at which it begins.
-        end: The instant at which it ends.
-        ending: Why it ends there.
-        duration: s.
-        log: Its segments; times count from its start.
-    """
-
-    modes: Modes[MechanismSystem]
-    begin: Instant
-    end: Instant
-    ending: Ending
-    duration: float
-    log: Log
-
-    @cached_property
-    def nodes(self) -> Nodes:
-        """The motion at the nodes of quadrature."""
-        return nodes(self.modes.tables, self.log, self.duration)
-
-    def states(self, times: Reals) -> Reals:
-        """Return the extended states, (times, N), at times, s, that do not decrease."""
-        return sample(self.modes.tables, self.log, times)
-
-    def turned(self, time: float, phase: float) -> Course:
-        """Return a motion that repeats after whole drive periods as one that begins at a later instant of it.
-
-        Nothing is integrated again, so that each event is there once, also where it comes to that instant.
-
-        Args:
-            time: From the start to that instant, s.
-            phase: Time of that instant since the start of a drive period, s.
-        """
-        count, log = int(np.searchsorted(self.log.start, time, side="right")), self.log
-        (extended,) = self.states(np.array([time]))
-        mode = int(log.mode[count - 1])
-        cut = Log._make(each[count - 1 : count].copy() for each in log)
-        cut.start[:], cut.state[:], cut.part[:], cut.kind[:], cut.function[:] = 0.0, extended, -1, NOTHING, -1
-        later = log._replace(start=log.start - time), log._replace(start=log.start + self.duration - time)
-        turned = cut, Log._make(each[count:] for each in later[0]), later[1].first(count)
-        begin = replace(
-            self.begin,
-            state=extended[: self.modes.system.layout.state_count],
-            statuses=self.modes[mode].statuses,
-            periods=0,
-            phase=phase,
-            zeros=np.zeros_like(self.begin.zeros),
-        )
-        end = replace(begin, periods=self.end.periods - self.begin.periods)
-        joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
-        return replace(self, begin=begin, end=end, log=joined)
-
-    def tangents(self, at_start: Reals) -> Reals:
-        """Return what becomes of small distances of the state, (n, columns), over the motion.
-
-        In a frame that follows leaders a distance in which all that they lead is shifted is none.
-        """
-        frame = self.modes.system.layout.frame
-        at_start = frame.reduced(at_start.T).T if frame.follows else at_start
-        return propagated(self.modes, self.log, self.duration, at_start)
-
-    @property
-    def monodromy(self) -> Reals:
-        """The derivative of the state at the end by that at the start, (n, n)."""
-        return self.tangents(np.eye(self.modes.system.layout.state_count))
-
-    @property
-    def times(self) -> Reals:
-        """Times, s, at which its mode changes, in their order."""
-        times: Reals = self.log.start[(self.log.kind != NOTHING) | (self.log.function >= 0)]
-        return times
-
-    @property
-    def events(self) -> list[tuple[float, int, int]]:
-        """Time, s, part and kind of each event that counts."""
-        rows = np.flatnonzero(self.log.kind != NOTHING)
-        return [
-            (float(self.log.start[row]), int(self.log.part[row]), int(self.log.kind[row])) for row in rows
-        ]
-
-
-@dataclass(frozen=True, eq=False)
-class Strobe:
-    """A motion seen once a drive period.
-
-    Attributes:
-        states: At the start and after each period, (periods + 1, n).
-        counts: Events of each period by kind, (periods, kinds).
-        end: The instant at which it ends.
-        ending: Why it ends there.
-    """
-
-    states: Reals
-    counts: Integers
-    end: Instant
-    ending: Ending
-
-
-@dataclass(frozen=True, eq=False)
-class ExactFlow:
+class ExactFlow(Flow):
     """The exact motion of one mechanism.
 
     The state of n entries holds the displacements of the bodies, m, their velocities, m/s, and the stretches
@@ -180,23 +91,13 @@ class ExactFlow:
         """The modes that were met so far, with their ``system``."""
         return Modes(MechanismSystem(*machine_of(self.mechanism, self.frame)))
 
-    @property
-    def size(self) -> int:
-        """Number n of states."""
-        return self.modes.system.layout.state_count
-
-    @property
-    def period(self) -> float:
-        """Period of the drive, s; 0 without one."""
-        return self.modes.system.layout.period
-
     @cached_property
     def names(self) -> tuple[str, ...]:
         """What the states are, such as ``motor``, ``motor'`` and ``bridge``."""
         layout = self.modes.system.layout
         return (*layout.bodies, *(f"{body}'" for body in layout.bodies), *layout.relaxing)
 
-    def rest(self, start: Mapping[str, tuple[float, float]] | None = None) -> Instant:
+    def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
         """Return the instant t = 0 at which bodies have given displacements, m, and velocities, m/s.
 
         The others are where the mechanism's own start puts them, or at rest at 0.
@@ -273,52 +174,6 @@ class ExactFlow:
             return RELEASED_PLUS if side == PLUS else RELEASED_MINUS
         return side
 
-    def strobe(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Strobe:
-        """Go on for a number of drive periods, at least 1, and keep the state between them."""
-        # What moves on for ever forces each period in a way of its own.
-        portions = ([1] * periods if self.modes.system.layout.ramp else []) or [periods]
-        states, counts, end = [instant.state[None]], [], instant
-        for portion in portions:
-            stretch = advance(self.modes, end, portion, self.period, False, most_steps)
-            states.append(stretch.states[1:])
-            counts.append(stretch.counts)
-            end = stretch.end
-            if stretch.ending is not Ending.REACHED_END:
-                break
-        return Strobe(np.concatenate(states), np.concatenate(counts), end, stretch.ending)
-
-    def course(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Course:
-        """Go on for a number of drive periods, and keep the motion."""
-        parts, end, ending = self._periods(instant, periods, most_steps)
-        return self._joined(instant, end, ending, parts)
-
-    def timed(self, instant: Instant, duration: float, most_steps: int = MOST_STEPS) -> Course:
-        """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
-        if not self.period:
-            stretch = advance(self.modes, instant, 1, duration, True, most_steps)
-            return self._joined(instant, stretch.end, stretch.ending, [stretch.log], duration)
-        whole = int(duration / self.period)
-        parts, end, ending = self._periods(instant, whole, most_steps)
-        rest = duration - whole * self.period
-        if ending is Ending.REACHED_END and rest > 0:
-            stretch = advance(self.modes, end, 1, rest, True, most_steps)
-            parts.append(stretch.log._replace(start=stretch.log.start + whole * self.period))
-            end, ending = stretch.end, stretch.ending
-        return self._joined(instant, end, ending, parts, duration)
-
-    def _periods(self, instant: Instant, periods: int, most_steps: int) -> tuple[list[Log], Instant, Ending]:
-        """Go on for whole periods; returns the logs of the motion, its end, and why it ends."""
-        logs, end, ending = list[Log](), instant, Ending.REACHED_END
-        done, count = 0, 1
-        while done < periods and ending is Ending.REACHED_END:
-            # What moves on for ever forces each period in a way of its own.
-            count = 1 if self.modes.system.layout.ramp else min(count, periods - done)
-            stretch = advance(self.modes, end, count, self.period, True, most_steps, done)
-            logs.append(stretch.log)
-            end, ending, done = stretch.end, stretch.ending, done + count
-            count = max(min(2 * count, count * BLOCK // max(stretch.steps, 1)), 1)
-        return logs, end, ending
-
     def travelling(self, course: Course) -> tuple[ExactFlow, Course]:
         """Return a motion in the frame that moves evenly, at its leaders' mean velocities, and its flow.
 
@@ -349,14 +204,178 @@ class ExactFlow:
         """Return states, (..., n), shifted along all directions in which no force changes to leaders at 0."""
         return self.modes.system.layout.frame.reduced(states)
 
+    def grounded(self) -> ExactFlow:
+        """Return the same in the frame of the ground."""
+        return ExactFlow(self.mechanism)
+
     def moving(self, mean: Reals) -> ExactFlow:
         """Return the same in a frame that moves evenly, at mean velocities, m/s, (bodies,), of leaders."""
         return ExactFlow(self.mechanism, self.modes.system.layout.frame.steady(mean))
 
-    def _joined(
-        self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None
-    ) -> Course:
-        log = Log(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
-        if duration is None or ending is not Ending.REACHED_END:
-            duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
-        return Course(self.modes, begin, end, ending, float(duration), log)
+    def watched(self, instant: Instant, periods: int) -> ExactFlow:
+        """Return the motion in the frame that moves as leaders do in the mean over some drive periods."""
+        if not self.modes.system.layout.frame.follows or not self.shifts:
+            return self
+        count = len(self.modes.system.layout.bodies)
+        still = self.moving(np.zeros(count))
+        states = still.strobe(instant, periods).states
+        gone = states[-1, :count] - states[0, :count]
+        return still.moving(gone / (max(len(states) - 1, 1) * self.period))
+
+    @property
+    def subject(self) -> Mechanism:
+        """The mechanism."""
+        return self.mechanism
+
+    def at_other(self, subject: Subject) -> ExactFlow:
+        """Return the motion of another mechanism, in the frame in which it repeats."""
+        assert isinstance(subject, Mechanism)
+        return ExactFlow.returning(subject)
+
+    @cached_property
+    def axes(self) -> Mapping[str, tuple[int, ...]]:
+        """Places of the displacement and the velocity of each body."""
+        bodies = self.modes.system.layout.bodies
+        return {name: (place, len(bodies) + place) for place, name in enumerate(bodies)}
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """The contacts, then the frictions."""
+        return parts_of(self.modes.system.layout)
+
+    @cached_property
+    def outputs(self) -> Mapping[str, Readout]:
+        """The outputs of the mechanism, m."""
+        return outputs_of(self.mechanism, self.modes.system.layout)
+
+    @cached_property
+    def accelerations(self) -> Mapping[str, Signal]:
+        """Acceleration of each body, m/s²."""
+        bodies = self.modes.system.layout.bodies
+        return {name: acceleration(self.modes, body) for body, name in enumerate(bodies)}
+
+    def without_rounding(self, sizes: Reals) -> Reals:
+        """Return sizes of states, (n,), 0 for what is rounding beside others of its kind.
+
+        A stretch is a difference of displacements, and known no better than their rounding: its own is at
+        least a share of theirs.
+        """
+        displacements, velocities = self.modes.system.layout.kinds
+        found = sizes.copy()
+        for kind in (found[displacements], found[velocities]):
+            kind[kind <= NO_MORE * kind.max()] = 0.0
+        stretches = found[velocities.stop :]
+        np.maximum(stretches, STRETCHED * found[displacements].max(), out=stretches)
+        return found
+
+    def is_alike(self, other: Flow) -> bool:
+        """Say whether another mechanism has the same states and parts, and the same leaders."""
+        own, layout = self.modes.system.layout, other.modes.system.layout
+        alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
+        return alike and not (layout.frame.leaders != own.frame.leaders).any()
+
+    def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
+        """Return the statuses, with what a change of velocities, among that of all states, tears out of stick.
+
+        One whose kinetic force is less than the static one may leave for good; stick is taken to hold.
+        """
+        machine, free = self.modes.system.machine, list(statuses)
+        rates = machine.friction_rate[:, : len(change)]
+        speeds, contacts = rates @ change, len(machine.stiffness)
+        moves = abs(speeds) > DIFFERENT * (abs(rates) @ abs(change))
+        for friction in np.flatnonzero(moves).tolist():
+            drops = machine.static[friction] > machine.kinetic[friction]
+            if statuses[contacts + friction] == STICK and not drops:
+                free[contacts + friction] = FORWARD if speeds[friction] > 0 else BACKWARD
+        return tuple(free)
+
+    @property
+    def rubbing(self) -> tuple[str, ...]:
+        """Names of the frictions."""
+        return tuple(self.mechanism.frictions)
+
+    def impact_speeds(self, course: Course) -> Reals:
+        """Return how fast the sides of contacts meet at each impact of a motion, m/s, (impacts,)."""
+        log, rates = course.log, self.modes.system.machine.contact_rate
+        made = np.flatnonzero(log.kind == CONTACT_MADE)
+        return np.asarray(abs((rates[log.part[made]] * log.state[made]).sum(axis=1)))
+
+    def contacts(self, course: Course, periods: int) -> Mapping[str, ContactMeasures]:
+        """Return what each play and stop that exerts a force does."""
+        names = self.modes.system.layout.contacts
+        return {name: contact_measures(course, part, periods) for part, name in enumerate(names)}
+
+    def frictions(self, course: Course, periods: int) -> Mapping[str, FrictionMeasures]:
+        """Return what each friction that exerts a force does."""
+        names = self.modes.system.layout.frictions
+        return {name: friction_measures(course, number, periods) for number, name in enumerate(names)}
+
+    def positions(self, course: Course) -> Mapping[str, float]:
+        """Return the displacement of each body, m, at the start of a motion."""
+        bodies = self.modes.system.layout.bodies
+        return dict(zip(bodies, course.begin.state[: len(bodies)].tolist(), strict=True))
+
+    def forces(self, course: Course, times: Reals) -> Mapping[str, Reals]:
+        """Return the force of each link, play, stop and friction, N, at times, s, that do not decrease."""
+        return forces_at(self.mechanism, course, times)
+
+    @cached_property
+    def mirrored_states(self) -> Reals:
+        """All change their signs."""
+        return np.full(self.size, -1.0)
+
+    @property
+    def is_mirror_symmetric(self) -> bool:
+        """Whether with x(t) also -x(t + T/2) is a motion, T the period of the drive.
+
+        Plays and frictions act on both sides alike; stops do not, nor do constant forces, offsets and
+        velocities of pins, and even orders.
+        """
+        mechanism = self.mechanism
+        moving: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
+        odd = all(part.order % 2 == 1 for part in moving)
+        centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
+        pushed = any(force.constant != 0 for force in mechanism.forces.values())
+        return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops
+
+    @property
+    def is_bounded(self) -> bool:
+        """Whether links hold and damp every displacement of the bodies, so that no motion can grow for ever.
+
+        Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion
+        to the speed. So the energy falls wherever it is large, unless a pin goes on for ever.
+        """
+        if any(pin.velocity for pin in self.mechanism.pins.values()):
+            return False
+        roots = np.sqrt(self._masses)
+        count, base = len(roots), self.modes.system.machine.base
+        for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
+            resisting = -base[count : 2 * count, block] * roots[:, None] / roots
+            values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
+            if values[0] <= NEGLIGIBLE * abs(values[-1]):
+                return False
+        return True
+
+    @property
+    def _masses(self) -> Reals:
+        return np.array([body.mass for body in self.mechanism.bodies.values()])
+
+    def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
+        """Return the real parts of λ, exactly zero where nothing damps or rounding cannot tell.
+
+        The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of
+        m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is 0.
+        """
+        masses = self._masses
+        velocities = slice(len(masses), 2 * len(masses))
+        moved = states[velocities]  # Velocities of a free part are λ times its displacements.
+        damping = -masses[:, None] * mode.flow[velocities, velocities]
+        inertia = masses @ abs(moved) ** 2
+        real: Reals = rates.real.copy()
+        for each in np.flatnonzero((rates.imag != 0) & (inertia > 0)):
+            column = moved[:, each]
+            work = float((column.conj() @ damping @ column).real)
+            rounding = ROUNDING * float(abs(column) @ abs(damping) @ abs(column))
+            real[each] = -0.5 * work / inertia[each] if abs(work) > rounding else 0.0
+        real[(rates.imag == 0) & (abs(rates.real) <= margins)] = 0.0
+        return real

@@ -19,9 +19,15 @@ from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from trimmer.arrays import Reals
+    from trimmer.arrays import Complexes, Reals
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Force, Pin
+
+
+SMALLEST_SHARE = 1e-4
+"""Share of the largest displacement, velocity or stretch below which none is measured by itself."""
+STILL = 1e-1
+"""Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +81,63 @@ class Layout:
     def forcing(self) -> int:
         """Number of entries that force the states and are not forced by them."""
         return self.size - self.state_count
+
+    @cached_property
+    def kinds(self) -> tuple[slice, ...]:
+        """The states of one kind each: displacements, velocities."""
+        count = len(self.bodies)
+        return slice(0, count), slice(count, 2 * count)
+
+    @property
+    def rates(self) -> tuple[slice, ...]:
+        """Those kinds that are rates of others."""
+        return self.kinds[1:]
+
+    @property
+    def measured_between(self) -> bool:
+        """What is small at all events is small."""
+        return False
+
+    @property
+    def travels(self) -> bool:
+        """Whether the frame moves."""
+        return self.frame.follows or bool(self.frame.velocities.any())
+
+    @cached_property
+    def phasors(self) -> Complexes:
+        """The entries that force the states as real parts of these times exp(i order omega t)."""
+        found = np.zeros((len(self.orders), self.forcing), dtype=complex)
+        for place in range(len(self.orders)):
+            found[place, 2 * place : 2 * place + 2] = -1j, 1.0
+        return found
+
+    def felt(self, distances: Reals) -> Reals:
+        """Return distances, (n, columns), without shifts of all that leaders lead, where the frame follows."""
+        return self.frame.reduced(distances.T).T if self.frame.follows else distances
+
+    def sizes(self, states: Reals, duration: float) -> Reals:
+        """Return the scale of each state over a motion, (n,).
+
+        Where bodies may be shifted without a change of any force, it is that beside their leader. What is much
+        smaller than the others of its kind is measured by a share of theirs, and what does not move at all
+        by 1.
+
+        Args:
+            states: At instants of the motion, (instants, n).
+            duration: s.
+        """
+        sizes: Reals = abs(self.frame.reduced(states)).max(axis=0)
+        displacements, velocities = self.kinds
+        rate = 2 * np.pi / duration
+        longest = max(
+            sizes[displacements].max(initial=0.0), STILL * sizes[velocities].max(initial=0.0) / rate
+        )
+        fastest = max(sizes[velocities].max(initial=0.0), STILL * longest * rate)
+        scale = np.full(len(sizes), longest)
+        scale[velocities] = fastest
+        sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
+        sizes[sizes == 0.0] = 1.0
+        return sizes
 
     def sine(self, order: int) -> int:
         """Return the place of the sine of an order; its cosine follows."""

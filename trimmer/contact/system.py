@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.assembly import assemble
+from trimmer.contact.assembly import assemble, flow_without_stick
 from trimmer.contact.joint import after_event
 from trimmer.contact.statuses import ACTIONS, CONTACT_BROKEN
 from trimmer.contact.transitions import transition
@@ -68,9 +68,16 @@ class MechanismSystem:
         """Return the equations of the mode with given statuses of all contacts, then of all frictions."""
         return assemble(self.machine, statuses)
 
+    def terms(self, mode: Mode) -> Reals:
+        """Return the moduli of what the flow of a mode is made of, (N, N): stick takes forces away."""
+        return abs(flow_without_stick(self.machine, mode.statuses))
+
     def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
         """Return what follows an event; None where several frictions at rest decide it together."""
         return transition(self.machine, mode.statuses, function, jumped)
+
+    def reset(self, mode: Mode, function: EventFunction) -> None:
+        """Return nothing: contacts have springs, so that the state is continuous."""
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places

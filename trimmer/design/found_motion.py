@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING
+from trimmer.contact.readouts import contact_force
 from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target
 from trimmer.hybrid.advance import Ending
-from trimmer.response.measures import ContactMeasures, FrictionMeasures, Measures, OutputMeasures
-from trimmer.response.motion_signals import along, contact_force, durations, output_rows, while_status
+from trimmer.motion.measures import ContactMeasures, FrictionMeasures, Measures, OutputMeasures
+from trimmer.motion.signals import along, durations, read, while_status
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
@@ -211,7 +212,7 @@ def _signals(flow: ExactFlow, course: Course, share: float) -> Signals:
     contacts = len(layout.contacts)
     return Signals(
         times,
-        {name: states @ row for name, row in output_rows(flow.mechanism, layout).items()},
+        dict(zip(flow.outputs, read(course, flow.outputs.values(), rows, states).T, strict=True)),
         {
             name: along(course, contact_force(course.modes, part), rows, states)
             for part, name in enumerate(layout.contacts)

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.response.fourier import fourier
-from trimmer.response.motion_signals import acceleration, along
+from trimmer.contact.readouts import acceleration
+from trimmer.motion.fourier import fourier
+from trimmer.motion.signals import along
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

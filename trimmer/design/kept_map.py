@@ -74,7 +74,7 @@ def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list
     told(done, count)
     numbers = [row * columns + column for row in missing for column in range(columns)]
     pending: dict[int, dict[int, CellResult]] = {row: {} for row in missing}
-    work = CellWork(inputs.mechanism, inputs.places, inputs.settings)
+    work = CellWork(inputs.subject, inputs.places, inputs.settings)
     cells = (Cell(number, inputs.cell_values(number)) for number in numbers)
     for result in runner.results(work, cells) if numbers else ():
         row = result.number // columns

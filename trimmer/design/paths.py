@@ -158,7 +158,7 @@ def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most
 
 
 def _side(branch: FollowedBranch, end: float) -> Side:
-    names = list(branch.map.mechanism.outputs)
+    names = list(branch.units)
     # Each orbit keeps its whole motion once it was measured: hundreds of them would fill the memory.
     found = [FollowedOrbit(point.point, point.map).outputs for point in branch.points]
     strokes = [{name: measures[name].peak_to_peak for name in names} for measures in found]

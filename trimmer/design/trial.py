@@ -13,7 +13,7 @@ from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
-from trimmer.response.measures import Measures
+from trimmer.motion.measures import Measures
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:

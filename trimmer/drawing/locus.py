@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
 ANY = np.geomspace(1e-6, 1e6, 1800)
 """u = amplitude_scale/amplitude where any amplitude will do."""

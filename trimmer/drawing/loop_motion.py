@@ -10,14 +10,14 @@ from trimmer.drawing.axes import add_legend, axes_for
 from trimmer.drawing.look import line
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
-from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.relay_component import HELD
+from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.relay_component import HELD
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.motion import Motion
 
 POINTS = 4000
 """Points of a curve, beside the events."""

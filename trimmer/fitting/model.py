@@ -10,8 +10,8 @@ import numpy as np
 from trimmer.contact.flow import ExactFlow
 from trimmer.errors import MechanismError
 from trimmer.fitting.unknowns import Unknown, values_at
-from trimmer.response.fourier import fourier
-from trimmer.response.motion_signals import output_rows
+from trimmer.motion.fourier import fourier
+from trimmer.motion.signals import read
 from trimmer.response.orbit import orbit_of
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import Patience, Return, solve
@@ -125,8 +125,8 @@ class Model:
 
     def _lines(self, orbit: MechanismOrbit) -> Complexes:
         course = orbit.course
-        rows = output_rows(orbit.mechanism, course.modes.system.layout)
-        signals = course.nodes.states @ np.array([rows[name] for name in self.outputs]).T
+        nodes = course.nodes
+        signals = read(course, [orbit.flow.outputs[each] for each in self.outputs], nodes.rows, nodes.states)
         omega = 2 * np.pi / course.duration
         orders = np.arange(1, self.count + 1)[:, None]
         lines = fourier(course, signals - signals.mean(axis=0), omega, self.count)

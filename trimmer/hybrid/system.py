@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Places, Reals
+    from trimmer.arrays import Complexes, Integers, Places, Reals
 
 ARRIVED, AT_LIMIT = range(2)
 """Event functions of parts that can be held: a switching function has come to zero; what holds is at its
@@ -111,8 +111,49 @@ class Layout(Protocol):
     def period(self) -> float:
         """Period of what forces the states, s; 0 for none."""
 
+    @property
+    def ramp(self) -> bool:
+        """Whether the time itself forces the states."""
+
+    @property
+    def omega(self) -> float:
+        """Angular frequency of what forces the states, rad/s; 0 for none."""
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """Multiples of it that occur."""
+
+    @property
+    def phasors(self) -> Complexes:
+        """Entries that force the states at each order, as real parts of these times exp(i order omega t).
+
+        Array (orders, forcing).
+        """
+
+    @property
+    def kinds(self) -> tuple[slice, ...]:
+        """The states of one kind each, whose sizes may be compared."""
+
+    @property
+    def rates(self) -> tuple[slice, ...]:
+        """Those kinds that are rates of others, where that is known."""
+
+    @property
+    def measured_between(self) -> bool:
+        """Whether states may be small at all events and large between them."""
+
+    @property
+    def travels(self) -> bool:
+        """Whether the frame in which the states are moves."""
+
     def forcing_at(self, time: float, before: float = 0.0) -> Reals:
         """Return the entries that force the states at a time in a period, s, after whole periods, s."""
+
+    def felt(self, distances: Reals) -> Reals:
+        """Return distances of states, (n, columns), without what makes no difference."""
+
+    def sizes(self, states: Reals, duration: float) -> Reals:
+        """Return the scale of each state, (n,), from states of a motion, (instants, n), and its length, s."""
 
 
 class System(Protocol):
@@ -150,6 +191,12 @@ class System(Protocol):
 
         None where several parts at rest decide it together.
         """
+
+    def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
+        """Return what an event makes of the state, (N, N); None if it goes on."""
+
+    def terms(self, mode: Mode) -> Reals:
+        """Return the sums of the moduli of what the flow of a mode is made of, (N, N)."""
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places

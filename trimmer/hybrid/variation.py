@@ -9,6 +9,7 @@ matrix is singular.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -62,6 +63,18 @@ def _fitted(modes: Modes[Any], mode: int, distances: Reals) -> Reals:
     return fitted
 
 
+def propagator(modes: Modes[Any], mode: int, duration: float) -> Reals:
+    """Return exp(M duration) of a mode, (N, N); the duration in s. States that decay by themselves stay."""
+    tables, size = modes.tables, modes.system.layout.size
+    settled = int(tables.settled[mode])
+    steps, fraction = divmod(duration / tables.step[settled], 1.0)
+    terms = tables.series[settled].reshape(size, DEGREE + 1, size)
+    rest = np.einsum("jki,k->ij", terms, fraction ** np.arange(DEGREE + 1))
+    whole: Reals = np.linalg.matrix_power(tables.screen[settled, :, :size].T, int(steps))
+    found: Reals = rest @ whole
+    return found
+
+
 def _flow(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> None:
     """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
     tables, count = modes.tables, len(distances)
@@ -79,18 +92,86 @@ def _flow(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> No
 
 def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) -> None:
     """Multiply by the jumps of what happens at one instant, one after the other."""
-    fired = [int(log.function[row]) for row in range(first, last + 1) if log.function[row] >= 0]
-    if not fired:
-        return
-    count, state = len(distances), log.state[last]
-    for before, function, after in changes(modes, log, first, last, fired[0]):
-        gradient = function.row
-        rates = modes[before].flow @ (log.state[first] if before == log.mode[first - 1] else state)
-        slope = gradient @ rates
+    count = len(distances)
+    for each in jumps(modes, log, first, last):
+        gradient, slope = each.function.row, each.slope
+        moved = distances if each.reset is None else each.reset[:count, :count] @ distances
         if slope:
-            jump = (modes[after].flow @ state - rates)[:count] / slope
-            distances += np.outer(jump, gradient[:count] @ distances)
-        distances[:] = _fitted(modes, after, distances)
+            # Before a reset is done the distance decides how much later the event comes.
+            moved = moved + np.outer(each.change[:count] / slope, gradient[:count] @ distances)
+        distances[:] = _fitted(modes, each.after, moved)
+
+
+@dataclass(frozen=True, eq=False)
+class Jump:
+    """What one event makes of small distances.
+
+    Attributes:
+        before: The mode before.
+        function: What falls to zero.
+        after: The mode afterwards.
+        here: Extended state at which it does, (N,).
+        there: The state afterwards, (N,).
+        reset: What becomes of the state, (N, N); None if it goes on.
+        rates: Rates of the state before, 1/s, (N,).
+        change: Rates afterwards less those before, as the reset leaves them, (N,).
+    """
+
+    before: int
+    function: EventFunction
+    after: int
+    here: Reals
+    there: Reals
+    reset: Reals | None
+    rates: Reals
+    change: Reals
+
+    @property
+    def slope(self) -> float:
+        """How fast the event function falls."""
+        return float(self.function.row @ self.rates)
+
+
+def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
+    """Yield what happens at one instant, of which some rows of a log tell, one after the other."""
+    events = [row for row in range(first, last + 1) if log.function[row] >= 0]
+    if not events:
+        return
+    found = list(changes(modes, log, first, last, int(log.function[events[0]])))
+    resets = [modes.system.reset(modes[before], function) for before, function, _ in found]
+    follows = _reset_of_those_that_follow(modes, log, events, [function for _, function, _ in found])
+    if follows is not None:
+        resets[-1] = follows if resets[-1] is None else follows @ resets[-1]
+    jumping = any(each is not None for each in resets)
+    here = _before(modes, log, first) if jumping else log.state[first]
+    for (before, function, after), reset in zip(found, resets, strict=True):
+        there = log.state[last] if not jumping else here if reset is None else reset @ here
+        rates = modes[before].flow @ here
+        change = modes[after].flow @ there - (rates if reset is None else reset @ rates)
+        yield Jump(before, function, after, here, there, reset, rates, change)
+        here = there
+
+
+def _before(modes: Modes[Any], log: Log, row: int) -> Reals:
+    """Return the extended state, (N,), just before what begins a row."""
+    elapsed = float(log.start[row] - log.start[row - 1])
+    state: Reals = propagator(modes, int(log.mode[row - 1]), elapsed) @ log.state[row - 1]
+    return state
+
+
+def _reset_of_those_that_follow(
+    modes: Modes[Any], log: Log, events: Sequence[int], falling: Sequence[EventFunction]
+) -> Reals | None:
+    """Return the resets, (N, N), of what happens at an instant beside what falls to zero; None for none."""
+    total = None
+    known = {_identity(function) for function in falling}
+    for row in events[1:]:
+        mode = modes[int(log.mode[row - 1])]
+        function = mode.functions[int(log.function[row])]
+        reset = None if _identity(function) in known else modes.system.reset(mode, function)
+        if reset is not None:
+            total = reset if total is None else reset @ total
+    return total
 
 
 def changes(

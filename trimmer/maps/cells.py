@@ -9,24 +9,28 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.contact.flow import ExactFlow
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
+from trimmer.response.flows import flow_of
 from trimmer.response.linear_lines import LinearLines
 from trimmer.response.response import MotionKind
-from trimmer.response.shooting import CLOSED
+from trimmer.response.shooting import CLOSED, sizes_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.subject import Subject
     from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import MechanismOrbit
 
+FIRST_SCALE = 2.0
+"""How far random starts of a loop go, in what its states reach from rest."""
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
 
@@ -102,19 +106,19 @@ class CellWork:
     """What is done with each cell of a map.
 
     Attributes:
-        mechanism: The mechanism that is varied.
+        subject: The mechanism or loop that is varied.
         places: Places of the values.
         settings: How long each cell is looked at, and from where.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     places: tuple[str, ...]
     settings: Settings
 
     def __call__(self, cell: Cell) -> CellResult:
         """Return the motions of a cell; what fails is told by the motion, and stops no other cell."""
         try:
-            flow = ExactFlow.returning(varied(self.mechanism, self.places, cell.values))
+            flow = flow_of(varied(self.subject, self.places, cell.values))
             starts = _starts(flow, cell, self.settings)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
             return CellResult(cell.number, (_failed(error),))
@@ -126,11 +130,11 @@ class CellWork:
         return CellResult(cell.number, tuple(motions))
 
 
-def _settled(flow: ExactFlow, start: Instant, settings: Settings) -> Settled:
+def _settled(flow: Flow, start: Instant, settings: Settings) -> Settled:
     return settle(flow, start, settings.most_periods)
 
 
-def _near(flow: ExactFlow, states: Reals, settings: Settings) -> Settled:
+def _near(flow: Flow, states: Reals, settings: Settings) -> Settled:
     """Return the stable orbit near that of another cell, or what a start on that leads to."""
     start = flow.at(states[0])
     orbit = orbit_near(flow, start, len(states))
@@ -143,7 +147,7 @@ def _failed(error: Exception) -> CellMotion:
     return CellMotion(MotionKind.UNDECIDED, failure=str(error) or type(error).__name__)
 
 
-def _starts(flow: ExactFlow, cell: Cell, settings: Settings) -> list[Instant]:
+def _starts(flow: Flow, cell: Cell, settings: Settings) -> list[Instant]:
     if cell.orbits:
         return []
     random = np.random.default_rng(np.random.SeedSequence((settings.seed, cell.number)))
@@ -152,9 +156,15 @@ def _starts(flow: ExactFlow, cell: Cell, settings: Settings) -> list[Instant]:
     return [flow.rest(), *(flow.at(state, stretched=False) for state in others)]
 
 
-def start_scales(flow: ExactFlow) -> Reals:
-    """Return how far random starts go: the largest amplitude or gap, and the speed of a drive with that."""
-    mechanism = flow.mechanism
+def start_scales(flow: Flow) -> Reals:
+    """Return how far random starts go: the largest amplitude or gap, and the speed of a drive with that.
+
+    In a loop it is twice what its states reach from rest.
+    """
+    if not isinstance(flow.subject, Mechanism):
+        # In the first periods of the drive from rest states become about as large as they will be.
+        return np.asarray(FIRST_SCALE * sizes_of(flow.course(flow.rest(), WINDOW)))
+    mechanism = flow.subject
     lengths = [
         *(abs(pin.amplitude) for pin in mechanism.pins.values()),
         *(play.gap for play in mechanism.plays.values()),
@@ -167,14 +177,14 @@ def start_scales(flow: ExactFlow) -> Reals:
     return scales
 
 
-def _motion(flow: ExactFlow, found: Callable[[], Settled]) -> CellMotion:
+def _motion(flow: Flow, found: Callable[[], Settled]) -> CellMotion:
     try:
         return _described(flow, found())
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
         return _failed(error)
 
 
-def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
+def _described(flow: Flow, settled: Settled) -> CellMotion:
     if settled.kind is MotionKind.DIVERGING:
         return CellMotion(settled.kind, periods=settled.periods)
     if settled.ending is not Ending.REACHED_END:
@@ -196,7 +206,7 @@ def _described(flow: ExactFlow, settled: Settled) -> CellMotion:
     )
 
 
-def _repeating(flow: ExactFlow, kind: MotionKind, orbit: MechanismOrbit, periods: int) -> CellMotion:
+def _repeating(flow: Flow, kind: MotionKind, orbit: MechanismOrbit, periods: int) -> CellMotion:
     rests = kind is MotionKind.REST
     return CellMotion(
         kind,

@@ -12,18 +12,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from trimmer.contact.machine import machine_of
 from trimmer.files import MAP
 from trimmer.json_data import DataError, typed
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.maps.measures import Measures
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import Records, appended, cut
 from trimmer.sizes import LARGEST
+
+if TYPE_CHECKING:
+    from trimmer.motion.flow import Flow
 
 _MAPS = Records(
     kind=MAP,
@@ -33,6 +35,7 @@ _MAPS = Records(
     one="cell of a map",
     others={
         "mechanism": "another mechanism",
+        "loop": "another loop",
         "places": "other places to vary",
         "values": "other values",
         "settings": "other settings",
@@ -54,14 +57,14 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
         MapFileError: if the file is not there, is none of a map, is damaged, or has other inputs.
     """
     results = []
-    states = machine_of(inputs.mechanism)[1].state_count
+    flow = flow_of(inputs.subject)
     numbers: set[int] = set()
     for line, data in _MAPS.entries(path, inputs.header):
         try:
             result = typed(CellResult, data)
         except DataError as error:
             raise _MAPS.damaged(path, line, error) from error
-        problem = _problem(result, inputs, states) or _twice(result.number, numbers)
+        problem = _problem(result, inputs, flow) or _twice(result.number, numbers)
         if problem:
             raise _MAPS.damaged(path, line, problem)
         results.append(result)
@@ -79,29 +82,29 @@ def _twice(number: int, numbers: set[int]) -> str:
     return f"number is {number}, as in a line before" if number in numbers else ""
 
 
-def _problem(result: CellResult, inputs: MapInputs, states: int) -> str:
+def _problem(result: CellResult, inputs: MapInputs, flow: Flow) -> str:
     """Say why a result is none of a cell of this map; empty if it may be one.
 
     Args:
         result: The result.
         inputs: The inputs of the map.
-        states: Number of states of the mechanism as it is without the values of the cell.
+        flow: The motion of what is varied, as it is without the values of the cell.
     """
     if not 0 <= result.number < inputs.count:
         return f"number is {result.number}, and the map has {inputs.count} cells, from 0 on"
     if not result.motions:
         return "motions is empty, and each start leads to one"
     for at, motion in enumerate(result.motions):
-        problem = _problem_of_motion(motion, inputs.mechanism)
-        sizes = {len(state) for state in motion.states} - {states}
+        problem = _problem_of_motion(motion, flow)
+        sizes = {len(state) for state in motion.states} - {flow.size}
         if not problem and sizes and sizes != {_states(inputs, result.number)}:
-            problem = "states are not of as many numbers as the mechanism has states"
+            problem = "states are not of as many numbers as the motion has states"
         if problem:
             return f"motions[{at}].{problem}"
     return ""
 
 
-def _problem_of_motion(motion: CellMotion, mechanism: Mechanism) -> str:
+def _problem_of_motion(motion: CellMotion, flow: Flow) -> str:
     if min(motion.period_count, motion.periods, motion.starts - 1) < 0:
         return "period_count, periods or starts are too small"
     if not motion.failure.isprintable():
@@ -110,10 +113,10 @@ def _problem_of_motion(motion: CellMotion, mechanism: Mechanism) -> str:
         return ""
     if motion.measures is None:
         return "measures is null, and there is no failure"
-    return _problem_of_kind(motion, motion.measures, mechanism) or _problem_of_sizes(motion, motion.measures)
+    return _problem_of_kind(motion, motion.measures, flow) or _problem_of_sizes(motion, motion.measures)
 
 
-def _problem_of_kind(motion: CellMotion, measures: Measures, mechanism: Mechanism) -> str:
+def _problem_of_kind(motion: CellMotion, measures: Measures, flow: Flow) -> str:
     """Say what of a motion does not fit its kind or the mechanism."""
     repeats = motion.kind is MotionKind.PERIODIC
     if repeats is not (motion.period_count > 0):
@@ -123,9 +126,9 @@ def _problem_of_kind(motion: CellMotion, measures: Measures, mechanism: Mechanis
     if len(motion.states) != (motion.period_count if repeats else 1) or not motion.states:
         return f"states are {len(motion.states)}, which does not fit kind and period_count"
     for name, parts in (
-        ("peak_to_peak", mechanism.outputs),
-        ("rms_acceleration", mechanism.bodies),
-        ("wear_power", mechanism.frictions),
+        ("peak_to_peak", flow.outputs),
+        ("rms_acceleration", flow.accelerations),
+        ("wear_power", flow.rubbing),
     ):
         if getattr(measures, name).keys() != parts.keys():
             return f"measures.{name} is not of the parts of the mechanism"
@@ -153,8 +156,7 @@ def _problem_of_sizes(motion: CellMotion, measures: Measures) -> str:
 
 def _states(inputs: MapInputs, number: int) -> int:
     """Return the number of states of a cell: damping of a stop adds one, and may be varied."""
-    mechanism = varied(inputs.mechanism, inputs.places, inputs.cell_values(number))
-    return machine_of(mechanism)[1].state_count
+    return flow_of(varied(inputs.subject, inputs.places, inputs.cell_values(number))).size
 
 
 def _as_data(result: CellResult) -> dict[str, Any]:

@@ -132,7 +132,7 @@ def _tried(
     inputs = result.inputs
     if runner is None:
         runner = ProcessRunner() if len(cells) > FEW else SerialRunner()
-    results = runner.results(CellWork(inputs.mechanism, inputs.places, inputs.settings), cells)
+    results = runner.results(CellWork(inputs.subject, inputs.places, inputs.settings), cells)
     bar = progress_bar(results, f"round {number}", quiet=quiet, total=len(cells))
     yield from sorted(bar, key=lambda found: found.number)
 

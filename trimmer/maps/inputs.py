@@ -6,17 +6,20 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from trimmer.arguments import finite_number, require_instance, shown
-from trimmer.errors import MapError, MechanismError, WrongTypeError
+from trimmer.errors import MapError, TrimmerError, WrongTypeError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.response.flows import require_subject
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+    from trimmer.motion.subject import Subject
 
 FORMAT = 1
 """Version of the format of files."""
@@ -44,16 +47,21 @@ class MapInputs:
     """All that the cells of a map depend on.
 
     Attributes:
-        mechanism: The mechanism that is varied.
+        subject: The mechanism or loop that is varied.
         places: One place or two.
         values: Values of each place.
         settings: How long each cell is looked at, and from where.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     places: tuple[str, ...]
     values: tuple[tuple[float, ...], ...]
     settings: Settings
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism, if it is one that is varied."""
+        return cast("Mechanism", self.subject)
 
     @property
     def count(self) -> int:
@@ -72,7 +80,7 @@ class MapInputs:
         from trimmer import __version__
 
         content = {
-            "mechanism": self.mechanism.to_toml(),
+            **described(self.subject),
             "places": list(self.places),
             "values": [list(values) for values in self.values],
             "settings": asdict(self.settings),
@@ -81,37 +89,47 @@ class MapInputs:
         return {"trimmer map": FORMAT, "program": __version__, **content, "inputs": digest}
 
 
-def varied(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> Mechanism:
-    """Return the mechanism with other numbers at some places, in whatever order they can be set.
+def described(subject: Subject) -> dict[str, Any]:
+    """Return a mechanism or a loop as data that tell it from any other one."""
+    if isinstance(subject, Mechanism):
+        return {"mechanism": subject.to_toml()}
+    from trimmer.loops.description import loop_as_data
+
+    return {"loop": loop_as_data(subject)}
+
+
+def varied(mechanism: Subject, places: tuple[str, ...], values: tuple[float, ...]) -> Subject:
+    """Return the mechanism or loop with other numbers at some places, in whatever order they can be set.
 
     Raises:
         MechanismError: if the numbers cannot stand there together.
     """
     try:
         return _in_order(mechanism, places, values)
-    except MechanismError:
+    except TrimmerError:
         # A static force may have to rise before the kinetic one does.
         return _in_order(mechanism, places[::-1], values[::-1])
 
 
-def _in_order(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> Mechanism:
+def _in_order(mechanism: Subject, places: tuple[str, ...], values: tuple[float, ...]) -> Subject:
     for place, value in zip(places, values, strict=True):
         mechanism = mechanism.with_value(place, value)
     return mechanism
 
 
-def checked_inputs(mechanism: Mechanism, values: Mapping[str, ArrayLike], settings: Settings) -> MapInputs:
+def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings: Settings) -> MapInputs:
     """Return the inputs of a map after all was checked that can be without a motion.
 
     Raises:
         MechanismError, MapError, WrongTypeError: as ``motion_map`` does.
     """
-    require_instance("mechanism", mechanism, Mechanism, "a Mechanism")
+    require_subject(mechanism)
     require_instance("values", values, Mapping, "a mapping of dotted places to values")
     for place in values:
         require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
     if mechanism.frequency is None:
-        raise MapError("the mechanism has no frequency, and maps are of driven motions: give it one")
+        what = "mechanism has no frequency" if isinstance(mechanism, Mechanism) else "loop has no drive"
+        raise MapError(f"the {what}, and maps are of driven motions: give it one")
     if not 1 <= len(values) <= 2:
         raise MapError(f"a map is over one place or two, not {len(values)}")
     places = tuple(place_text(parse_place(place)) for place in values)
@@ -142,7 +160,7 @@ def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:
 
 
 def _check_value(
-    mechanism: Mechanism, places: tuple[str, ...], axis: int, value: float, others: tuple[float, ...]
+    mechanism: Subject, places: tuple[str, ...], axis: int, value: float, others: tuple[float, ...]
 ) -> None:
     """Check that a value can stand at its place with at least one of the other place's values."""
     first = None
@@ -150,7 +168,7 @@ def _check_value(
         pair = (value,) if other is None else (value, other) if axis == 0 else (other, value)
         try:
             varied(mechanism, places, pair)
-        except MechanismError as error:
+        except TrimmerError as error:
             first = first or error
         else:
             return

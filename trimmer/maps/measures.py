@@ -11,14 +11,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.statuses import CONTACT_MADE, STICK
+from trimmer.contact.flow import ExactFlow
+from trimmer.contact.statuses import STICK
 from trimmer.hybrid.system import NOTHING
-from trimmer.response import measures as exact
-from trimmer.response.motion_signals import output_rows
+from trimmer.motion import measures as exact
+from trimmer.motion.signals import Steady
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
-    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.motion.flow import Course, Flow
     from trimmer.response.linear_lines import LinearLines
     from trimmer.response.linear_motion import LinearMotion
 
@@ -31,7 +32,7 @@ class Measures:
     """Measures of a motion over some drive periods.
 
     Attributes:
-        peak_to_peak: Of each output, m.
+        peak_to_peak: Of each output, in its unit.
         rms_acceleration: Of each body, m/s².
         wear_power: What each dry friction turns into heat on average, W; its viscous share is left out.
         events: Per drive period, of all kinds.
@@ -47,11 +48,11 @@ class Measures:
     impact_speed: float
 
 
-def of_orbit(flow: ExactFlow, course: Course, period_count: int) -> Measures:
+def of_orbit(flow: Flow, course: Course, period_count: int) -> Measures:
     """Return the measures of an orbit, exact to rounding.
 
     Args:
-        flow: The exact motion of the mechanism.
+        flow: What moves.
         course: The motion over its period.
         period_count: Drive periods that it lasts.
     """
@@ -60,19 +61,21 @@ def of_orbit(flow: ExactFlow, course: Course, period_count: int) -> Measures:
     return Measures(
         dict(found.peak_to_peak),
         dict(found.rms_acceleration),
-        {name: frictions.get(name, 0.0) for name in flow.mechanism.frictions},
-        *_of_events(course, period_count),
+        {name: frictions.get(name, 0.0) for name in flow.rubbing},
+        *_of_events(flow, course, period_count),
     )
 
 
-def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
+def of_window(flow: Flow, course: Course, periods: int) -> Measures:
     """Return the measures of a motion that does not repeat, from even samples.
 
     Args:
-        flow: The exact motion of the mechanism.
+        flow: What moves.
         course: A window of the motion.
         periods: Drive periods that it lasts.
     """
+    if not isinstance(flow, ExactFlow):
+        return of_orbit(flow, course, periods)
     mechanism, log, machine = flow.mechanism, course.log, flow.modes.system.machine
     count, bodies = periods * SAMPLES, len(mechanism.bodies)
     times = course.duration * (np.arange(count) + 0.5) / count
@@ -86,18 +89,15 @@ def of_window(flow: ExactFlow, course: Course, periods: int) -> Measures:
         _swings(flow, course, times, states),
         dict(zip(mechanism.bodies, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
         {name: float(powers.get(name, 0.0)) for name in mechanism.frictions},
-        *_of_events(course, periods),
+        *_of_events(flow, course, periods),
     )
 
 
-def _of_events(course: Course, periods: int) -> tuple[float, float, float]:
+def _of_events(flow: Flow, course: Course, periods: int) -> tuple[float, float, float]:
     """Return events and impacts per drive period, and the largest speed of an impact."""
-    log = course.log
-    counts = np.bincount(log.kind, minlength=course.modes.system.kind_count)
-    made = np.flatnonzero(log.kind == CONTACT_MADE)
-    speeds = (course.modes.system.machine.contact_rate[log.part[made]] * log.state[made]).sum(axis=1)
-    events = float((len(log.kind) - counts[NOTHING]) / periods)
-    return events, float(counts[CONTACT_MADE] / periods), float(abs(speeds).max(initial=0.0))
+    speeds = flow.impact_speeds(course)
+    events = int((course.log.kind != NOTHING).sum())
+    return events / periods, len(speeds) / periods, float(speeds.max(initial=0.0))
 
 
 def product(states: Reals, functionals: Reals) -> Reals:
@@ -123,7 +123,8 @@ def _swings(flow: ExactFlow, course: Course, times: Reals, states: Reals) -> dic
     times = np.concatenate([course.log.start, times])
     order = np.argsort(times, kind="stable")
     states = np.concatenate([course.log.state, states])[order]
-    rows = output_rows(flow.mechanism, flow.modes.system.layout)
+    signals = {name: each.signal for name, each in flow.outputs.items()}
+    rows = {name: each.row for name, each in signals.items() if isinstance(each, Steady)}
     if not rows:
         return {}
     functionals = np.array(list(rows.values()))
@@ -163,7 +164,11 @@ def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
         lines: Its lines.
         motion: It.
     """
-    flow, contacts = motion.flow, len(motion.flow.modes.system.machine.stiffness)
+    flow = motion.flow
+    if not isinstance(flow, ExactFlow):  # Friction in a loop has an event in each period.
+        nothing = dict.fromkeys(flow.rubbing, 0.0)
+        return Measures(dict(lines.peak_to_peak), {}, nothing, 0.0, 0.0, 0.0)
+    contacts = len(flow.modes.system.machine.stiffness)
     sliding = np.array(motion.instant.statuses[contacts:]) != STICK
     speeds = [abs(motion.seen_by(row)[0]) for row in flow.modes.system.machine.friction_rate]
     powers = flow.modes.system.machine.kinetic * np.array(speeds) * sliding

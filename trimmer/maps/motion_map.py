@@ -98,7 +98,7 @@ def _computed(
         return
     if runner is None:
         runner = ProcessRunner() if len(left) > FEW else SerialRunner()
-    work = CellWork(inputs.mechanism, inputs.places, inputs.settings)
+    work = CellWork(inputs.subject, inputs.places, inputs.settings)
     cells = (Cell(number, inputs.cell_values(number)) for number in left)
     results = iter(runner.results(work, cells))
     kept = results if target is None else checkpoint.append(target, results)

@@ -13,6 +13,7 @@ import numpy as np
 from trimmer.errors import MapError
 from trimmer.maps.cells import described, waited_for
 from trimmer.mechanism.place_text import unit_of
+from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
     from trimmer.maps.cells import CellMotion, CellResult
     from trimmer.maps.inputs import MapInputs
+    from trimmer.motion.flow import Flow
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -103,29 +105,38 @@ class MotionMap(Tabular):
 
     @cached_property
     def stroke(self) -> Reals:
-        """Peak to peak of the mechanism's first output, m, (n2, n1).
+        """Peak to peak of the first output, in its unit, (n2, n1).
 
         Raises:
             MapError: if the mechanism has no output.
         """
-        if not self.inputs.mechanism.outputs:
+        if not self.outputs:
             raise MapError("the mechanism has no output, so there is no stroke: give it one ([outputs])")
         return next(iter(self.peak_to_peak.values()))
 
     @cached_property
     def peak_to_peak(self) -> Mapping[str, Reals]:
-        """Of each output, m, (n2, n1)."""
-        return {name: self._measure("peak_to_peak", name) for name in self.inputs.mechanism.outputs}
+        """Of each output, in its unit, (n2, n1)."""
+        return {name: self._measure("peak_to_peak", name) for name in self.outputs}
+
+    @cached_property
+    def outputs(self) -> Mapping[str, str]:
+        """Unit of each output, empty for a number."""
+        return {name: each.unit for name, each in self._flow.outputs.items()}
+
+    @cached_property
+    def _flow(self) -> Flow:
+        return flow_of(self.inputs.subject)
 
     @cached_property
     def rms_acceleration(self) -> Mapping[str, Reals]:
         """Of each body, m/s², (n2, n1)."""
-        return {name: self._measure("rms_acceleration", name) for name in self.inputs.mechanism.bodies}
+        return {name: self._measure("rms_acceleration", name) for name in self._flow.accelerations}
 
     @cached_property
     def wear_power(self) -> Mapping[str, Reals]:
         """Mean power of each dry friction, W, (n2, n1)."""
-        return {name: self._measure("wear_power", name) for name in self.inputs.mechanism.frictions}
+        return {name: self._measure("wear_power", name) for name in self._flow.rubbing}
 
     @cached_property
     def events(self) -> Reals:
@@ -181,7 +192,7 @@ class MotionMap(Tabular):
     @property
     def units(self) -> tuple[str, ...]:
         """SI unit of each place, empty for a number; Hz for a frequency."""
-        known = self.inputs.mechanism.places
+        known = self.inputs.subject.places
         return tuple(unit_of(known, place) for place in self.places)
 
     def plot(self, ax: Axes | None = None, curves: Iterable[tuple[str, ArrayLike]] = ()) -> Axes:
@@ -238,12 +249,13 @@ def _cells(result: MotionMap) -> Iterator[Column]:
         ("frictions", "wear_power", "W", result.wear_power),
     ):
         for part, values in by_name.items():
-            yield Column(f"{section}.{part}.{measure}", unit, np.ravel(values).__getitem__)
+            own = result.outputs[part] if section == "outputs" else unit
+            yield Column(f"{section}.{part}.{measure}", own, np.ravel(values).__getitem__)
 
 
 def _searched(result: MotionMap) -> str:
     settings, count = result.inputs.settings, len(result.cells)
-    own = "the mechanism's own start" if result.inputs.mechanism.start else "rest"
+    own = "the mechanism's own start" if getattr(result.inputs.subject, "start", None) else "rest"
     several = int((result.motion_count > 1).sum())
     begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:

@@ -27,8 +27,8 @@ from trimmer.response.solved import rest_of, solved
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Flow
     from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import MechanismOrbit
 
@@ -83,11 +83,11 @@ class Settled:
     linear: LinearMotion | None = None
 
 
-def settle(flow: ExactFlow, begin: Instant, most_periods: int) -> Settled:
+def settle(flow: Flow, begin: Instant, most_periods: int) -> Settled:
     """Follow a motion until it has settled, or for a number of drive periods.
 
     Args:
-        flow: The exact motion of the mechanism.
+        flow: What moves.
         begin: Where the motion begins, the start of a drive period.
         most_periods: Drive periods to wait at most.
     """
@@ -117,14 +117,14 @@ class _Following:
     """A motion that is followed.
 
     Attributes:
-        flow: The exact motion of the mechanism.
+        flow: What moves.
         instant: Where it is.
         states: At the start of each drive period so far, (periods + 1, n), shifted so that leaders are at 0.
         known: Stable orbits that were found on the way.
         tried: Difference of the last return from which an orbit was solved for.
     """
 
-    flow: ExactFlow
+    flow: Flow
     instant: Instant
     states: Reals
     known: list[MechanismOrbit]
@@ -178,7 +178,7 @@ def on_orbit(orbit: MechanismOrbit, periods: int) -> Settled:
     return Settled(kind, periods, orbit.instant, orbit)
 
 
-def orbit_near(flow: ExactFlow, instant: Instant, periods: int) -> MechanismOrbit | None:
+def orbit_near(flow: Flow, instant: Instant, periods: int) -> MechanismOrbit | None:
     """Return the orbit near an instant that closes after some drive periods, over as few as it needs."""
     while True:
         shot = solve(Return(flow, periods), flow.at(instant.state, like=instant), patience=PATIENCE)

@@ -61,7 +61,7 @@ def special_curves(
     ranges = LocusRanges(*((float(values.min()), float(values.max())) for values in result.values))
     lowest, highest = ranges.second
     seconds = [float(lowest + (line + 0.5) / lines * (highest - lowest)) for line in range(lines)]
-    work = LineWork(result.inputs.mechanism, result.places, ranges)
+    work = LineWork(result.inputs.subject, result.places, ranges)
     found = in_order(runner, work, seconds, "branches", quiet)
     search = _Search(runner, SideWork(result.places[1], ranges), quiet)
     for number, line in enumerate(found, start=1):

@@ -16,7 +16,7 @@ from trimmer.branches.loci.locus import Locus, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.maps.inputs import varied
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.settling import orbit_from_rest
 from trimmer.runners.runner import Runner
@@ -49,12 +49,12 @@ class LineWork:
     """Follows the branches at a value of the second number from both ends of the first.
 
     Attributes:
-        mechanism: The mechanism that is varied.
+        subject: The mechanism or loop that is varied.
         places: Places of the two numbers.
         ranges: Their ranges.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     places: tuple[str, ...]
     ranges: LocusRanges
 
@@ -63,7 +63,7 @@ class LineWork:
         settings = FollowSettings(most_points=MOST_ORBITS, quiet=True)
         branches: list[FollowedBranch] = []
         for start, stop in (self.ranges.first, self.ranges.first[::-1]):
-            mechanism = varied(self.mechanism, self.places, (start, second))
+            mechanism = varied(self.subject, self.places, (start, second))
             if branches and _reaches(branches[0], mechanism):
                 continue
             branch = follow(mechanism, self.places[0], start, stop, settings=settings)
@@ -71,7 +71,7 @@ class LineWork:
         return Line(second, tuple(branches))
 
 
-def _reaches(branch: FollowedBranch, mechanism: Mechanism) -> bool:
+def _reaches(branch: FollowedBranch, mechanism: Subject) -> bool:
     """Say whether a branch ends with what a mechanism settles to from rest, or it does not settle."""
     if branch.reason is not BranchEnd.LEFT_AT_STOP:
         return False

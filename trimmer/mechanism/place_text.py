@@ -5,10 +5,14 @@ from __future__ import annotations
 import json
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from trimmer.errors import MechanismError
+from trimmer.messages import did_you_mean, listed, near_words
 
+Place = tuple[str, ...]
+MOST_MEANT = 3
+"""Places that a message asks for at once."""
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _SEGMENT = re.compile(r"""\s*(?:("(?:[^"\\\n]|\\.)*"|'[^'\n]*')|([^."'=]*?))\s*(\.|$)""")
 
@@ -74,3 +78,44 @@ def unit_of(units: Mapping[str, str], place: str) -> str:
     """Return the unit of a place, empty for a number without one, from the units of all places."""
     unit = units.get(place_text(parse_place(place)), "")
     return "" if unit == "1" else unit
+
+
+def advice(names: Place, known: Mapping[Place, object]) -> str:
+    """Say what follows if more is needed, else what place looks like this one, else what may be there."""
+    if (near := _near(names, known)) and not any(_goes_on(each, names) for each in known):
+        return did_you_mean(map(place_text, near))
+    right = next(
+        names[:length]
+        for length in range(len(names), -1, -1)
+        if any(_goes_on(each, names[:length]) for each in known)
+    )
+    following = dict.fromkeys(key_text(each[len(right)]) for each in known if _goes_on(each, right))
+    return (
+        f"{f'after {place_text(right)} comes' if right else 'a place begins with'} {listed(following, 'or')}"
+    )
+
+
+def _near(names: Place, known: Collection[Place]) -> list[Place]:
+    """Return the place that was meant: name by name the nearest, else as a text; else those that end so."""
+    meant: Place = ()
+    for name in names:
+        following = [each[len(meant)] for each in known if _goes_on(each, meant)]
+        nearest = (name,) if name in following else near_words(name, following)[:1]
+        if not nearest:
+            break
+        meant += nearest
+    if meant in known:
+        return [meant]
+    by_text = {place_text(each): each for each in known if len(each) != len(names)}
+    nearest = near_words(place_text(names), by_text)
+    return [by_text[each] for each in nearest] or _ending(names, known)
+
+
+def _ending(names: Place, known: Collection[Place]) -> list[Place]:
+    """Return the places that end with some names, if they are few."""
+    found = [each for each in known if each[-len(names) :] == names]
+    return found if len(found) <= MOST_MEANT else []
+
+
+def _goes_on(place: Place, names: Place) -> bool:
+    return place[: len(names)] == names and len(place) > len(names)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import changed
 from trimmer.mechanism.parts import Friction, Output
-from trimmer.mechanism.place_text import key_text, parse_place, place_text, split_assignment
+from trimmer.mechanism.place_text import advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import (
     DISPLACEMENT,
     FREQUENCY,
@@ -23,7 +23,7 @@ from trimmer.mechanism.quantities import (
 )
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
-from trimmer.messages import did_you_mean, listed, near_words, shown_value
+from trimmer.messages import shown_value
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 Place = tuple[str, ...]
 STATE: Mapping[str, Quantity] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
 """What a start gives of a body, in the order of the file."""
-MOST_MEANT = 3
-"""Places that a message asks for at once."""
 
 
 def quantities(mechanism: Mechanism) -> dict[Place, Quantity]:
@@ -143,7 +141,7 @@ def _found(mechanism: Mechanism, place: str) -> tuple[Place, Quantity]:
     if (quantity := _quantity(mechanism, names)) is not None:
         return names, quantity
     known = quantities(mechanism)
-    raise MechanismError(f"there is no number at {place_text(names)}; {_advice(names, known)}")
+    raise MechanismError(f"there is no number at {place_text(names)}; {advice(names, known)}")
 
 
 _parsed = lru_cache(maxsize=256)(parse_place)
@@ -163,44 +161,3 @@ def _quantity(mechanism: Mechanism, names: Place) -> Quantity | None:
         case (section, name, key) if section in PARTS and name in getattr(mechanism, section):
             return QUANTITIES[PARTS[section]].get(key)
     return None
-
-
-def _advice(names: Place, known: Mapping[Place, Quantity]) -> str:
-    """Say what follows if more is needed, else what place looks like this one, else what may be there."""
-    if (near := _near(names, known)) and not any(_goes_on(each, names) for each in known):
-        return did_you_mean(map(place_text, near))
-    right = next(
-        names[:length]
-        for length in range(len(names), -1, -1)
-        if any(_goes_on(each, names[:length]) for each in known)
-    )
-    following = dict.fromkeys(key_text(each[len(right)]) for each in known if _goes_on(each, right))
-    return (
-        f"{f'after {place_text(right)} comes' if right else 'a place begins with'} {listed(following, 'or')}"
-    )
-
-
-def _near(names: Place, known: Collection[Place]) -> list[Place]:
-    """Return the place that was meant: name by name the nearest, else as a text; else those that end so."""
-    meant: Place = ()
-    for name in names:
-        following = [each[len(meant)] for each in known if _goes_on(each, meant)]
-        nearest = (name,) if name in following else near_words(name, following)[:1]
-        if not nearest:
-            break
-        meant += nearest
-    if meant in known:
-        return [meant]
-    by_text = {place_text(each): each for each in known if len(each) != len(names)}
-    nearest = near_words(place_text(names), by_text)
-    return [by_text[each] for each in nearest] or _ending(names, known)
-
-
-def _ending(names: Place, known: Collection[Place]) -> list[Place]:
-    """Return the places that end with some names, if they are few."""
-    found = [each for each in known if each[-len(names) :] == names]
-    return found if len(found) <= MOST_MEANT else []
-
-
-def _goes_on(place: Place, names: Place) -> bool:
-    return place[: len(names)] == names and len(place) > len(names)

@@ -1,14 +1,22 @@
-"""Exact motion of a linear system with switched elements: the flow between events is known in closed form.
+"""The exact motion of whatever moves, and what is measured of it: for mechanisms and loops alike.
 
-``simulation`` is the entry, ``loops`` and ``trimmer_loop`` say what moves, ``motion`` holds the result and
-``energy`` balances it. ``switched_component`` is the interface of an element in time, implemented by
-``backlash_component``, ``relay_component`` and ``linear_components``; ``components_of_elements`` chooses
-among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes,
-for which ``implicit_outputs`` finds what follows from conditions; ``system`` is the loop as the core of
-``trimmer.hybrid`` asks for it, ``integration`` asks that core for a motion, ``initial`` gives the state at
-the start. In ``frictions`` is what several frictions do at once.
+A ``subject`` is what moves, as data; its ``flow`` is what all else asks for a ``Course``. ``part`` says which
+phases begin and end, ``signals`` what is read, ``extremes`` and ``fourier`` measure signals exactly, and
+``measures`` collects that.
 """
 
-import lazy_loader
+from __future__ import annotations
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+from typing import Any
+from warnings import warn
+
+
+def __getattr__(name: str) -> Any:
+    """Return what stood here before loops had a room of their own, with a warning."""
+    from trimmer import loops
+
+    if name.startswith("_") or name not in loops.__all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    told = f"trimmer.motion.{name} stands in trimmer.loops: from trimmer.loops import {name}"
+    warn(told, DeprecationWarning, stacklevel=2)
+    return getattr(loops, name)

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
-from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
-from trimmer.motion.corner_component import CornerComponent
-from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
-from trimmer.motion.threshold_component import ThresholdComponent
+from trimmer.loops.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 from trimmer.orbits.pieces import mode_on, switching_phases
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.loops import ClosedLoop
-    from trimmer.motion.switched_component import Component
+    from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.switched_component import Component
 
 
 ORDERS = range(1, 17, 2)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.hybrid.work import Log
-from trimmer.motion.motion import Motion, Outcome
+from trimmer.loops.motion import Motion, Outcome
 from trimmer.orbits.measures import extremes
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.return_map import arcs, follow
@@ -15,7 +15,7 @@ from trimmer.orbits.return_map import arcs, follow
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.motion.loops import Loop
+    from trimmer.loops.loops import Loop
     from trimmer.orbits.shooting import Return, Shot
 
 SEAM = 1e-13

@@ -17,8 +17,8 @@ from trimmer.sides import Sides
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.motion import Motion
-    from trimmer.motion.system import LoopModes
+    from trimmer.loops.motion import Motion
+    from trimmer.loops.system import LoopModes
 
 TOLD = (
     "events at one instant, or one that is just touched, make its return differ from side to side, so that "

@@ -8,8 +8,8 @@ import numpy as np
 
 from trimmer.arguments import whole_number
 from trimmer.errors import OrbitNotFoundError
-from trimmer.motion.initial import initial_segment
-from trimmer.motion.loops import require_loop
+from trimmer.loops.initial import initial_segment
+from trimmer.loops.loops import require_loop
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.realization import restated
 from trimmer.orbits.return_map import arcs, flow, follow
@@ -17,7 +17,7 @@ from trimmer.orbits.shooting import Return, solve
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.loops import Drive, Loop
+    from trimmer.loops.loops import Drive, Loop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
     from trimmer.orbits.return_map import Arc
 

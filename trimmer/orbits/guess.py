@@ -13,18 +13,18 @@ from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
-from trimmer.motion.backlash_component import FREE, LOWER, UPPER, BacklashComponent
-from trimmer.motion.corner_component import CornerComponent
-from trimmer.motion.relay_component import MINUS, PLUS, RelayComponent
-from trimmer.motion.threshold_component import ThresholdComponent
+from trimmer.loops.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.pieces import mode_on
 from trimmer.orbits.trigonometric import OddPolynomial
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.elements.element import Element
-    from trimmer.motion.loops import ClosedLoop
-    from trimmer.motion.switched_component import Component
+    from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.switched_component import Component
 
 
 PHASES = 720

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.corner_component import CornerComponent
-from trimmer.motion.initial import segment_from
-from trimmer.motion.relay_component import RelayComponent
-from trimmer.motion.threshold_component import ThresholdComponent
+from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.initial import segment_from
+from trimmer.loops.relay_component import RelayComponent
+from trimmer.loops.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
 
 FARTHER = 3.0

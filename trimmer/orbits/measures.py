@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.mode import LoopMode
-    from trimmer.motion.system import LoopModes
+    from trimmer.loops.mode import LoopMode
+    from trimmer.loops.system import LoopModes
     from trimmer.orbits.return_map import Arc
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Element
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
 
 BALANCED = 1e-9

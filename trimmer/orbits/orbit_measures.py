@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.motion.backlash_component import LOWER, UPPER, BacklashComponent
+from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
 from trimmer.orbits.measures import HARMONICS, extremes_of
 from trimmer.orbits.return_map import arcs, flow
 from trimmer.showing.shown import Record
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.mode import LoopMode
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.mode import LoopMode
+    from trimmer.loops.motion import Motion
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(48)
 """Gauss-Legendre quadrature of a step; in one the fastest mode turns by about 2 rad, a harmonic by 30."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.loop_signal import LoopSignal, row_in_modes
+from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.orbits.edge import TOLD, one_sided
 from trimmer.orbits.measures import harmonics
 from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.displacement import Displacement
-    from trimmer.motion.loops import Drive
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.loops import Drive
+    from trimmer.loops.motion import Motion
 
 
 NEUTRAL = 1e-6

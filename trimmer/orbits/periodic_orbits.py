@@ -33,7 +33,7 @@ from trimmer.orbits.settling import settled_orbits
 from trimmer.orbits.shooting import Return, Shot, solve
 
 if TYPE_CHECKING:
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
     from trimmer.orbits.search import RelaySearch, SimulationSearch
 

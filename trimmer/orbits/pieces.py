@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy.optimize
 
-from trimmer.motion.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
-from trimmer.motion.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
+from trimmer.loops.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
+from trimmer.loops.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
 from trimmer.orbits.trigonometric import POINTS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from trimmer.arrays import Reals
-    from trimmer.motion.switched_component import Component
+    from trimmer.loops.switched_component import Component
     from trimmer.orbits.trigonometric import OddPolynomial
 
     Piece = tuple[float, float, Callable[[Reals], Reals]]

@@ -16,8 +16,8 @@ import control
 import numpy as np
 import scipy.linalg
 
-from trimmer.motion.integration import renumbered
-from trimmer.motion.loops import ClosedLoop, Loop, OpenLoop
+from trimmer.loops.integration import renumbered
+from trimmer.loops.loops import ClosedLoop, Loop, OpenLoop
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals

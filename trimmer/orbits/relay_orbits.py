@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.components_of_elements import RigidComponent, ViscousComponent
-from trimmer.motion.relay_component import PLUS, RelayComponent
-from trimmer.motion.threshold_component import POSITIVE, ThresholdComponent
+from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent
+from trimmer.loops.relay_component import PLUS, RelayComponent
+from trimmer.loops.threshold_component import POSITIVE, ThresholdComponent
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import shortest
 from trimmer.orbits.half_period import HalfPeriodEquation, interval_of, zeros
@@ -19,8 +19,8 @@ from trimmer.orbits.unequal_switches import POINTS, unequal_switches
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.loops import ClosedLoop
-    from trimmer.motion.switched_component import Component
+    from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.switched_component import Component
     from trimmer.orbits.half_period import Interval
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 

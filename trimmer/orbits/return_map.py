@@ -9,13 +9,13 @@ import numpy as np
 
 from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.motion.integration import followed
+from trimmer.loops.integration import followed
 from trimmer.orbits.saltation import jump
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.work import Log
-    from trimmer.motion.system import LoopModes
+    from trimmer.loops.system import LoopModes
 
 
 MOST_EVENTS = 10_000

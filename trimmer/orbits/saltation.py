@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.motion.switched_component import Constrained
+from trimmer.loops.switched_component import Constrained
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.mode import LoopFunction
-    from trimmer.motion.system import LoopModes
+    from trimmer.loops.mode import LoopFunction
+    from trimmer.loops.system import LoopModes
     from trimmer.orbits.return_map import Arc
 
 AT_ZERO = 2.0**-44

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.hybrid import advance
-from trimmer.motion.integration import followed
+from trimmer.loops.integration import followed
 from trimmer.orbits.describe import orbit_of
 from trimmer.orbits.distinct import same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
@@ -24,7 +24,7 @@ from trimmer.progress import progress_bar
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.work import Log
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 

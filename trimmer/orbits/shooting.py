@@ -13,7 +13,7 @@ from trimmer.orbits.return_map import arcs, derivative, follow
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.work import Log
-    from trimmer.motion.system import LoopModes
+    from trimmer.loops.system import LoopModes
 
 
 MOST_ITERATIONS = 40

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import UnsupportedMotionError
-from trimmer.motion.backlash_component import BacklashComponent
-from trimmer.motion.components_of_elements import RigidComponent, ViscousComponent, components_of
-from trimmer.motion.corner_component import CornerComponent
-from trimmer.motion.relay_component import RelayComponent
-from trimmer.motion.threshold_component import ThresholdComponent
+from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent, components_of
+from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.relay_component import RelayComponent
+from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.pieces import corner_pieces, relay_pieces
 from trimmer.orbits.trigonometric import falls_through_zero
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Element
-    from trimmer.motion.switched_component import Component
+    from trimmer.loops.switched_component import Component
     from trimmer.orbits.trigonometric import OddPolynomial
 
 

@@ -16,14 +16,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
 from trimmer.hybrid.advance import Ending
 from trimmer.sides import DIFFERENT, DISTANCES, Sides
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.flow import Course, ExactFlow
-    from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Course, Flow
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +50,7 @@ class Edge:
         )
 
 
-def edge_of(flow: ExactFlow, course: Course, sizes: Reals) -> Edge | None:
+def edge_of(flow: Flow, course: Course, sizes: Reals) -> Edge | None:
     """Return what is known of the other side of an orbit; None if it rests on no edge.
 
     Args:
@@ -77,7 +75,7 @@ def edge_of(flow: ExactFlow, course: Course, sizes: Reals) -> Edge | None:
     return Edge(other[np.argsort(-abs(other), kind="stable")])
 
 
-def _from_the_middle(flow: ExactFlow, course: Course) -> Course:
+def _from_the_middle(flow: Flow, course: Course) -> Course:
     """Return an orbit from the middle of its longest segment on, far from its ordinary events."""
     lasts = np.diff(np.append(course.log.start, course.duration))
     longest = int(np.argmax(lasts))
@@ -87,28 +85,15 @@ def _from_the_middle(flow: ExactFlow, course: Course) -> Course:
 
 @dataclass(frozen=True, eq=False)
 class _Beside:
-    flow: ExactFlow
+    flow: Flow
     course: Course
     sizes: Reals
-
-    def _set_free(self, change: Reals) -> Instant:
-        """Return the start of the orbit, with what a change of velocities tears out of stick sliding."""
-        machine, begin = self.flow.modes.system.machine, self.course.begin
-        rates = machine.friction_rate[:, : len(change)]
-        speeds, contacts = rates @ change, len(machine.stiffness)
-        moves = abs(speeds) > DIFFERENT * (abs(rates) @ abs(change))
-        statuses = list(begin.statuses)
-        for friction in np.flatnonzero(moves).tolist():
-            # One whose kinetic force is less than the static one may leave for good; stick is taken to hold.
-            drops = machine.static[friction] > machine.kinetic[friction]
-            if statuses[contacts + friction] == STICK and not drops:
-                statuses[contacts + friction] = FORWARD if speeds[friction] > 0 else BACKWARD
-        return replace(begin, statuses=tuple(statuses))
 
     def end(self, step: Reals) -> Reals | None:
         """Return where a motion ends that begins beside the orbit, as shares of the sizes."""
         begin, flow = self.course.begin, self.flow
-        start = flow.at(begin.state + step * self.sizes, begin.phase, like=self._set_free(step * self.sizes))
+        free = replace(begin, statuses=flow.set_free(begin.statuses, step * self.sizes))
+        start = flow.at(begin.state + step * self.sizes, begin.phase, like=free)
         nothing = np.zeros_like(start.zeros)
         start = replace(start, zeros=nothing if step.any() else start.zeros)
         course = flow.timed(start, self.course.duration)

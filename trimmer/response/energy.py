@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, offset
+from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
+from trimmer.contact.readouts import contact_force
 from trimmer.contact.statuses import RELAXING, STICK
 from trimmer.mechanism.parts import GROUND
-from trimmer.response.friction_forces import dry_forces, undetermined
-from trimmer.response.motion_signals import along, contact_force, while_status
+from trimmer.motion.signals import along, while_status
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
 
@@ -25,10 +26,10 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import Course
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Play, Stop
-    from trimmer.response.motion_signals import Signal
+    from trimmer.motion.flow import Course
+    from trimmer.motion.signals import Signal
 
 
 @dataclass(frozen=True, repr=False)
@@ -44,7 +45,7 @@ class MechanismEnergy(Tabular):
         contacts: Lost in each play and stop.
         frictions: Lost in each friction, with its viscous part.
         undetermined: Frictions on pins whose force in stick the motion leaves open at some time. The works of
-            these pins rest on how they share it (``trimmer.response.friction_forces``); no other number does.
+            these pins rest on how they share it (``trimmer.contact.friction_forces``); no other number does.
         residual: What does not close, as a share of the largest term.
     """
 

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING, overload
 from trimmer.arguments import whole_number
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.flows import flow_of
 
 if TYPE_CHECKING:
-    from trimmer.contact.flow import ExactFlow
-    from trimmer.motion.loops import Loop
+    from trimmer.loops.loops import Loop
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.subject import Subject
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.starts import Start
@@ -55,31 +57,31 @@ def forced_orbit(
         UnsupportedMotionError: if a mechanism never repeats, because a pin goes on for ever and pulls.
     """
     if isinstance(loop, Mechanism):
-        return mechanism_orbit(loop, periods, guess, settling)
+        return exact_orbit(loop, periods, guess, settling)
     from trimmer.orbits.forced_orbit import loop_orbit
 
     return loop_orbit(loop, settling)
 
 
-def mechanism_orbit(
-    mechanism: Mechanism, periods: int = 1, guess: Start = None, settling: int | None = None
+def exact_orbit(
+    subject: Subject, periods: int = 1, guess: Start = None, settling: int | None = None
 ) -> MechanismOrbit:
-    """Find an exact periodic motion of a mechanism; see ``forced_orbit``."""
-    from trimmer.contact.flow import ExactFlow
-    from trimmer.response.self_excited import self_excited_orbit
+    """Find an exact periodic motion of a mechanism or a loop; see ``forced_orbit``."""
+    from trimmer.response.self_excited import orbit_by_itself, self_excited_orbit
     from trimmer.response.starts import instant_of
 
     whole_number("periods", periods, 1)
     if settling is not None:
         whole_number("settling", settling, 0)
-    flow = ExactFlow.returning(mechanism)
+    flow = flow_of(subject)
     require_repeating(flow)
     if not flow.period:
         if periods > 1:
             raise ValueError(
                 f"periods is {periods}, but the mechanism has no drive whose periods could count"
             )
-        return _with_edge(self_excited_orbit(flow, instant_of(flow, guess)))
+        found = orbit_by_itself(flow) if guess is None else self_excited_orbit(flow, instant_of(flow, guess))
+        return _with_edge(found)
     return _with_edge(_driven(flow, periods, guess, settling))
 
 
@@ -90,7 +92,7 @@ def _with_edge(orbit: MechanismOrbit) -> MechanismOrbit:
     return replace(orbit, message=f"{orbit.message}; {orbit.edge.told}")
 
 
-def _driven(flow: ExactFlow, periods: int, guess: Start, settling: int | None) -> MechanismOrbit:
+def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> MechanismOrbit:
     from trimmer.errors import OrbitNotFoundError
     from trimmer.hybrid.advance import Ending
     from trimmer.response.orbit import orbit_of
@@ -114,7 +116,7 @@ def _driven(flow: ExactFlow, periods: int, guess: Start, settling: int | None) -
     return orbit
 
 
-def require_repeating(flow: ExactFlow) -> None:
+def require_repeating(flow: Flow) -> None:
     """Check that a mechanism can repeat.
 
     Raises:
@@ -127,8 +129,10 @@ def require_repeating(flow: ExactFlow) -> None:
         )
 
 
-def diverges_by_pull(mechanism: Mechanism) -> bool:
+def diverges_by_pull(subject: Subject) -> bool:
     """Say whether pins that go on for ever stretch springs without end, whatever else happens."""
+    if not isinstance(subject, Mechanism):
+        return False
     from trimmer.contact.frame import frame_of
 
-    return frame_of(mechanism, without_stops=True).pulled
+    return frame_of(subject, without_stops=True).pulled

@@ -18,15 +18,13 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Flow
 
 BLOCK = 32
 """Drive periods over which the size of a motion is taken."""
 NEGLIGIBLE = 1e-6
 """Share of the size that a motion has within a period below which its growth is rounding."""
-ROUNDING = 1e-9
-"""Share of the largest eigenvalue of a matrix below which another one may be zero."""
 OLDER = 4
 """Factor of its age at which it is looked at again."""
 SUSPECT = 0.5
@@ -35,7 +33,7 @@ PROPORTIONAL = 0.75
 """Share of a growth in proportion to the age from which on it is taken for one."""
 
 
-def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
+def grows(flow: Flow, end: Instant, states: Reals, age: int) -> bool:
     """Say whether a motion grows in proportion to its age, or faster.
 
     Args:
@@ -46,7 +44,7 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
     """
     block = min(BLOCK, len(states) // 4)
     younger = age - len(states) + block
-    if not block or younger < 1 or len(states) > age + 1 or is_bounded(flow):
+    if not block or younger < 1 or len(states) > age + 1 or flow.is_bounded:
         return False
     first, last = state_sizes(flow, states[:block]), state_sizes(flow, states[-block:])
     expected = 1 + SUSPECT * (age / younger - 1)
@@ -63,24 +61,6 @@ def grows(flow: ExactFlow, end: Instant, states: Reals, age: int) -> bool:
     return bool((later[growing] >= PROPORTIONAL * OLDER * last[growing]).any())
 
 
-def is_bounded(flow: ExactFlow) -> bool:
-    """Say whether no motion can grow without bound: links hold and damp every displacement of the bodies.
-
-    Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion to
-    the speed. So the energy falls wherever it is large, unless a pin goes on for ever.
-    """
-    if any(pin.velocity for pin in flow.mechanism.pins.values()):
-        return False
-    roots = np.sqrt([body.mass for body in flow.mechanism.bodies.values()])
-    count, base = len(roots), flow.modes.system.machine.base
-    for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
-        resisting = -base[count : 2 * count, block] * roots[:, None] / roots
-        values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
-        if values[0] <= ROUNDING * abs(values[-1]):
-            return False
-    return True
-
-
 def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
     """Say whether a motion without a drive has grown in proportion to its age each time it was looked at.
 
@@ -93,8 +73,7 @@ def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
     return bool(growing) and bool((np.all(growing, axis=0) & moving).any())
 
 
-def state_sizes(flow: ExactFlow, states: Reals) -> Reals:
-    """Return the largest displacement, m, and the largest velocity, m/s, among states, (2,)."""
-    count = len(flow.modes.system.layout.bodies)
+def state_sizes(flow: Flow, states: Reals) -> Reals:
+    """Return the largest modulus of each kind among states, (kinds,), as of displacements and velocities."""
     moduli = abs(states).max(axis=0)
-    return np.array([moduli[:count].max(initial=0.0), moduli[count : 2 * count].max(initial=0.0)])
+    return np.array([moduli[kind].max(initial=0.0) for kind in flow.modes.system.layout.kinds])

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.response.measures import HARMONICS
-from trimmer.response.motion_signals import acceleration, output_rows, output_speeds
+from trimmer.motion.measures import HARMONICS
+from trimmer.motion.signals import Signal
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -33,12 +33,15 @@ class LinearLines:
 
     @cached_property
     def _of_outputs(self) -> Mapping[str, tuple[Complexes, Reals]]:
-        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.system.layout)
-        return {name: self._lines(row) for name, row in rows.items()}
+        return {name: self._lines(each.signal) for name, each in self.motion.flow.outputs.items()}
 
-    def _lines(self, row: Reals) -> tuple[Complexes, Reals]:
-        """Return the waves of a functional, complex, and the amplitudes of its free vibrations."""
-        _, waves, free = self.motion.seen_by(row)
+    @cached_property
+    def _mode(self) -> int:
+        return self.motion.flow.modes.number(self.motion.instant.statuses)
+
+    def _lines(self, signal: Signal) -> tuple[Complexes, Reals]:
+        """Return the waves of a signal, complex, and the amplitudes of its free vibrations."""
+        _, waves, free = self.motion.seen_by(signal(self._mode))
         alive = self.motion.alive & (self.motion.rates.imag > 0)
         near = [abs(self.motion.rates.imag - each) <= 1e-12 * each for each in self.motion.frequencies]
         return waves, np.array([2 * abs(free[alive & each].sum()) for each in near])
@@ -46,15 +49,14 @@ class LinearLines:
     @property
     def mean(self) -> Mapping[str, float]:
         """Mean of each output, m."""
-        rows = output_rows(self.motion.flow.mechanism, self.motion.flow.modes.system.layout)
-        return {name: self.motion.seen_by(row)[0] for name, row in rows.items()}
+        outputs = self.motion.flow.outputs
+        return {name: self.motion.seen_by(each.signal(self._mode))[0] for name, each in outputs.items()}
 
     @property
     def advance(self) -> Mapping[str, float]:
         """Shift of each output over a drive period, or a second without a drive, m."""
         flow = self.motion.flow
-        speeds = output_speeds(flow.mechanism, flow.modes.system.layout)
-        return {name: speed * (flow.period or 1.0) for name, speed in speeds.items()}
+        return {name: each.speed * (flow.period or 1.0) for name, each in flow.outputs.items()}
 
     @property
     def rms(self) -> Mapping[str, float]:
@@ -87,12 +89,8 @@ class LinearLines:
     @property
     def rms_acceleration(self) -> Mapping[str, float]:
         """Root of the mean square of the acceleration of each body, m/s²."""
-        modes = self.motion.flow.modes
-        mode = modes.number(self.motion.instant.statuses)
-        return {
-            name: _rms(*self._lines(acceleration(modes, body)(mode)))
-            for body, name in enumerate(modes.system.layout.bodies)
-        }
+        accelerations = self.motion.flow.accelerations
+        return {name: _rms(*self._lines(signal)) for name, signal in accelerations.items()}
 
 
 def _rms(waves: Complexes, free: Reals) -> float:

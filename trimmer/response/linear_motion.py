@@ -15,13 +15,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
-from trimmer.contact.assembly import flow_without_stick
-
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.contact.flow import ExactFlow
     from trimmer.hybrid.advance import Instant
     from trimmer.hybrid.system import Mode
+    from trimmer.motion.flow import Flow
 
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Rounding of a sum as a share of the moduli of its terms."""
@@ -49,7 +47,7 @@ class LinearMotion:
         free: Whether there are places on which nothing depends.
     """
 
-    flow: ExactFlow
+    flow: Flow
     instant: Instant
     mean: Reals
     orders: Reals
@@ -73,11 +71,11 @@ class LinearMotion:
     def sizes(self) -> Reals:
         """Scale of each state, (n,): those of one kind share theirs."""
         terms = abs(self.mean) + abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
-        count, sizes = len(self.flow.modes.system.layout.bodies), np.empty(self.flow.size)
+        layout, sizes = self.flow.modes.system.layout, terms.copy()
         moving = abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
-        fastest = float(moving[count : 2 * count].max(initial=0.0))
-        sizes[:] = terms[:count].max(initial=0.0)
-        sizes[count : 2 * count] = fastest
+        for kind in layout.kinds:
+            sizes[kind] = (moving if kind in layout.rates else terms)[kind].max(initial=0.0)
+        sizes[layout.kinds[-1].stop :] = sizes[layout.kinds[0]].max(initial=0.0)
         sizes[sizes == 0.0] = 1.0
         return sizes
 
@@ -115,19 +113,19 @@ class LinearMotion:
 
     @property
     def still(self) -> bool:
-        """Whether no body moves once what decays is gone."""
-        moved = self.waves[:, : 2 * len(self.flow.modes.system.layout.bodies)]
-        return not self.alive.any() and not moved.any() and not self.moves_on
+        """Whether nothing moves once what decays is gone."""
+        moved = any(self.waves[:, kind].any() for kind in self.flow.modes.system.layout.kinds)
+        return not self.alive.any() and not moved and not self.moves_on
 
     @property
     def moves_on(self) -> bool:
         """Whether bodies go on at a constant velocity, beyond rounding, as they may with the frame."""
-        frame, count = self.flow.modes.system.layout.frame, len(self.flow.modes.system.layout.bodies)
-        if not frame.follows and not frame.velocities.any():
+        layout = self.flow.modes.system.layout
+        if not layout.travels:
             return False
-        mean, velocities = abs(self.mean), slice(count, 2 * count)
+        mean, (displacements, velocities) = abs(self.mean), layout.kinds
         fastest = abs(self.parts[:, velocities]).sum(axis=0) + abs(self.instant.state[velocities])
-        turned = mean[:count].max(initial=0.0) * abs(self.rates).max(initial=0.0)
+        turned = mean[displacements].max(initial=0.0) * abs(self.rates).max(initial=0.0)
         scale = max(fastest.max(initial=0.0), turned)
         return bool((mean[velocities] > NOTHING * scale).any())
 
@@ -144,10 +142,8 @@ class LinearMotion:
         """
         layout, size = self.flow.modes.system.layout, self.flow.size
         forcing, waves = row[size:], self.waves @ row[:size]
-        for place, order in enumerate(layout.orders):
-            sine = layout.sine(order) - size
-            turn = np.exp(1j * order * layout.omega * self.instant.phase)
-            waves[place] += (forcing[sine + 1] - 1j * forcing[sine]) * turn
+        turns = np.exp(1j * np.array(layout.orders) * layout.omega * self.instant.phase)
+        waves += layout.phasors @ forcing * turns
         return float(row[:size] @ self.mean + forcing[-1]), waves, self.parts @ row[:size]
 
     def _stays_positive(self, row: Reals) -> bool:
@@ -157,7 +153,7 @@ class LinearMotion:
         return _least(constant, self.orders, waves) > float(abs(free).sum()) + rounding
 
 
-def linear_motion(flow: ExactFlow, instant: Instant) -> LinearMotion | None:
+def linear_motion(flow: Flow, instant: Instant) -> LinearMotion | None:
     """Return the motion from an instant on as if no event came; None if it grows, or is not told by that.
 
     Args:
@@ -172,13 +168,13 @@ def linear_motion(flow: ExactFlow, instant: Instant) -> LinearMotion | None:
     return None if modal is None else _motion(flow, instant, held, modal)
 
 
-def lasting_motion(flow: ExactFlow, instant: Instant) -> LinearMotion | None:
+def lasting_motion(flow: Flow, instant: Instant) -> LinearMotion | None:
     """Return the motion from an instant on if no event comes any more; None if one may."""
     motion = linear_motion(flow, instant)
     return motion if motion is not None and motion.lasts else None
 
 
-def grows_for_ever(flow: ExactFlow, instant: Instant) -> bool:
+def grows_for_ever(flow: Flow, instant: Instant) -> bool:
     """Say whether a motion surely grows without bound: no event can come, and a force meets no resistance.
 
     A constant force meets what nothing holds or damps, or a wave of the drive a free vibration that nothing
@@ -192,7 +188,7 @@ def grows_for_ever(flow: ExactFlow, instant: Instant) -> bool:
     return modal is not None and _forced(held, modal) is None
 
 
-def _mode(flow: ExactFlow, instant: Instant) -> Mode:
+def _mode(flow: Flow, instant: Instant) -> Mode:
     return flow.modes[flow.modes.number(instant.statuses)]
 
 
@@ -217,22 +213,19 @@ class _Held(NamedTuple):
     omegas: Reals
 
     @classmethod
-    def of(cls, flow: ExactFlow, mode: Mode) -> _Held:
+    def of(cls, flow: Flow, mode: Mode) -> _Held:
         layout, size = flow.modes.system.layout, flow.size
         A, B = mode.flow[:size, :size], mode.flow[:size, size:]
         hold, shift = mode.hold[:size, :size], mode.hold[:size, size:]
         rank = round(float(np.trace(hold)))
         basis = np.eye(size) if rank == size else np.linalg.svd(hold)[0][:, :rank]
         forcing = np.zeros((1 + len(layout.orders), layout.forcing), dtype=complex)
-        forcing[0, -1] = 1.0
-        for place, order in enumerate(layout.orders):
-            sine = layout.sine(order) - size
-            forcing[1 + place, sine : sine + 2] = -1j, 1.0
+        forcing[0, -1], forcing[1:] = 1.0, layout.phasors
         omegas = np.array([0.0, *(order * layout.omega for order in layout.orders)])
         moved = 1j * omegas[:, None] * (forcing @ shift.T)
         push = (forcing @ (A @ shift + B).T - moved) @ basis
-        # Stick takes forces away, whose rounding stays.
-        whole = abs(flow_without_stick(flow.modes.system.machine, mode.statuses))[:size]
+        # What holds takes forces away, whose rounding stays.
+        whole = flow.modes.system.terms(mode)[:size]
         moduli = abs(forcing) @ (whole[:, :size] @ abs(shift) + whole[:, size:]).T + abs(moved)
         reach = abs(basis) + np.finfo(float).eps
         return cls(basis, shift, basis.T @ A @ basis, push, moduli @ reach, forcing, omegas)
@@ -260,7 +253,7 @@ class _Modal(NamedTuple):
     margins: Reals
 
 
-def _modal(flow: ExactFlow, mode: Mode, held: _Held) -> _Modal | None:
+def _modal(flow: Flow, mode: Mode, held: _Held) -> _Modal | None:
     """Return the free parts; None if one grows, or if they cannot be told apart."""
     matrix = held.matrix
     with np.errstate(all="ignore"):  # SciPy takes scales for places.
@@ -275,35 +268,14 @@ def _modal(flow: ExactFlow, mode: Mode, held: _Held) -> _Modal | None:
     inverse = np.linalg.inv(vectors)
     conditions = np.linalg.norm(inverse, axis=1) * np.linalg.norm(vectors, axis=0)
     margins = ROUNDING * np.linalg.norm(scaled) * conditions
-    real = _damping(flow, mode, held.basis @ rest @ vectors, rates, margins)
+    real = flow.damping(mode, held.basis @ rest @ vectors, rates, margins)
     if (real > 0).any():
         return None
     rates = real + 1j * rates.imag
     return _Modal(places, rest, onto_places, onto_rest, rates, vectors.astype(complex), inverse, margins)
 
 
-def _damping(flow: ExactFlow, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
-    """Return the real parts of λ, exactly zero where nothing damps or rounding cannot tell.
-
-    The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of
-    m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is zero.
-    """
-    bodies = len(flow.modes.system.layout.bodies)
-    masses = np.array([body.mass for body in flow.mechanism.bodies.values()])
-    moved = states[bodies : 2 * bodies]  # Velocities of a free part are λ times its displacements.
-    damping = -masses[:, None] * mode.flow[bodies : 2 * bodies, bodies : 2 * bodies]
-    inertia = masses @ abs(moved) ** 2
-    real: Reals = rates.real.copy()
-    for each in np.flatnonzero((rates.imag != 0) & (inertia > 0)):
-        column = moved[:, each]
-        work = float((column.conj() @ damping @ column).real)
-        rounding = ROUNDING * float(abs(column) @ abs(damping) @ abs(column))
-        real[each] = -0.5 * work / inertia[each] if abs(work) > rounding else 0.0
-    real[(rates.imag == 0) & (abs(rates.real) <= margins)] = 0.0
-    return real
-
-
-def _motion(flow: ExactFlow, instant: Instant, held: _Held, modal: _Modal) -> LinearMotion | None:
+def _motion(flow: Flow, instant: Instant, held: _Held, modal: _Modal) -> LinearMotion | None:
     """Return the motion; None if it drifts, or if its drive meets what nothing damps."""
     forced = _forced(held, modal)
     if forced is None:

@@ -11,15 +11,16 @@ import numpy as np
 from trimmer.arguments import real_values
 from trimmer.choices import Choice
 from trimmer.contact import statuses
+from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
+from trimmer.contact.readouts import contact_force
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
+from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.energy import MechanismEnergy, energy_of
-from trimmer.response.friction_forces import dry_forces, undetermined
-from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
@@ -30,8 +31,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
-    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.contact.flow import ExactFlow
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Course
     from trimmer.response.rest import Rest
 
 
@@ -132,7 +134,7 @@ class MechanismMotion(Tabular):
         Raises:
             ValueError: if a time lies outside the motion.
         """
-        return np.array([self._signal(steady(row), times) for row in np.eye(self.flow.size, self._size)])
+        return np.array([self._signal(Steady(row), times) for row in np.eye(self.flow.size, self._size)])
 
     def output(self, name: str, times: ArrayLike) -> Reals:
         """Return an output, m, in the shape of the times, s.
@@ -141,9 +143,8 @@ class MechanismMotion(Tabular):
             MechanismError: if there is no such output.
             ValueError: if a time lies outside the motion.
         """
-        rows = output_rows(self.mechanism, self.course.modes.system.layout)
-        _require("output", name, rows)
-        return self._signal(steady(rows[name]), times)
+        _require("output", name, self.flow.outputs)
+        return self._signal(self.flow.outputs[name].signal, times)
 
     def displacement(self, name: str, times: ArrayLike) -> Reals:
         """Return the displacement of a body or a pin, m, in the shape of the times, s.
@@ -154,7 +155,7 @@ class MechanismMotion(Tabular):
             MechanismError: if there is no such body or pin.
             ValueError: if a time lies outside the motion.
         """
-        return self._signal(steady(self._rows(name)[0]), times)
+        return self._signal(Steady(self._rows(name)[0]), times)
 
     def velocity(self, name: str, times: ArrayLike) -> Reals:
         """Return the velocity of a body or a pin, m/s, in the shape of the times, s.
@@ -163,7 +164,7 @@ class MechanismMotion(Tabular):
             MechanismError: if there is no such body or pin.
             ValueError: if a time lies outside the motion.
         """
-        return self._signal(steady(self._rows(name)[1]), times)
+        return self._signal(Steady(self._rows(name)[1]), times)
 
     def contact_force(self, name: str, times: ArrayLike) -> Reals:
         """Return the force of a play or a stop, N, positive where it pulls its ends together.

@@ -12,7 +12,7 @@ from trimmer.response.shooting import CLOSED, Return
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.motion.flow import Flow
     from trimmer.response.shooting import Shot
 
 FAR = 0.5
@@ -41,7 +41,7 @@ def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:
     return values, margins
 
 
-def with_place(flow: ExactFlow, shot: Shot, periods: int, multipliers: Complexes, margins: Reals) -> Reals:
+def with_place(flow: Flow, shot: Shot, periods: int, multipliers: Complexes, margins: Reals) -> Reals:
     """Return the margins with what the place of the orbit adds to them.
 
     Where a multiplier is near 1 the return hardly tells where along its direction the orbit is: the miss is

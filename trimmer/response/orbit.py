@@ -1,4 +1,4 @@
-"""An exact periodic motion of a mechanism, stable or not."""
+"""An exact periodic motion, stable or not."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Complexes, Integers, Reals
-    from trimmer.contact.flow import Course, ExactFlow
     from trimmer.hybrid.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.measures import Measures
+    from trimmer.motion.subject import Subject
     from trimmer.response.edge import Edge
-    from trimmer.response.measures import Measures
 
 STILL = 1e-8
 """Change of states as a share of their sizes that is none."""
@@ -56,7 +57,7 @@ class MechanismOrbit(Tabular):
             multiplier near 1 leaves it open. Empty for none.
     """
 
-    flow: ExactFlow
+    flow: Flow
     periods: int
     period_count: int
     course: Course
@@ -68,9 +69,19 @@ class MechanismOrbit(Tabular):
     margins: Reals = field(default_factory=lambda: np.zeros(0))
 
     @property
+    def subject(self) -> Subject:
+        """What moves."""
+        return self.flow.subject
+
+    @property
     def mechanism(self) -> Mechanism:
-        """The mechanism."""
-        return self.flow.mechanism
+        """The mechanism.
+
+        Raises:
+            AttributeError: if it is a loop that moves.
+        """
+        mechanism: Mechanism = self.flow.mechanism  # type: ignore[attr-defined]
+        return mechanism
 
     @property
     def instant(self) -> Instant:
@@ -181,7 +192,7 @@ class MechanismOrbit(Tabular):
     @cached_property
     def measures(self) -> Measures:
         """What its outputs, bodies, contacts and frictions do."""
-        from trimmer.response.measures import Measures
+        from trimmer.motion.measures import Measures
 
         return Measures(self.course, self.flow, max(self.period_count, 1), self.periods or 1)
 
@@ -201,7 +212,7 @@ class MechanismOrbit(Tabular):
         return draw_phase_plane(self.flow, self.course, ax)
 
     def _told(self) -> str:
-        return f"{self.mechanism.title}, {self.message}"
+        return f"{self.subject.title}, {self.message}"
 
     def _table(self) -> Table:
         outputs = self.measures.outputs
@@ -209,12 +220,13 @@ class MechanismOrbit(Tabular):
         own = self.course.duration / max(self.periods, 1)
         columns = arrays(order=("", orders), frequency=("Hz", orders / own))
         columns += tuple(
-            Column(f"outputs.{name}", "m", each.harmonics.__getitem__) for name, each in outputs.items()
+            Column(f"outputs.{name}", self.flow.outputs[name].unit, each.harmonics.__getitem__)
+            for name, each in outputs.items()
         )
         return Table("Harmonics of the outputs", range(len(orders)), columns)
 
 
-def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> MechanismOrbit:
+def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> MechanismOrbit:
     """Return the orbit that a solved return gives; one that misses is marked as not found.
 
     Args:
@@ -236,7 +248,7 @@ def orbit_of(flow: ExactFlow, shot: Shot, periods: int, about: str = "") -> Mech
     return _told(orbit, about)
 
 
-def with_shifts(flow: ExactFlow, multipliers: Complexes, margins: Reals) -> tuple[Complexes, Reals]:
+def with_shifts(flow: Flow, multipliers: Complexes, margins: Reals) -> tuple[Complexes, Reals]:
     """Return multipliers by falling modulus, each 0 that stands for a shift as the 1 that it has.
 
     A shift along which no force changes stays as it is; in the frame that follows the shifted bodies, where
@@ -279,7 +291,7 @@ def _periods(count: int) -> str:
     return "one drive period" if count == 1 else f"{count} drive periods"
 
 
-def _smallest(flow: ExactFlow, shot: Shot, periods: int) -> int:
+def _smallest(flow: Flow, shot: Shot, periods: int) -> int:
     """Return the smallest number of drive periods after which a motion returns."""
     if periods <= 1:
         return 1

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import require_instance, whole_number
+from trimmer.arguments import whole_number
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
 from trimmer.response.response import MotionKind, Response, SettledMotion
@@ -25,8 +25,10 @@ from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from trimmer.contact.flow import ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.loops.loops import Loop
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Flow
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.rest import Rest
     from trimmer.response.self_excited import SelfExcited
@@ -47,15 +49,15 @@ NEIGHBOUR = 1e-6
 
 
 def respond(
-    mechanism: Mechanism,
+    mechanism: Mechanism | Loop,
     *,
     state: Start = None,
     starts: int = 1,
     most_periods: int = MOST_PERIODS,
-    box: Mapping[str, tuple[float, float]] | None = None,
+    box: Mapping[str, tuple[float, ...]] | None = None,
     seed: int = 0,
 ) -> Response:
-    """Find what a mechanism settles to.
+    """Find what a mechanism or a loop settles to.
 
     The motion is followed from its start. When it seems to come again after 1 to 24 drive periods, Newton's
     method finds the exact orbit; it is what the motion settles to if it is stable and the motion comes closer
@@ -64,27 +66,25 @@ def respond(
     it, a torus if that exponent is zero within narrow bounds and a neighbour stays, and otherwise undecided.
 
     Args:
-        mechanism: The mechanism.
-        state: Where the first start begins, at t = 0: displacement, m, and velocity, m/s, by body; or all
-            states, (n,); rest, or the start of the mechanism, if not given.
+        mechanism: The mechanism or loop.
+        state: Where the first start begins, at t = 0: displacement, m, and velocity, m/s, by body, or states
+            of a loop by name; or all states, (n,); rest, or the start of the mechanism, if not given.
         starts: Number of starts; those after the first one are random.
         most_periods: Drive periods to wait for a motion to settle.
-        box: Largest modulus of displacement, m, and velocity, m/s, of each body in random starts; what they
-            reach in the first motion if not given.
+        box: Largest modulus of displacement, m, and velocity, m/s, of each body, or of each state of a loop,
+            in random starts; what they reach in the first motion if not given.
         seed: Of the random starts; the same one gives the same starts.
 
     Raises:
         WrongTypeError: if an argument is of another type.
-        MechanismError: if the state does not fit the mechanism.
+        MechanismError, LoopError: if the state does not fit.
         UnsupportedMotionError: if a pin goes on for ever and leaves a stop.
     """
-    from trimmer.contact.flow import ExactFlow
-
-    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    require_subject(mechanism)
     whole_number("starts", starts, 1)
     whole_number("most_periods", most_periods, 1)
     whole_number("seed", seed, 0)
-    flow = ExactFlow.returning(mechanism)
+    flow = flow_of(mechanism)
     if diverges_by_pull(mechanism):
         return Response(mechanism, (_pulled(starts),), starts, dict(box or {}), seed)
     require_repeating(flow)
@@ -101,7 +101,7 @@ def respond(
 class _Search:
     """The starts of one mechanism, and the stable orbits that they met."""
 
-    flow: ExactFlow
+    flow: Flow
     most_periods: int
     known: list[MechanismOrbit]
 
@@ -123,9 +123,7 @@ class _Search:
         """Return a rest where the start leads to: in the frame that was followed, leaders had not moved."""
         if not self.flow.shifts:
             return rest
-        from trimmer.contact.flow import ExactFlow
-
-        ground = ExactFlow(self.flow.mechanism)
+        ground = self.flow.grounded()
         end = ground.timed(instant, waited).end if waited else instant
         motion = linear_motion(ground, end)
         limit, family = (end, True) if motion is None else (motion.limit, motion.free)
@@ -175,7 +173,7 @@ class _Search:
 
     def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
-        moving = 2 * len(self.flow.modes.system.layout.bodies)
+        moving = self.flow.modes.system.layout.kinds[-1].stop
         state = instant.state.copy()
         state[:moving] += NEIGHBOUR * sizes_of(self.flow.course(instant, 1))[:moving]
         settling = Settling(self.flow, self.flow.at(state, like=instant), self.known)
@@ -236,12 +234,11 @@ def _twins(motion: SettledMotion, other: SettledMotion) -> bool:
     return motion.orbit is not None and other.orbit is not None and twins(motion.orbit, other.orbit)
 
 
-def _reached(flow: ExactFlow, motion: SettledMotion, start: Instant) -> dict[str, tuple[float, float]]:
-    """Return the largest displacement, m, and velocity, m/s, of each body in a motion.
+def _reached(flow: Flow, motion: SettledMotion, start: Instant) -> dict[str, tuple[float, ...]]:
+    """Return the largest modulus of the states that a start gives, by name, in a motion.
 
     Of one that comes to rest, or of which nothing is known, they are those on its way, at first.
     """
-    count = len(flow.modes.system.layout.bodies)
     if motion.orbit is not None:
         # The sizes of an orbit are those at its events, which say little where there are none.
         sizes = motion.orbit.sizes if motion.orbit.course.events else largest_states(motion.orbit)
@@ -253,19 +250,11 @@ def _reached(flow: ExactFlow, motion: SettledMotion, start: Instant) -> dict[str
         course = flow.timed(start, AT_FIRST * (flow.period or time_scale(flow, start)))
         times = np.linspace(0.0, course.duration, AT_FIRST * INSTANTS)
         sizes = abs(course.states(times)[:, : flow.size]).max(axis=0)
-    return {
-        name: (float(sizes[place]), float(sizes[count + place]))
-        for place, name in enumerate(flow.modes.system.layout.bodies)
-    }
+    return {name: tuple(sizes[list(places)].tolist()) for name, places in flow.axes.items()}
 
 
-def _random(
-    flow: ExactFlow, box: Mapping[str, tuple[float, float]], count: int, seed: int
-) -> Iterator[Instant]:
+def _random(flow: Flow, box: Mapping[str, tuple[float, ...]], count: int, seed: int) -> Iterator[Instant]:
     numbers = np.random.default_rng(seed)
     for _ in range(count):
-        state = {
-            name: (reach * numbers.uniform(-1, 1), speed * numbers.uniform(-1, 1))
-            for name, (reach, speed) in box.items()
-        }
+        state = {name: tuple(each * numbers.uniform(-1, 1) for each in reach) for name, reach in box.items()}
         yield instant_of(flow, state)

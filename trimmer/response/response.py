@@ -1,16 +1,17 @@
-"""What a mechanism settles to: the motions that were found, and what is known of each."""
+"""What a mechanism or a loop settles to: the motions that were found, and what is known of each."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from trimmer.choices import Choice
+from trimmer.motion.measures import HARMONICS
 from trimmer.response.estimate import Estimate
-from trimmer.response.measures import HARMONICS
+from trimmer.response.flows import flow_of
 from trimmer.showing.shown import Shown, Tabular
 from trimmer.showing.table import Column, Table, attributes
 
@@ -21,9 +22,10 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.measures import Measures
+    from trimmer.motion.subject import Subject
     from trimmer.response.linear_lines import LinearLines
     from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.measures import Measures
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.rest import Rest
     from trimmer.response.window import Window
@@ -108,9 +110,9 @@ class SettledMotion(Shown):
 
     @cached_property
     def rms(self) -> Mapping[str, Estimate]:
-        """Root of the mean square of each output about its mean, m; exact if it repeats."""
+        """Root of the mean square of each output about its mean; exact if it repeats."""
         if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.mechanism.outputs, Estimate(0.0, 0.0))
+            return dict.fromkeys(self.rest.flow.outputs, Estimate(0.0, 0.0))
         if self.measures is not None:
             return {name: Estimate(each.rms, 0.0) for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -119,9 +121,9 @@ class SettledMotion(Shown):
 
     @cached_property
     def peak_to_peak(self) -> Mapping[str, float]:
-        """Largest less smallest value of each output, m; in the window if it does not repeat."""
+        """Largest less smallest value of each output; in the window if it does not repeat."""
         if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.mechanism.outputs, 0.0)
+            return dict.fromkeys(self.rest.flow.outputs, 0.0)
         if self.measures is not None:
             return {name: each.peak_to_peak for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -130,7 +132,7 @@ class SettledMotion(Shown):
 
     @cached_property
     def mean(self) -> Mapping[str, float]:
-        """Mean of each output, m, less what it advances by; over the window if it does not repeat."""
+        """Mean of each output, less what it advances by; over the window if it does not repeat."""
         if self.measures is not None:
             return {name: each.mean for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -140,12 +142,12 @@ class SettledMotion(Shown):
 
     @cached_property
     def advance(self) -> Mapping[str, float]:
-        """Shift of each output over a period of the motion, m; if it does not repeat, over a drive period.
+        """Shift of each output over a period of the motion; if it does not repeat, over a drive period.
 
         Without a drive that is the shift in a second.
         """
         if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.mechanism.outputs, 0.0)
+            return dict.fromkeys(self.rest.flow.outputs, 0.0)
         if self.measures is not None:
             return {name: each.advance for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -154,9 +156,9 @@ class SettledMotion(Shown):
 
     @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
-        """Amplitudes of each output at the harmonics of the drive, m."""
+        """Amplitudes of each output at the harmonics of the drive."""
         if self.rest is not None:
-            return {name: np.zeros(HARMONICS) for name in self.rest.flow.mechanism.outputs}
+            return {name: np.zeros(HARMONICS) for name in self.rest.flow.outputs}
         if self.measures is not None:
             return {name: each.harmonics for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -167,7 +169,7 @@ class SettledMotion(Shown):
     def rms_acceleration(self) -> Mapping[str, Estimate]:
         """Root of the mean square of the acceleration of each body, m/s²; exact if it repeats."""
         if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.mechanism.bodies, Estimate(0.0, 0.0))
+            return dict.fromkeys(self.rest.flow.accelerations, Estimate(0.0, 0.0))
         found = self.measures or self._lines
         if found is not None:
             return {name: Estimate(value, 0.0) for name, value in found.rms_acceleration.items()}
@@ -194,26 +196,37 @@ class SettledMotion(Shown):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Response(Tabular):
-    """What a mechanism settles to.
+    """What a mechanism or a loop settles to.
 
     Attributes:
-        mechanism: The mechanism.
+        subject: What moves.
         motions: The motions found; the first one is that of the first start.
         starts: Number of starts.
-        box: Largest displacement, m, and velocity, m/s, of each body in the starts beside the first one.
+        box: Largest displacement, m, and velocity, m/s, of each body in the starts beside the first one; of a
+            loop the largest modulus of each state.
         seed: Of the random starts.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     motions: tuple[SettledMotion, ...]
     starts: int
-    box: Mapping[str, tuple[float, float]]
+    box: Mapping[str, tuple[float, ...]]
     seed: int
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism, if it is one that moves."""
+        return cast("Mechanism", self.subject)
 
     @property
     def motion(self) -> SettledMotion:
         """The motion of the first start."""
         return self.motions[0]
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Unit of each output, empty for a number."""
+        return {name: each.unit for name, each in flow_of(self.subject).outputs.items()}
 
     @property
     def kind(self) -> MotionKind:
@@ -252,11 +265,11 @@ class Response(Tabular):
         return draw_settled(self.motion, ax)
 
     def _told(self) -> str:
-        return f"{self.mechanism.title}: {self.message}"
+        return f"{self.subject.title}: {self.message}"
 
     def _table(self) -> Table:
         outputs = (
-            Column(f"outputs.{name}.peak_to_peak", "m", _stroke(name)) for name in self.mechanism.outputs
+            Column(f"outputs.{name}.peak_to_peak", unit, _stroke(name)) for name, unit in self.units.items()
         )
         columns = (*attributes(kind="", period_count="", share="", mirrored="", drive_periods=""), *outputs)
         return Table("Motions that were found", self.motions, columns)

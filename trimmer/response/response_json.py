@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from trimmer.motion.measures import Measures
     from trimmer.response.estimate import Estimate
-    from trimmer.response.measures import Measures
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
 

@@ -1,4 +1,4 @@
-"""A mechanism at rest: where all bodies stand still, and what each part bears there."""
+"""A mechanism or loop at rest: where all stands still, and what each part bears there."""
 
 from __future__ import annotations
 
@@ -8,16 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.layout import Rows
-from trimmer.response.measures import Measures
-from trimmer.response.motion import MechanismMotion
+from trimmer.motion.measures import Measures
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import Course, ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Course, Flow
 
 SAMPLES = 64
 """Instants in the period of the fastest wave at which forces are taken."""
@@ -25,16 +23,16 @@ SAMPLES = 64
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """A mechanism at rest.
+    """A mechanism or loop at rest.
 
     Attributes:
-        flow: The motion of the mechanism.
+        flow: What rests.
         instant: Where it rests.
         family: Whether it is one of many places side by side, as where friction or a gap lets a body stay
             wherever it stopped: the digits then belong to the start.
     """
 
-    flow: ExactFlow
+    flow: Flow
     instant: Instant
     family: bool
 
@@ -50,16 +48,16 @@ class Rest:
 
     @property
     def positions(self) -> Mapping[str, float]:
-        """Displacement of each body, m."""
-        bodies = self.flow.modes.system.layout.bodies
-        return dict(zip(bodies, self.instant.state[: len(bodies)].tolist(), strict=True))
+        """Displacement of each body, m; of a loop what is read of it."""
+        return self.flow.positions(self.course)
 
     @cached_property
     def forces(self) -> Mapping[str, float]:
         """Force of each link, play, stop and friction, N, positive where it pulls its ends together.
 
         Where a drive pushes what friction holds, forces change; they are means over its period then. Forces
-        of frictions that hold the same bodies are shared as by ``MechanismMotion.friction_force``.
+        of frictions that hold the same bodies are shared as by ``MechanismMotion.friction_force``. Of a loop
+        they are the outputs of its elements.
         """
         return {name: float(force.mean()) for name, force in self._over_a_period.items()}
 
@@ -70,27 +68,5 @@ class Rest:
 
     @cached_property
     def _over_a_period(self) -> Mapping[str, Reals]:
-        layout, mechanism = self.flow.modes.system.layout, self.flow.mechanism
-        count = SAMPLES * max(layout.orders, default=1) if self.flow.period else 1
-        times = self.course.duration * np.arange(count) / count
-        motion, states = MechanismMotion(self.flow, self.course), self.course.states(times)
-        rows = Rows(mechanism, layout)
-        forces = {}
-        for name, link in mechanism.links.items():
-            forces[name] = _between(rows, link.between, link.stiffness, link.damping, states)
-        for name in (*mechanism.plays, *mechanism.stops):
-            touches = name in layout.contacts
-            forces[name] = motion.contact_force(name, times) if touches else np.zeros(count)
-        for name, friction in mechanism.frictions.items():
-            forces[name] = _between(rows, friction.between, 0.0, friction.viscous, states)
-            if name in layout.frictions:
-                forces[name] = forces[name] + motion.friction_force(name, times)
-        return forces
-
-
-def _between(rows: Rows, ends: tuple[str, str], stiffness: float, damping: float, states: Reals) -> Reals:
-    """Return the force of a spring and a damper between two ends at extended states, N, (count,)."""
-    start, end = ends
-    stretch = rows.displacement(end) - rows.displacement(start)
-    rate = rows.velocity(end) - rows.velocity(start)
-    return np.asarray(states @ (stiffness * stretch + damping * rate))
+        count = SAMPLES * max(self.flow.modes.system.layout.orders, default=1) if self.flow.period else 1
+        return self.flow.forces(self.course, self.course.duration * np.arange(count) / count)

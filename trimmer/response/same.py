@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from trimmer.arrays import Reals
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.parts import Force, Pin
     from trimmer.response.estimate import Estimate
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.response import SettledMotion
@@ -113,7 +111,7 @@ def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
 
 def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     """Return whether an orbit is the mirror image of another one, half a drive period later."""
-    if orbit.periods != other.periods or not is_mirror_symmetric(orbit.mechanism):
+    if orbit.periods != other.periods or not orbit.flow.is_mirror_symmetric:
         return False
     curve = curve_of(orbit)
     return are_one(
@@ -123,23 +121,11 @@ def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
 
 def keeps_symmetry(orbit: MechanismOrbit) -> bool | None:
     """Return whether an orbit is its own mirror image; None if the mechanism has none."""
-    return twins(orbit, orbit) if orbit.periods and is_mirror_symmetric(orbit.mechanism) else None
+    return twins(orbit, orbit) if orbit.periods and orbit.flow.is_mirror_symmetric else None
 
 
 def mirrored(orbit: MechanismOrbit) -> Reals:
     """Return the strobed states of the mirror image of an orbit, (periods, n)."""
     times = orbit.flow.period * (0.5 + np.arange(orbit.periods, dtype=np.float64))
-    return -orbit.flow.reduced(orbit.course.states(times)[:, : orbit.flow.size])
-
-
-def is_mirror_symmetric(mechanism: Mechanism) -> bool:
-    """Say whether with x(t) also -x(t + T/2) is a motion, T the period of the drive.
-
-    Plays and frictions act on both sides alike; stops do not, nor do constant forces, offsets and velocities
-    of pins, and even orders.
-    """
-    moving: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
-    odd = all(part.order % 2 == 1 for part in moving)
-    centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
-    pushed = any(force.constant != 0 for force in mechanism.forces.values())
-    return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops
+    states = orbit.course.states(times)[:, : orbit.flow.size]
+    return orbit.flow.reduced(states) * orbit.flow.mirrored_states

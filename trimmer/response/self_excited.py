@@ -25,8 +25,8 @@ from trimmer.response.solved import Solved, solved
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import Course, ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Course, Flow
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.shooting import Shot
 
@@ -59,7 +59,7 @@ class SelfExcited:
     passed: MechanismOrbit | None = None
 
 
-def self_excited_orbit(flow: ExactFlow, instant: Instant) -> MechanismOrbit:
+def self_excited_orbit(flow: Flow, instant: Instant) -> MechanismOrbit:
     """Find a periodic motion without a drive, from what a start settles to.
 
     An unstable one that the motion passes will do where it settles to none.
@@ -83,7 +83,35 @@ def self_excited_orbit(flow: ExactFlow, instant: Instant) -> MechanismOrbit:
     raise OrbitNotFoundError(f"nothing repeats within {found.waited:.6g} s; another start may settle")
 
 
-def self_excited(flow: ExactFlow, instant: Instant) -> SelfExcited:
+def orbit_by_itself(flow: Flow) -> MechanismOrbit:
+    """Find a periodic motion without a drive, of what moves from rest; of a loop one that was searched for.
+
+    At rest nothing happens in a closed loop. So it is the stable orbit of largest amplitude there that
+    ``periodic_orbits`` finds, or the largest unstable one if there is no other.
+
+    Raises:
+        OrbitNotFoundError: if there is none.
+    """
+    from trimmer.loops.loops import ClosedLoop
+
+    if not isinstance(flow.subject, ClosedLoop):
+        return self_excited_orbit(flow, flow.rest())
+    from trimmer.orbits.periodic_orbits import periodic_orbits
+
+    found = periodic_orbits(flow.subject)
+    if not found:
+        raise OrbitNotFoundError(f"the loop has no orbit to begin with: {found.message}")
+    first = next((orbit for orbit in found if orbit.stable), found[0])
+    state = np.ascontiguousarray(first.motion.log.state[0][: flow.size])
+    statuses = first.motion.loop.modes[int(first.motion.log.mode[0])].statuses
+    begin = replace(flow.at(state), statuses=statuses)
+    shot = solve(Return(flow, 0), flow.at(state, like=begin), first.period)
+    if shot is None or shot.miss > CLOSED:
+        raise OrbitNotFoundError("the orbit of the loop cannot be followed")
+    return orbit_of(flow, _once(flow, shot), 0)
+
+
+def self_excited(flow: Flow, instant: Instant) -> SelfExcited:
     """Return what a motion without a drive comes to.
 
     Raises:
@@ -127,7 +155,7 @@ def _repeating(found: Solved) -> MechanismOrbit | None:
     return found.orbit if found.kind is MotionKind.PERIODIC else None
 
 
-def _rest(flow: ExactFlow, instant: Instant) -> Rest:
+def _rest(flow: Flow, instant: Instant) -> Rest:
     """Return the rest that a motion has come to; in closed form where that is known."""
     motion = linear_motion(flow, instant)
     if motion is None:
@@ -135,7 +163,7 @@ def _rest(flow: ExactFlow, instant: Instant) -> Rest:
     return Rest(flow, motion.limit, motion.free)
 
 
-def time_scale(flow: ExactFlow, instant: Instant) -> float:
+def time_scale(flow: Flow, instant: Instant) -> float:
     """Return the period of the slowest mode of the motion at an instant, s."""
     matrix = flow.modes[flow.modes.number(instant.statuses)].flow[: flow.size, : flow.size]
     moduli = abs(np.linalg.eigvals(matrix))
@@ -150,20 +178,23 @@ def at_rest(course: Course, unit: float) -> bool:
         course: The motion.
         unit: A time in which it would move, s.
     """
-    layout, count = course.modes.system.layout, len(course.modes.system.layout.bodies)
+    layout = course.modes.system.layout
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
     sizes = abs(states).max(axis=0)
-    longest = sizes[:count].max(initial=0.0)
-    sizes[:count], sizes[count : 2 * count] = longest, 2 * np.pi * longest / unit
+    for kind in layout.kinds:
+        sizes[kind] = sizes[kind].max(initial=0.0)
     flow = course.modes[course.modes.number(course.end.statuses)].flow
     extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
     rates = abs((flow @ extended)[: layout.state_count]) * unit
-    # A frame that moves along does not make what moves rest.
-    rates[:count] = np.maximum(rates[:count], abs(course.end.state[count : 2 * count]) * unit)
+    for rate in layout.rates:
+        displacement = layout.kinds[0]
+        sizes[rate] = 2 * np.pi * sizes[displacement] / unit
+        # A frame that moves along does not make what moves rest.
+        rates[displacement] = np.maximum(rates[displacement], abs(course.end.state[rate]) * unit)
     return bool((rates <= RESTING * sizes).all())
 
 
-def _recurring(flow: ExactFlow, course: Course) -> list[MechanismOrbit]:
+def _recurring(flow: Flow, course: Course) -> list[MechanismOrbit]:
     """Return the orbits that recurrences of a motion lead to, up to the first that is stable."""
     sizes = sizes_of(course)
     found: list[MechanismOrbit] = []
@@ -186,7 +217,7 @@ def _recurring(flow: ExactFlow, course: Course) -> list[MechanismOrbit]:
     return found
 
 
-def _once(flow: ExactFlow, shot: Shot) -> Shot:
+def _once(flow: Flow, shot: Shot) -> Shot:
     """Return a motion that repeats over its smallest period."""
     course = shot.course
     for count in range(len(course.events), 1, -1):

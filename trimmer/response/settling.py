@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.flow import ExactFlow
 from trimmer.hybrid.advance import Ending
+from trimmer.response.flows import flow_of
 from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import orbit_of
 from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.subject import Subject
     from trimmer.response.orbit import MechanismOrbit
 
 FIRST, LONGEST = 8, 128
@@ -50,7 +51,7 @@ class Settling:
         grows: Whether it was seen that no event comes any more and it grows for ever.
     """
 
-    flow: ExactFlow
+    flow: Flow
     instant: Instant
     known: list[MechanismOrbit] = field(default_factory=list)
     states: Reals = field(init=False)
@@ -167,17 +168,17 @@ class Settling:
         return orbit if orbit.success else None
 
 
-def orbit_from_rest(mechanism: Mechanism, most_periods: int) -> MechanismOrbit | None:
-    """Return the orbit that a mechanism settles to from rest, or from its own start.
+def orbit_from_rest(subject: Subject, most_periods: int) -> MechanismOrbit | None:
+    """Return the orbit that a mechanism or a loop settles to from rest, or from its own start.
 
     Args:
-        mechanism: The mechanism; it has a frequency.
+        subject: What moves; it has a frequency.
         most_periods: Drive periods to wait at most.
 
     Returns:
         The orbit over its smallest number of drive periods; None if the motion does not settle until then.
     """
-    flow = ExactFlow.returning(mechanism)
+    flow = flow_of(subject)
     return Settling(flow, flow.rest()).until_settled(most_periods)
 
 

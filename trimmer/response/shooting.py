@@ -18,7 +18,7 @@ from trimmer.hybrid.calm import amid_longest, is_amid
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.motion.flow import Course, Flow
 
 CLOSED = 1e-10
 """Miss of the return, as a share of the sizes of the states, below which it counts as closed."""
@@ -26,10 +26,6 @@ SETTLED = 4e-15
 """Miss at which Newton's method stops, since only rounding is left."""
 ROUNDED = 1e-12
 """Miss below which a step that does not reduce it is not shortened: it is rounding."""
-SMALLEST_SHARE = 1e-4
-"""Share of the largest displacement, velocity or stretch below which none is measured by itself."""
-STILL = 1e-1
-"""Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
 SINGULAR = 1e-12
 """Share of the largest singular value of Newton's matrix below which one is rounding."""
 SAMPLES = 16
@@ -114,12 +110,12 @@ class Return:
     """The problem of a state that returns.
 
     Attributes:
-        flow: The mechanism's motion.
+        flow: What moves.
         periods: Number of drive periods after which it returns; 0 without a drive.
         most_steps: Steps of one integration.
     """
 
-    flow: ExactFlow
+    flow: Flow
     periods: int
     most_steps: int = 200_000
 
@@ -165,32 +161,20 @@ class Return:
         return self.shoot(_like_end(self.flow, shot.course, share * by), duration, shot.sizes)
 
 
-def _like_end(flow: ExactFlow, course: Course, correction: Reals) -> Instant:
+def _like_end(flow: Flow, course: Course, correction: Reals) -> Instant:
     end, begin = course.end, course.begin
     return flow.at(begin.state + correction, begin.phase, like=end)
 
 
 def sizes_of(course: Course) -> Reals:
-    """Return the largest modulus of each state over a motion, (n,).
-
-    Where bodies may be shifted without a change of any force, it is that beside their leader. What is much
-    smaller than the others of its kind is measured by a share of theirs, and what does not move at all by 1.
-    """
+    """Return the scale of each state over a motion, (n,): 1 for what does not move at all."""
     layout = course.modes.system.layout
-    count = len(layout.bodies)
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
-    if len(states) == 2 and course.modes.system.layout.period:  # Without events both may pass by zero.
+    # Without events all may pass by zero at the start of each period.
+    if layout.measured_between or (len(states) == 2 and layout.period):
         times = np.linspace(0.0, course.duration, SAMPLES)
         states = np.vstack([states, course.states(times)[:, : layout.state_count]])
-    sizes: Reals = abs(layout.frame.reduced(states)).max(axis=0)
-    displacements, velocities = slice(0, count), slice(count, 2 * count)
-    rate = 2 * np.pi / course.duration
-    longest = max(sizes[displacements].max(initial=0.0), STILL * sizes[velocities].max(initial=0.0) / rate)
-    fastest = max(sizes[velocities].max(initial=0.0), STILL * longest * rate)
-    scale = np.full(len(sizes), longest)
-    scale[velocities] = fastest
-    sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
-    sizes[sizes == 0.0] = 1.0
+    sizes: Reals = layout.sizes(states, course.duration)
     return sizes
 
 

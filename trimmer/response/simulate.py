@@ -11,8 +11,8 @@ from trimmer.mechanism.mechanism import Mechanism
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from trimmer.motion.loops import Loop
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.loops import Loop
+    from trimmer.loops.motion import Motion
     from trimmer.response.motion import MechanismMotion
     from trimmer.response.starts import Start
 
@@ -46,7 +46,7 @@ def simulate(
     """Follow the motion of a loop or a mechanism from t = 0.
 
     Between events the state is known in closed form; events are found on it as zeros of polynomials whose
-    truncation is below rounding. ``trimmer.motion.simulation.simulate_loop`` says more about loops.
+    truncation is below rounding. ``trimmer.loops.simulation.simulate_loop`` says more about loops.
 
     Args:
         loop: What moves.
@@ -71,7 +71,7 @@ def simulate(
         return _of_mechanism(loop, duration, state, step_limit)
     if state is not None:
         raise TypeError("state is an argument for mechanisms; give the initial_state of a loop")
-    from trimmer.motion.simulation import simulate_loop
+    from trimmer.loops.simulation import simulate_loop
 
     return simulate_loop(loop, duration, step_limit=step_limit, **of_loops)  # type: ignore[arg-type]
 

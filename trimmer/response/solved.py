@@ -18,8 +18,8 @@ from trimmer.response.window import watch
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.flow import Course, ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Course, Flow
     from trimmer.response.orbit import MechanismOrbit
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)
@@ -63,7 +63,7 @@ class Solved:
         return -math.log(LEFT) / slowest if slowest < math.inf else 0.0
 
 
-def solved(flow: ExactFlow, instant: Instant) -> Solved | None:
+def solved(flow: Flow, instant: Instant) -> Solved | None:
     """Return what the motion from an instant comes to; None if an event may come, or it grows or drifts."""
     motion = lasting_motion(flow, instant)
     if motion is None:
@@ -88,8 +88,8 @@ def _in_place(motion: LinearMotion) -> LinearMotion:
     flow = motion.flow
     if not flow.shifts:
         return motion
-    count = len(flow.modes.system.layout.bodies)
-    speeds = motion.mean[count : 2 * count] if motion.moves_on else np.zeros(count)
+    velocities = flow.modes.system.layout.kinds[1]
+    speeds = motion.mean[velocities] * motion.moves_on
     return linear_motion(flow.moving(speeds), motion.instant) or motion
 
 
@@ -101,7 +101,7 @@ def rest_of(orbit: MechanismOrbit) -> Rest | None:
     return Rest(orbit.flow, motion.limit, motion.free) if motion is not None and motion.still else None
 
 
-def rest_after(flow: ExactFlow, course: Course) -> Rest | None:
+def rest_after(flow: Flow, course: Course) -> Rest | None:
     """Return the rest in which a motion ends; None if something moves then, or will."""
     motion = lasting_motion(flow, course.end)
     if motion is None or not motion.still:
@@ -110,7 +110,7 @@ def rest_after(flow: ExactFlow, course: Course) -> Rest | None:
     return Rest(flow, motion.limit, motion.free) if left.max(initial=0.0) <= GONE else None
 
 
-def _repeats(flow: ExactFlow, frequencies: Reals) -> tuple[int, float]:
+def _repeats(flow: Flow, frequencies: Reals) -> tuple[int, float]:
     """Return after how many drive periods, or periods of the first frequency, all return; and that time, s.
 
     Args:

@@ -8,47 +8,52 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from trimmer.arguments import finite_number, real_array, shown
-from trimmer.errors import MechanismError, WrongTypeError
+from trimmer.errors import LoopError, MechanismError, WrongTypeError
 from trimmer.hybrid.advance import Instant
+from trimmer.loops.loops import Loop
 from trimmer.messages import listed, near_match
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.motion.flow import Flow
 
-Start: TypeAlias = "Mapping[str, tuple[float, float]] | ArrayLike | Instant | None"
-"""Displacement, m, and velocity, m/s, by body; all states, (n,); an instant; or None for rest."""
+Start: TypeAlias = "Mapping[str, Any] | ArrayLike | Instant | None"
+"""Displacement, m, and velocity, m/s, by body, or of a loop states by name; all states, (n,); an instant; or
+None for rest."""
 
 
-def instant_of(flow: ExactFlow, start: Start) -> Instant:
+def instant_of(flow: Flow, start: Start) -> Instant:
     """Return the instant at which a motion begins, at the start of a drive period.
 
     Args:
-        flow: The motion of the mechanism.
+        flow: What moves.
         start: Where it begins.
 
     Raises:
         WrongTypeError: if it is nothing of that kind.
-        MechanismError: if it names a body that is not there, or has another number of states.
+        MechanismError, LoopError: if it names a body or state that is not there, or has another number of
+            states.
     """
     if isinstance(start, Instant):
         return start
     if start is None:
         return flow.rest()
     if isinstance(start, Mapping):
-        return flow.rest({name: _moving(flow, name, pair) for name, pair in start.items()})
+        read = _state if isinstance(flow.subject, Loop) else _moving
+        return flow.rest({name: read(flow, name, given) for name, given in start.items()})
     state = real_array("the start", start)
     if state.shape != (flow.size,):
-        raise MechanismError(
-            f"the start has the shape {state.shape}, but the mechanism has {flow.size} states: "
+        error, what = (LoopError, "loop") if isinstance(flow.subject, Loop) else (MechanismError, "mechanism")
+        raise error(
+            f"the start has the shape {state.shape}, but the {what} has {flow.size} states: "
             f"{listed(flow.names)}"
         )
     return flow.at(np.array(state, dtype=np.float64))
 
 
-def _moving(flow: ExactFlow, name: str, pair: Any) -> tuple[float, float]:
-    bodies = flow.modes.system.layout.bodies
+def _moving(flow: Flow, name: str, pair: Any) -> tuple[float, float]:
+    bodies = flow.axes
     if name not in bodies:
         there = near_match(name, bodies) or f"there are {listed(bodies)}"
         raise MechanismError(f"the start names {name!r}, which is no body; {there}")
@@ -60,3 +65,12 @@ def _moving(flow: ExactFlow, name: str, pair: Any) -> tuple[float, float]:
         finite_number(f"displacement of {name}", displacement, "m"),
         finite_number(f"velocity of {name}", velocity, "m/s"),
     )
+
+
+def _state(flow: Flow, name: str, value: Any) -> tuple[float]:
+    """Return the value of a state of a loop, given alone or in a pair of brackets."""
+    if name not in flow.axes:
+        there = near_match(name, flow.axes) or f"there are {listed(flow.axes)}"
+        raise LoopError(f"the start names {name!r}, which is no state of the loop; {there}")
+    (number,) = value if isinstance(value, tuple | list) and len(value) == 1 else (value,)
+    return (finite_number(name, number),)

@@ -14,8 +14,8 @@ from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
 
 if TYPE_CHECKING:
-    from trimmer.contact.flow import ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Flow
     from trimmer.response.settling import Settling
 
 WINDOW = 512
@@ -77,7 +77,7 @@ def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
     return SettledMotion(seen.kind, None, seen.window, periods, agrees, 1, 1.0, False, told)
 
 
-def look_closely(flow: ExactFlow, instant: Instant) -> Seen | None:
+def look_closely(flow: Flow, instant: Instant) -> Seen | None:
     """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
     window = watch(flow, instant, WINDOW)
     if window is None:
@@ -102,7 +102,7 @@ class Seen:
         leaves: Whether a neighbouring motion leaves it.
     """
 
-    flow: ExactFlow
+    flow: Flow
     window: Window
     leaves: bool
 
@@ -140,11 +140,13 @@ class Seen:
     @property
     def orderly(self) -> bool:
         """Whether the 0-1 test calls the displacements orderly, seen once a drive period."""
-        bodies = len(self.flow.modes.system.layout.bodies)
-        return all(growth_of_walk(series) < ORDERLY for series in self.window.states[:, :bodies].T)
+        layout = self.flow.modes.system.layout
+        rates = {place for rate in layout.rates for place in range(rate.start, rate.stop)}
+        places = [at for kind in layout.kinds for at in range(kind.start, kind.stop) if at not in rates]
+        return all(growth_of_walk(series) < ORDERLY for series in self.window.states[:, places].T)
 
 
-def _neighbour_leaves(flow: ExactFlow, window: Window) -> bool:
+def _neighbour_leaves(flow: Flow, window: Window) -> bool:
     begin = window.begin
     direction = np.random.default_rng(SEED).normal(size=flow.size)
     step = NEIGHBOUR * window.sizes * direction / np.linalg.norm(direction)

@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.hybrid.advance import Ending
+from trimmer.motion.extremes import extremes
+from trimmer.motion.fourier import fourier
+from trimmer.motion.measures import HARMONICS
+from trimmer.motion.signals import along, read
 from trimmer.response.estimate import Estimate, mean_of
-from trimmer.response.extremes import extremes
-from trimmer.response.fourier import fourier
-from trimmer.response.measures import HARMONICS
-from trimmer.response.motion_signals import acceleration, along, output_rows, output_speeds, steady
 from trimmer.response.shooting import sizes_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.contact.flow import Course, ExactFlow
     from trimmer.hybrid.advance import Instant
+    from trimmer.motion.flow import Course, Flow
 
 SAMPLES = 64
 """Samples in a drive period, for the spectrum."""
@@ -40,22 +40,22 @@ class Window:
     """What was seen of a motion, in rows of some drive periods each.
 
     Attributes:
-        flow: The motion of the mechanism, in the frame that advances evenly with it, if it does.
+        flow: What moves, in the frame that advances evenly with it, if it does.
         sizes: Scale of each state, (n,).
         begin: Where the window begins.
         end: Where it ends.
         ending: Why, if it had to.
         growth: Logarithms of the growth of two distances at right angles, per period, (rows, 2).
-        means, squares: Mean and mean square of each output, m, m², (rows, outputs).
-        waves: Complex amplitudes of the harmonics, m, (rows, HARMONICS, outputs).
-        ranges: Smallest and largest value of each output, m, (rows, outputs, 2).
+        means, squares: Mean and mean square of each output, (rows, outputs).
+        waves: Complex amplitudes of the harmonics, (rows, HARMONICS, outputs).
+        ranges: Smallest and largest value of each output, (rows, outputs, 2).
         accelerations: Mean square of the acceleration of each body, m²/s⁴, (rows, bodies).
         events: Number of events per drive period, (rows,).
         states: At the start of each period, (periods, n), shifted so that leaders are at 0.
-        samples: Outputs at equal steps, m, (SAMPLES periods, outputs).
+        samples: Outputs at equal steps, (SAMPLES periods, outputs).
     """
 
-    flow: ExactFlow
+    flow: Flow
     sizes: Reals
     begin: Instant
     end: Instant
@@ -82,9 +82,9 @@ class Window:
 
     @cached_property
     def rms(self) -> Mapping[str, Estimate]:
-        """Root of the mean square of each output about its mean over the window, m."""
+        """Root of the mean square of each output about its mean over the window."""
         found = {}
-        for place, name in enumerate(self.flow.mechanism.outputs):
+        for place, name in enumerate(self.flow.outputs):
             mean = self.means[:, place].mean()
             square = mean_of(self.squares[:, place] - 2 * mean * self.means[:, place] + mean**2)
             root = float(np.sqrt(max(square.value, 0.0)))
@@ -93,32 +93,31 @@ class Window:
 
     @cached_property
     def output_means(self) -> Mapping[str, Estimate]:
-        """Mean of each output, m."""
-        return dict(zip(self.flow.mechanism.outputs, map(mean_of, self.means.T), strict=True))
+        """Mean of each output."""
+        return dict(zip(self.flow.outputs, map(mean_of, self.means.T), strict=True))
 
     @cached_property
     def advance(self) -> Mapping[str, float]:
-        """Shift of each output over a drive period in the mean, m, without which all else is measured."""
-        speeds = output_speeds(self.flow.mechanism, self.flow.modes.system.layout)
-        return {name: speed * self.flow.period for name, speed in speeds.items()}
+        """Shift of each output over a drive period in the mean, without which all else is measured."""
+        return {name: each.speed * self.flow.period for name, each in self.flow.outputs.items()}
 
     @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
-        """Amplitudes of the harmonics of the drive in each output, m."""
+        """Amplitudes of the harmonics of the drive in each output."""
         mean = abs(self.waves.mean(axis=0))
-        return {name: mean[:, place] for place, name in enumerate(self.flow.mechanism.outputs)}
+        return {name: mean[:, place] for place, name in enumerate(self.flow.outputs)}
 
     @cached_property
     def peak_to_peak(self) -> Mapping[str, float]:
-        """Largest less smallest value of each output in the window, m."""
+        """Largest less smallest value of each output in the window."""
         lowest, highest = self.ranges[..., 0].min(axis=0), self.ranges[..., 1].max(axis=0)
-        return dict(zip(self.flow.mechanism.outputs, (highest - lowest).tolist(), strict=True))
+        return dict(zip(self.flow.outputs, (highest - lowest).tolist(), strict=True))
 
     @cached_property
     def rms_acceleration(self) -> Mapping[str, Estimate]:
         """Root of the mean square of the acceleration of each body, m/s²."""
         found = {}
-        for place, name in enumerate(self.flow.mechanism.bodies):
+        for place, name in enumerate(self.flow.accelerations):
             square = mean_of(self.accelerations[:, place])
             root = float(np.sqrt(square.value))
             found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
@@ -126,32 +125,21 @@ class Window:
 
     @cached_property
     def spectrum(self) -> tuple[Reals, Mapping[str, Reals]]:
-        """Frequencies, Hz, and power density of each output, m²/Hz, by Welch's method (Hann, half over)."""
+        """Frequencies, Hz, and power density of each output, its unit² per Hz, by Welch's method (Hann, half over)."""
         from scipy.signal import welch
 
         rate = SAMPLES / self.flow.period
         length = SAMPLES * min(SEGMENT, self.periods)
         _, density = welch(self.samples, rate, nperseg=length, axis=0)
-        outputs = self.flow.mechanism.outputs
+        outputs = self.flow.outputs
         # Those of ``welch``, which gives none without outputs.
         frequencies = np.asarray(rate * np.fft.rfftfreq(length), dtype=np.float64)
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
-def watch(flow: ExactFlow, instant: Instant, periods: int) -> Window | None:
+def watch(flow: Flow, instant: Instant, periods: int) -> Window | None:
     """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once."""
-    return _Watch(_advancing(flow, instant, periods), instant).over(periods)
-
-
-def _advancing(flow: ExactFlow, instant: Instant, periods: int) -> ExactFlow:
-    """Return the motion in the frame that moves as leaders do in the mean over some drive periods."""
-    if not flow.modes.system.layout.frame.follows or not flow.shifts:
-        return flow
-    count = len(flow.modes.system.layout.bodies)
-    still = flow.moving(np.zeros(count))
-    states = still.strobe(instant, periods).states
-    gone = states[-1, :count] - states[0, :count]
-    return still.moving(gone / (max(len(states) - 1, 1) * flow.period))
+    return _Watch(flow.watched(instant, periods), instant).over(periods)
 
 
 def joined(first: Window, second: Window) -> Window:
@@ -164,10 +152,9 @@ def joined(first: Window, second: Window) -> Window:
 
 
 class _Watch:
-    def __init__(self, flow: ExactFlow, instant: Instant) -> None:
+    def __init__(self, flow: Flow, instant: Instant) -> None:
         self.flow, self.instant = flow, instant
-        layout = flow.modes.system.layout
-        self.rows = np.array([*output_rows(flow.mechanism, layout).values()]).reshape(-1, layout.size)
+        self.outputs = flow.outputs.values()
         self.sizes = np.ones(flow.size)
         directions = np.random.default_rng(SEED).normal(size=(2, flow.size))
         self.distances = np.linalg.qr(flow.reduced(directions).T)[0]
@@ -192,25 +179,24 @@ class _Watch:
 
     def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration
-        signals = nodes.states @ self.rows.T
+        signals = read(course, self.outputs, nodes.rows, nodes.states)
         accelerations = [
-            nodes.weights
-            @ along(course, acceleration(course.modes, body), nodes.rows, nodes.states) ** 2
-            / duration
-            for body in range(len(course.modes.system.layout.bodies))
+            nodes.weights @ along(course, signal, nodes.rows, nodes.states) ** 2 / duration
+            for signal in self.flow.accelerations.values()
         ]
         count = SAMPLES * TOGETHER
-        sampled = course.states(course.duration * np.arange(count) / count)
+        times = course.duration * np.arange(count) / count
+        rows, sampled = np.searchsorted(course.log.start, times, side="right") - 1, course.states(times)
         return (
             self._growth(course),
             nodes.weights @ signals / duration,
             nodes.weights @ signals**2 / duration,
             fourier(course, signals, 2 * np.pi * TOGETHER / duration, HARMONICS),
-            np.array([extremes(course, steady(row)) for row in self.rows]).reshape(-1, 2),
+            np.array([extremes(course, each.signal) for each in self.outputs]).reshape(-1, 2),
             np.array(accelerations),
             np.array(len(course.events) / TOGETHER),
             self.flow.reduced(sampled[::SAMPLES, : self.flow.size]),
-            sampled @ self.rows.T,
+            read(course, self.outputs, rows, sampled),
         )
 
     def _growth(self, course: Course) -> Reals:

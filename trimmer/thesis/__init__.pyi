@@ -8,8 +8,8 @@ from trimmer.linear.model import InputChannels as InputChannels
 from trimmer.linear.model import linear_model as linear_model
 from trimmer.linear.model import pin_model as pin_model
 from trimmer.linear.model import transfer_function as transfer_function
-from trimmer.motion.trimmer_loop import BodyFriction as BodyFriction
-from trimmer.motion.trimmer_loop import TrimmerLoop as TrimmerLoop
+from trimmer.loops.trimmer_loop import BodyFriction as BodyFriction
+from trimmer.loops.trimmer_loop import TrimmerLoop as TrimmerLoop
 from trimmer.parameters import ParameterError as ParameterError
 from trimmer.parameters import TrimmerParameters as TrimmerParameters
 from trimmer.parameters import parameter_table as parameter_table

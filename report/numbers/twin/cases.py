@@ -14,8 +14,8 @@ from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import Mechanism, MechanismMotion, MotionKind, OrbitNotFoundError, TrimmerParameters, respond
 from trimmer.arrays import Reals
 from trimmer.contact.flow import Course, ExactFlow
+from trimmer.motion.measures import Measures
 from trimmer.response.estimate import Estimate
-from trimmer.response.measures import Measures
 from trimmer.response.response import SettledMotion
 
 SHOWN: Final = 3

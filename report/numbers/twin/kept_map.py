@@ -18,8 +18,8 @@ from trimmer.arrays import Integers, Reals
 from trimmer.contact.flow import ExactFlow
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import MapInputs, varied
-from trimmer.response.fourier import fourier
-from trimmer.response.motion_signals import output_rows
+from trimmer.motion.fourier import fourier
+from trimmer.motion.signals import read
 
 CellKinds = np.ndarray[tuple[int, int], np.dtype[np.str_]]
 LETTERS: Final = {
@@ -111,9 +111,9 @@ def _second_harmonic(inputs: MapInputs, number: int, motion: CellMotion) -> floa
         return None
     flow = ExactFlow.returning(varied(inputs.mechanism, inputs.places, inputs.cell_values(number)))
     course = flow.course(flow.at(np.array(motion.states[0])), motion.period_count)
-    layout = flow.modes.system.layout
-    row = output_rows(inputs.mechanism, layout)[STROKE]
-    second = abs(fourier(course, (course.nodes.states @ row)[:, None], 2 * layout.omega, 1)[0, 0])
+    nodes, omega = course.nodes, flow.modes.system.layout.omega
+    stroke = read(course, [flow.outputs[STROKE]], nodes.rows, nodes.states)
+    second = abs(fourier(course, stroke, 2 * omega, 1)[0, 0])
     return float(second) if second > VANISHING else 0.0
 
 

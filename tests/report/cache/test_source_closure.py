@@ -24,7 +24,7 @@ print(json.dumps(files))
 """Loads each module as a process does that has loaded nothing of this project."""
 MODULES = (
     "derivations.elements.backlash",
-    "trimmer.motion.simulation",
+    "trimmer.loops.simulation",
     "report.chapters.chapter_2.claims.section_2_3_6",
 )
 

@@ -142,14 +142,14 @@ def test_a_motion_is_known_until_then() -> None:
     with (
         interrupted_after(0.3),
         pytest.raises(
-            trimmer.motion.SimulationInterrupted, match=r"interrupted after \d\S* s of the motion"
+            trimmer.loops.SimulationInterrupted, match=r"interrupted after \d\S* s of the motion"
         ) as caught,
     ):
         trimmer.simulate(loop, 1e5)
     motion = caught.value.motion
     assert isinstance(caught.value, KeyboardInterrupt)
     assert (motion.outcome, motion.success, motion.message) == (
-        trimmer.motion.Outcome.INTERRUPTED,
+        trimmer.loops.Outcome.INTERRUPTED,
         False,
         "interrupted",
     )

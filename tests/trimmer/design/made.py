@@ -8,7 +8,7 @@ import numpy as np
 
 from trimmer import Mechanism, MotionKind
 from trimmer.design.found_motion import FoundMotion, Signals
-from trimmer.response.measures import ContactMeasures, FrictionMeasures, OutputMeasures
+from trimmer.motion.measures import ContactMeasures, FrictionMeasures, OutputMeasures
 
 
 def output(smallest: float, largest: float, amplitudes: Any = (), period_count: int = 1) -> OutputMeasures:

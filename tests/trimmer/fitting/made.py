@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from trimmer import Mechanism, Signal, respond
-from trimmer.response.motion_signals import along, output_rows, rate, steady
+from trimmer.motion.signals import along, rate
 
 RATE = 10_000.0
 BEGIN = 0.00123
@@ -27,7 +27,7 @@ def exact(
     orbit = respond(mechanism).motion.orbit
     assert orbit is not None
     course = orbit.course
-    signal = steady(output_rows(mechanism, course.modes.system.layout)[output])
+    signal = orbit.flow.outputs[output].signal
     for _ in range(derivatives):
         signal = rate(course.modes, signal)
     times = (BEGIN + np.arange(samples) / sample_rate) % course.duration

@@ -23,7 +23,7 @@ def refuse(self, signature):
     raise AssertionError(f"{self.py_func.__qualname__} is compiled at import")
 
 Dispatcher.compile = refuse
-import trimmer.branches.follow, trimmer.contact.flow, trimmer.motion.simulation
+import trimmer.branches.follow, trimmer.contact.flow, trimmer.loops.simulation
 """
 
 

@@ -11,7 +11,7 @@ import scipy.signal
 
 from trimmer import ClosedLoop, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash, simulate
 from trimmer.elements import Element
-from trimmer.motion import Outcome
+from trimmer.loops import Outcome
 
 STARTS = 20
 DURATION = 300.0

@@ -16,7 +16,7 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements.element import Element
-from trimmer.motion import EventKind
+from trimmer.loops import EventKind
 
 THIRD_ORDER = control.ss(control.tf([0.91, 1.8], [1, 1.14, 0.136]))
 SECOND_ORDER = control.ss(control.tf([1, 2.2], [1, 0.516, 1]))

@@ -25,7 +25,7 @@ from trimmer import (
 )
 from trimmer.elements import Element
 from trimmer.linear import InputChannels
-from trimmer.motion import BodyFriction
+from trimmer.loops import BodyFriction
 from trimmer.thesis import Displacement, TrimmerBody
 
 DRIVE = Drive(0.0015, 2 * np.pi * 109.845)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import scipy.signal
 
-from tests.trimmer.motion.reference.peers import Course, Plant, play, switch
+from tests.trimmer.loops.reference.peers import Course, Plant, play, switch
 from trimmer import InertiaBacklash, Relay, periodic_orbits
 from trimmer.elements import Element
 

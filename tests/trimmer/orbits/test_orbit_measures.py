@@ -28,7 +28,7 @@ from trimmer import (
 )
 from trimmer.elements import Element
 from trimmer.linear import InputChannels
-from trimmer.motion import BodyFriction
+from trimmer.loops import BodyFriction
 from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()

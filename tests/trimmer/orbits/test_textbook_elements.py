@@ -24,7 +24,7 @@ from trimmer import (
     simulate,
 )
 from trimmer.elements import Element, ScaledElement
-from trimmer.motion.motion import Outcome
+from trimmer.loops.motion import Outcome
 
 THIRD_ORDER = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 WITH_INTEGRATOR = control.tf([10.0], [1.0, 2.0, 1.0, 0.0])

@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import cumulative_simpson
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.motion.loops import Drive
-from trimmer.motion.trimmer_loop import TrimmerLoop
+from trimmer.loops.loops import Drive
+from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 from trimmer.response.simulate import simulate
 from trimmer.signals.convert import Conversion, convert

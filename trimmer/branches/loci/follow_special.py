@@ -59,7 +59,7 @@ def follow_special(
             "special points are followed over two numbers for driven motions only, and the mechanism has no "
             "frequency; follow branches at several values of the second number"
         )
-    mechanism, first = branch.map.mechanism, place_text(parse_place(branch.map.place))
+    mechanism, first = branch.map.subject, place_text(parse_place(branch.map.place))
     second = place_text(parse_place(place))
     if second == first or second.endswith(".order"):
         raise MechanismError(f"{place}: vary a second number, one that need not be whole")
@@ -83,8 +83,8 @@ def _ranges_of(branch: FollowedBranch, special: SpecialPoint, begin: float, end:
 
 
 def _search(branch: FollowedBranch, special: SpecialPoint, second: str, ranges: LocusRanges) -> Search:
-    mechanism = branch.map.mechanism.with_value(branch.map.place, special.value)
-    map = shortest_map(replace(branch.map, mechanism=mechanism, single=None), special.value, special.state)
+    mechanism = branch.map.subject.with_value(branch.map.place, special.value)
+    map = shortest_map(replace(branch.map, subject=mechanism, single=None), special.value, special.state)
     map = replace(map, mirrored=is_symmetric(map, special.value, special.state))
     scales = [max(abs(lowest), abs(highest)) for lowest, highest in ranges.both]
     maps = replace(map, scale=scales[0]), replace(map, place=second, scale=scales[1])
@@ -94,7 +94,7 @@ def _search(branch: FollowedBranch, special: SpecialPoint, second: str, ranges: 
 def _locus(search: Search, track: Track, reason: LocusEnd) -> Locus:
     values = search.lowest + np.array([point.values for point in track.points]) * search.spans
     places = [_place(search, numbers, point) for numbers, point in zip(values, track.points, strict=True)]
-    units = search.maps[0].mechanism.places
+    units = search.maps[0].subject.places
     return Locus(
         kind=search.sought.kind,
         parts=search.sought.parts,

@@ -61,7 +61,7 @@ class Search:
             share: Where orbits begin, in drive periods after the start of one.
         """
         map = self.maps[1 - held] if share is None else self.maps[1 - held].begun_at(share)
-        return replace(map, mechanism=map.mechanism.with_value(self.maps[held].place, value))
+        return replace(map, subject=map.subject.with_value(self.maps[held].place, value))
 
     def inside(self, values: Reals) -> bool:
         """Say whether values are within the ranges."""

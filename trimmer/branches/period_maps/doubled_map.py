@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_maps.period_map import Passage, PeriodMap, Phase, Signature
+from trimmer.branches.period_maps.period_map import Passage, PeriodMap, Signature
+from trimmer.motion.part import Phase
 
 
 @dataclass(frozen=True, eq=False)

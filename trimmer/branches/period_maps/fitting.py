@@ -8,7 +8,6 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
-from trimmer.response.same import is_mirror_symmetric
 
 SYMMETRIC = 1e-6
 """Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""
@@ -23,7 +22,7 @@ def fitting(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
     if map.periods % 2 == 0:
         half = replace(map, periods=map.periods // 2)
         return map if _repeats(half, map, value, state) else _asymmetric(half).doubled()
-    if not is_mirror_symmetric(map.mechanism):
+    if not map.is_mirror_symmetric:
         return map
     mirrored = replace(map, mirrored=True)
     return mirrored if _repeats(mirrored, map, value, state) else mirrored.doubled()
@@ -44,7 +43,7 @@ def shortest_map(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
 
 def is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
     """Say whether a motion is its own mirror image half a period later, as far as it is known."""
-    if map.periods % 2 == 0 or not is_mirror_symmetric(map.mechanism):
+    if map.periods % 2 == 0 or not map.is_mirror_symmetric:
         return False
     return _repeats(replace(map, mirrored=True), map, value, state)
 
@@ -53,7 +52,7 @@ def _asymmetric(map: MechanismMap) -> MechanismMap:
     """Return the map of an asymmetric motion, doubled from that of the simplest motion there can be."""
     if map.periods % 2 == 0:
         return _asymmetric(replace(map, periods=map.periods // 2)).doubled()
-    return replace(map, mirrored=True).doubled() if is_mirror_symmetric(map.mechanism) else map
+    return replace(map, mirrored=True).doubled() if map.is_mirror_symmetric else map
 
 
 def _repeats(half: MechanismMap, map: MechanismMap, value: float, state: Reals) -> bool:

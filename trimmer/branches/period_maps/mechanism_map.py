@@ -1,4 +1,4 @@
-"""The map of a period of a mechanism over one of its numbers."""
+"""The map of a period of a mechanism or a loop over one of its numbers."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_maps.mechanism_passage import MechanismPassage, mirrored
-from trimmer.contact.flow import Course, ExactFlow
-from trimmer.errors import MechanismError, UnsupportedMotionError
+from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
+from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, Instant
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.flow import Course, Flow
+from trimmer.motion.part import mirrored
+from trimmer.motion.subject import Subject
+from trimmer.response.flows import flow_of
 
 DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
@@ -23,7 +25,7 @@ class MechanismMap:
     """The map of some drive periods, or of half of them with the mirror image of the end.
 
     Attributes:
-        mechanism: The mechanism; it has a frequency.
+        subject: What moves; it has a frequency.
         place: Dotted place of the number that is varied.
         scale: Magnitude of the number, in its unit, for differences.
         periods: Drive periods after which the motion repeats; odd, if mirrored.
@@ -33,7 +35,7 @@ class MechanismMap:
             it begins with a drive period because nothing else was chosen yet.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     place: str
     scale: float
     periods: int = 1
@@ -64,23 +66,28 @@ class MechanismMap:
     @cached_property
     def size(self) -> int:
         """Number of states."""
-        return ExactFlow.returning(self.mechanism).size
+        return flow_of(self.subject).size
 
-    def flow(self, value: float) -> ExactFlow:
-        """Return the motion of the mechanism with a value of the number.
+    @cached_property
+    def is_mirror_symmetric(self) -> bool:
+        """Whether the mirror image of a motion is a motion, half a period of the drive later."""
+        return flow_of(self.subject).is_mirror_symmetric
+
+    def flow(self, value: float) -> Flow:
+        """Return the motion with a value of the number.
 
         Raises:
-            MechanismError: if the number cannot have that value.
+            MechanismError, LoopError: if the number cannot have that value.
         """
         known = self._flows
         if value not in known:
             if len(known) > 3:
                 known.pop(next(iter(known)))
-            known[value] = ExactFlow.returning(self.mechanism.with_value(self.place, value))
+            known[value] = flow_of(self.subject.with_value(self.place, value))
         return known[value]
 
     @cached_property
-    def _flows(self) -> dict[float, ExactFlow]:
+    def _flows(self) -> dict[float, Flow]:
         return {}
 
     def passage(self, value: float, state: Reals) -> MechanismPassage:
@@ -91,12 +98,12 @@ class MechanismMap:
 
         Raises:
             UnsupportedMotionError: if the motion cannot be followed.
-            MechanismError: if the number cannot have that value.
+            MechanismError, LoopError: if the number cannot have that value.
         """
         flow = self.flow(value)
         return MechanismPassage(self, value, flow, *self.followed(flow, state))
 
-    def followed(self, flow: ExactFlow, state: Reals, duration: float = 0.0) -> tuple[Instant, Course]:
+    def followed(self, flow: Flow, state: Reals, duration: float = 0.0) -> tuple[Instant, Course]:
         """Return the motion from a state, for a duration, s, if that is given, and the instant it begins at.
 
         Raises:
@@ -112,7 +119,7 @@ class MechanismMap:
         return self._repeated(flow, state, final, duration) or (begin, course)
 
     def _repeated(
-        self, flow: ExactFlow, state: Reals, final: Instant, duration: float
+        self, flow: Flow, state: Reals, final: Instant, duration: float
     ) -> tuple[Instant, Course] | None:
         """Return the motion that begins with the statuses of an end, if it ends with them again."""
         begin = flow.at(state, self._phase(flow), like=final)
@@ -122,7 +129,7 @@ class MechanismMap:
             return None
         return (begin, course) if self.returned(flow, course.end).statuses == final.statuses else None
 
-    def _phase(self, flow: ExactFlow) -> float:
+    def _phase(self, flow: Flow) -> float:
         """Return the time after the start of a drive period at which a passage begins, s."""
         return (self.share or 0.0) % 1.0 * flow.period
 
@@ -133,19 +140,19 @@ class MechanismMap:
         flow = self.flow(value)
         return [flow.timed(flow.at(state), self.share * flow.period, MOST_STEPS).end.state]
 
-    def neighbour(self, value: float) -> tuple[float, Mechanism]:
-        """Return a value a little off, and the mechanism with that value.
+    def neighbour(self, value: float) -> tuple[float, Subject]:
+        """Return a value a little off, and the subject with that value.
 
         Raises:
-            MechanismError: if the number can have neither of the neighbouring values.
+            MechanismError, LoopError: if the number can have neither of the neighbouring values.
         """
         step = DIFFERENCE * self.scale
         try:
-            return value + step, self.mechanism.with_value(self.place, value + step)
-        except MechanismError:
-            return value - step, self.mechanism.with_value(self.place, value - step)
+            return value + step, self.subject.with_value(self.place, value + step)
+        except TrimmerError:
+            return value - step, self.subject.with_value(self.place, value - step)
 
-    def course(self, flow: ExactFlow, begin: Instant, duration: float = 0.0) -> Course:
+    def course(self, flow: Flow, begin: Instant, duration: float = 0.0) -> Course:
         """Follow the motion from an instant over the periods, or for a duration, s, where one is given.
 
         Raises:
@@ -163,9 +170,9 @@ class MechanismMap:
             )
         return course
 
-    def returned(self, flow: ExactFlow, end: Instant) -> Instant:
+    def returned(self, flow: Flow, end: Instant) -> Instant:
         """Return an end as the beginning of the next passage."""
         if not self.mirrored:
             return end
-        statuses = mirrored(end.statuses, len(flow.modes.system.machine.stiffness))
-        return replace(end, state=-end.state, statuses=statuses)
+        statuses = mirrored(flow.parts, end.statuses)
+        return replace(end, state=flow.mirrored_states * end.state, statuses=statuses)

@@ -1,4 +1,4 @@
-"""The motion of a mechanism over a period, from where it begins on a branch."""
+"""The motion of a mechanism or a loop over a period, from where it begins on a branch."""
 
 from __future__ import annotations
 
@@ -10,72 +10,40 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.branches.period_maps.period_map import Phase, Signature
+from trimmer.branches.period_maps.period_map import Signature
 from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
-from trimmer.contact.flow import Course, ExactFlow
-from trimmer.contact.frame import frame_of
-from trimmer.contact.machine import machine_of
-from trimmer.contact.statuses import (
-    BACKWARD,
-    FORWARD,
-    MINUS,
-    PLUS,
-    RELEASED_MINUS,
-    RELEASED_PLUS,
-    STICK,
-)
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.motion.flow import Course, Flow
+from trimmer.motion.part import Part, Phase, mirrored
 
 if TYPE_CHECKING:
     from trimmer.branches.period_maps.mechanism_map import MechanismMap
 
-ROUNDING = 1e-14
-"""Share of the largest displacement or velocity up to which another one is rounding."""
-STRETCHED = 1e-2
-"""Least scale of the stretch of a relaxing spring, relative to the largest displacement."""
-STATUSES = {
-    Phase.UPPER: (PLUS,),
-    Phase.LOWER: (MINUS,),
-    Phase.EITHER: (PLUS, MINUS),
-    Phase.STICK: (STICK,),
-}
-"""Statuses of a part in each phase."""
-MIRRORED_CONTACT = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
-MIRRORED_FRICTION = {FORWARD: BACKWARD, BACKWARD: FORWARD}
-
-
-def mirrored(statuses: tuple[int, ...], contacts: int) -> tuple[int, ...]:
-    """Return the statuses of the mirror image of a motion, those of so many contacts first."""
-    return tuple(
-        (MIRRORED_CONTACT if part < contacts else MIRRORED_FRICTION).get(status, status)
-        for part, status in enumerate(statuses)
-    )
-
 
 @dataclass(frozen=True, eq=False)
 class MechanismPassage:
-    """The motion of a mechanism from a state over its periods.
+    """The motion from a state over its periods.
 
     Attributes:
         map: The map.
         value: Value of the number that is varied.
-        flow: The motion of the mechanism.
+        flow: What moves.
         begin: The instant at which it begins.
         course: The motion.
     """
 
     map: MechanismMap
     value: float
-    flow: ExactFlow
+    flow: Flow
     begin: Instant
     course: Course
 
     @property
-    def sign(self) -> float:
-        """Return what the end is multiplied by."""
-        return -1.0 if self.map.mirrored else 1.0
+    def sign(self) -> Reals:
+        """Return what the entries of the end are multiplied by, shape (n,)."""
+        return self.flow.mirrored_states if self.map.mirrored else np.ones(self.flow.size)
 
     @property
     def end(self) -> Reals:
@@ -85,7 +53,7 @@ class MechanismPassage:
     @cached_property
     def jacobian(self) -> Reals:
         """Derivative of the end by the state, n x n."""
-        return self.sign * self.course.monodromy
+        return self.sign[:, None] * self.course.monodromy
 
     @property
     def monodromy(self) -> Reals:
@@ -94,20 +62,11 @@ class MechanismPassage:
 
     @cached_property
     def sizes(self) -> Reals:
-        """Largest magnitude of each entry at events and at equal times, shape (n,).
-
-        What is rounding beside others of its kind does not move. A stretch is a difference of displacements,
-        and known no better than their rounding: its own is at least a share of theirs.
-        """
+        """Largest magnitude of each entry at events and at equal times, shape (n,), 0 for what is rounding."""
         times = np.linspace(0.0, self.course.duration, 64)
         states = np.vstack([self.course.states(times), self.course.log.state])
         sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
-        bodies = len(self.flow.modes.system.layout.bodies)
-        for kind in (sizes[:bodies], sizes[bodies : 2 * bodies]):
-            kind[kind <= ROUNDING * kind.max()] = 0.0
-        stretches = sizes[2 * bodies :]
-        np.maximum(stretches, STRETCHED * sizes[:bodies].max(), out=stretches)
-        return sizes
+        return self.flow.without_rounding(sizes)
 
     @cached_property
     def _segments(self) -> tuple[Reals, Integers]:
@@ -121,7 +80,7 @@ class MechanismPassage:
         statuses = self.course.modes.tables.statuses[log.mode[goes_on]]
         before = np.roll(statuses, 1, axis=0)
         if self.map.mirrored:
-            before[0] = mirrored(tuple(before[0].tolist()), len(self.flow.modes.system.layout.contacts))
+            before[0] = mirrored(self.flow.parts, tuple(before[0].tolist()))
         return log.start[goes_on], np.array([before, statuses])
 
     @cached_property
@@ -131,18 +90,19 @@ class MechanismPassage:
         What leaves half a period at its end comes in at its beginning on the other side, so that of a
         mirrored motion the sides are not told apart.
         """
-        layout, (_, (before, after)) = self.flow.modes.system.layout, self._segments
-        sides = {PLUS: Phase.UPPER, MINUS: Phase.LOWER}
-        if self.map.mirrored:
-            sides = dict.fromkeys(sides, Phase.EITHER)
+        _, (before, after) = self._segments
         begun: Counter[tuple[str, Phase]] = Counter()
-        for number, name in enumerate((*layout.contacts, *layout.frictions)):
-            phases = sides if number < len(layout.contacts) else {STICK: Phase.STICK}
-            for status, phase in phases.items():
+        for number, part in enumerate(self._parts):
+            for status, phase in part.phases.items():
                 count = int(((after[:, number] == status) & (before[:, number] != status)).sum())
                 if count:
-                    begun[name, phase] += count
+                    begun[part.name, phase] += count
         return begun
+
+    @cached_property
+    def _parts(self) -> tuple[Part, ...]:
+        parts = self.flow.parts
+        return tuple(part.mirrored for part in parts) if self.map.mirrored else parts
 
     def shortest(self, part: str, phase: Phase) -> float:
         """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if there is none."""
@@ -155,9 +115,10 @@ class MechanismPassage:
 
     def _lengths(self, part: str, phase: Phase) -> tuple[Reals, Reals]:
         """Return how long the phases of a kind last, s, and how long the pauses between them."""
-        layout, (starts, (before, after)) = self.flow.modes.system.layout, self._segments
-        number = (*layout.contacts, *layout.frictions).index(part)
-        inside, was = (np.isin(each[:, number], STATUSES[phase]) for each in (after, before))
+        starts, (before, after) = self._segments
+        number = next(place for place, each in enumerate(self._parts) if each.name == part)
+        statuses = self._parts[number].statuses(phase)
+        inside, was = (np.isin(each[:, number], statuses) for each in (after, before))
         changes = inside != was
         if not changes.any():
             return np.empty(0), np.empty(0)
@@ -193,7 +154,7 @@ class MechanismPassage:
         share = (begun + amid_longest(times, root.length * period) / period) % root.length
         ahead = share - begun if share >= begun else share - begun + self.map.length
         course = self.flow.timed(self.begin, ahead * period)
-        sign = 1.0 if share >= begun else self.sign
+        sign = np.ones(self.flow.size) if share >= begun else self.sign
         moved = course.tangents(tangent[:-1, None])[:, 0] + tangent[-1] * self.rate_of(course)
         return Restart(
             self.map.begun_at(share), sign * course.end.state, np.append(sign * moved, tangent[-1])
@@ -205,7 +166,7 @@ class MechanismPassage:
         if self.map.single is None:
             return None
         (state,) = self.course.states(np.array([0.5 * self.course.duration]))
-        sign = -1.0 if self.map.single.mirrored else 1.0
+        sign = self.flow.mirrored_states if self.map.single.mirrored else 1.0
         return np.asarray(sign * state[: self.flow.size])
 
     @cached_property
@@ -218,19 +179,15 @@ class MechanismPassage:
         Raises:
             UnsupportedMotionError: if the neighbouring motion cannot be followed.
         """
-        neighbour = self.map.neighbour(self.value)
-        step = neighbour[0] - self.value
-        machine, layout = machine_of(neighbour[1], frame_of(neighbour[1]))
-        own = self.flow.modes.system.layout
-        alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
-        scale = layout.period / own.period if own.period else 1.0
-        if not alike or (layout.frame.leaders != own.frame.leaders).any():
+        value, subject = self.map.neighbour(self.value)
+        step, flow = value - self.value, self.flow.at_other(subject)
+        scale = flow.period / self.flow.period if self.flow.period else 1.0
+        if not self.flow.is_alike(flow):
             # A part appears or vanishes with the number.
-            flow = ExactFlow.returning(neighbour[1])
             begin = flow.at(self.begin.state, self.begin.phase * scale)
             end = self.map.course(flow, begin, course.duration * scale).end
             return np.asarray((end.state - course.end.state) / step)
-        return ValueChange(course, machine, step, course.duration * (scale - 1.0) / step).rate()
+        return ValueChange(course, flow.modes.system, step, course.duration * (scale - 1.0) / step).rate()
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number that is varied, shape (n,).

@@ -7,17 +7,7 @@ from typing import Protocol
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.strobe import Restart
-from trimmer.choices import Choice
-
-
-class Phase(Choice):
-    """A phase of the motion of a part that can begin and end."""
-
-    UPPER = "contact on the upper side"
-    LOWER = "contact on the lower side"
-    EITHER = "contact on either side"
-    STICK = "stick"
-
+from trimmer.motion.part import Phase
 
 Signature = Mapping[tuple[str, Phase], int]
 """How many phases of each kind begin in each part, by name, during a passage."""

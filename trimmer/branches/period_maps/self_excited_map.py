@@ -17,9 +17,10 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.branches.period_maps.strobe import Restart
-from trimmer.contact.flow import Course, ExactFlow
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.motion.flow import Course
+from trimmer.response.flows import flow_of
 
 LONGEST = 4.0
 """Factor by which the period may differ from that of the plane; beyond it the motion is lost."""
@@ -80,7 +81,7 @@ class SelfExcitedMap(MechanismMap):
     @cached_property
     def size(self) -> int:
         """Number of states, the period among them."""
-        return ExactFlow.returning(self.mechanism).size + 1
+        return flow_of(self.subject).size + 1
 
     def begun_on(self, section: Section) -> SelfExcitedMap:
         """Return the map of orbits that begin on a plane."""

@@ -1,4 +1,4 @@
-"""The derivative of a motion by a number of its mechanism: compiled flow, and what events make of it.
+"""The derivative of a motion by a number of what moves: compiled flow, and what events make of it.
 
 With Z' = M Z between events, the derivative Y of Z at a fixed time obeys Y' = M Y + M_p Z. An event at which
 g · Z = 0 moves by dt = -(g · Y + g_p · Z) / (g · f) with the rate f before it. A difference of two motions
@@ -14,14 +14,12 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.assembly import assemble
-from trimmer.contact.flow import Course
-from trimmer.contact.machine import Machine
 from trimmer.hybrid.compilation import kept, sources
 from trimmer.hybrid.linear_combination import copy
-from trimmer.hybrid.system import EventFunction, Mode
+from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import changes
+from trimmer.hybrid.variation import jumps
+from trimmer.motion.flow import Course
 
 
 def _entry(sources: bytes) -> Callable[..., None]:
@@ -57,17 +55,17 @@ _compiled_entry = _entry(sources())
 
 @dataclass(frozen=True, eq=False)
 class ValueChange:
-    """How the equations change with a number: two machines of one layout with values a little apart.
+    """How the equations change with a number: two systems of one layout with values a little apart.
 
     Attributes:
-        course: A motion with the first machine.
-        other: The second machine.
+        course: A motion of the first system.
+        other: The second system.
         step: Difference of the values, in their unit.
         longer: Derivative of the motion's duration by the number, s per unit.
     """
 
     course: Course
-    other: Machine
+    other: System
     step: float
     longer: float
 
@@ -75,6 +73,10 @@ class ValueChange:
         """Return the derivative of the end by the number, from a state that stays, shape (n,)."""
         log = self.course.log
         tangent = np.zeros(log.state.shape[1])
+        own, other = self.course.modes.system.layout, self.other.layout
+        if (own.phasors != other.phasors).any():  # as where the phase of the drive is varied
+            phase = self.course.begin.phase
+            tangent[own.state_count :] = (other.forcing_at(phase) - own.forcing_at(phase)) / self.step
         tangent[:] = self._held(int(log.mode[0]), log.state[0], tangent)
         row, rows = 0, len(log.start)
         state = log.state[0]
@@ -98,7 +100,7 @@ class ValueChange:
 
     def _other(self, mode: int) -> Mode:
         if mode not in self._others:
-            self._others[mode] = assemble(self.other, self.course.modes[mode].statuses)
+            self._others[mode] = self.other.mode(self.course.modes[mode].statuses)
         return self._others[mode]
 
     def _held(self, mode: int, state: Reals, tangent: Reals) -> Reals:
@@ -129,27 +131,24 @@ class ValueChange:
     def _jumped(self, first: int, last: int, tangent: Reals) -> Reals:
         """Return the derivative after an event, or after several at one instant, one after the other."""
         log, modes = self.course.log, self.course.modes
-        events = [row for row in range(first, last + 1) if log.function[row] >= 0]
-        if not events:
-            return tangent
-        state = log.state[last]
-        for before, function, after in changes(modes, log, first, last, int(log.function[events[0]])):
-            here = log.state[first] if before == log.mode[first - 1] else state
-            gradient, rates = function.row, modes[before].flow @ here
-            changed = self._changed(function, (before, int(log.mode[first - 1])))
-            slope = gradient @ rates
-            if slope != 0.0:
-                later = -(gradient @ tangent + (changed - gradient) @ here / self.step) / slope
-                tangent = tangent + (rates - modes[after].flow @ state) * later
-            tangent = self._held(after, state, tangent)
+        for jump in jumps(modes, log, first, last):
+            gradient, here = jump.function.row, jump.here
+            mode, changed = self._changed(jump.function, (jump.before, int(log.mode[first - 1])))
+            later = 0.0
+            if jump.slope != 0.0:
+                later = -(gradient @ tangent + (changed.row - gradient) @ here / self.step) / jump.slope
+            if jump.reset is not None:
+                other = self.other.reset(mode, changed)
+                tangent = jump.reset @ tangent
+                tangent += 0.0 if other is None else (other - jump.reset) @ here / self.step
+            tangent = self._held(jump.after, jump.there, tangent - jump.change * later)
         return tangent
 
-    def _changed(self, function: EventFunction, among: tuple[int, ...]) -> Reals:
-        """Return the row, (N,), with the other value of an event function of the first mode that has it."""
+    def _changed(self, function: EventFunction, among: tuple[int, ...]) -> tuple[Mode, EventFunction]:
+        """Return an event function with the other value, and its mode: of the first mode that has it."""
         for mode in among:
-            for own, other in zip(
-                self.course.modes[mode].functions, self._other(mode).functions, strict=True
-            ):
+            pairs = zip(self.course.modes[mode].functions, self._other(mode).functions, strict=True)
+            for own, other in pairs:
                 if own is function:
-                    return other.row
-        return function.row
+                    return self._other(mode), other
+        return self._other(among[0]), function

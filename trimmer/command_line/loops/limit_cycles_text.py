@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from trimmer.balance.feasible_frequencies import FeasibleBand
     from trimmer.balance.identification import Identification, IdentifiedTimeConstant, TimeConstantInterval
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
 _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" for n in HARMONICS))
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import control
 
     from trimmer.elements.element import Element
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
     from trimmer.parameters import TrimmerParameters
 
 CHANNELS = ("displacement", "both")
@@ -176,7 +176,7 @@ def closed_loop(arguments: Namespace) -> ClosedLoop:
         OptionError: if an option of the element is missing, or has no use or an unusable value.
         TrimmerError: if the output or the parameter file cannot be used.
     """
-    from trimmer.motion.loops import ClosedLoop
+    from trimmer.loops.loops import ClosedLoop
 
     element = chosen_element(arguments)
     return ClosedLoop(linear_part(arguments), element)

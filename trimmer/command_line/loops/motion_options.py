@@ -17,8 +17,8 @@ from trimmer.command_line.parser import OptionError, refuse_unused, require_posi
 from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
-    from trimmer.motion.loops import Drive
-    from trimmer.motion.trimmer_loop import BodyFriction, TrimmerLoop
+    from trimmer.loops.loops import Drive
+    from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 
 
 def add_motion_options(parser: ArgumentParser) -> None:
@@ -51,7 +51,7 @@ def chosen_loop(arguments: Namespace) -> TrimmerLoop:
     Raises:
         TrimmerError: if options contradict each other or cannot be used.
     """
-    from trimmer.motion.trimmer_loop import TrimmerLoop
+    from trimmer.loops.trimmer_loop import TrimmerLoop
 
     if arguments.element is None:
         refuse_unused(arguments, ELEMENT_OPTIONS, "--element")
@@ -87,7 +87,7 @@ def impulse_of(arguments: Namespace) -> float:
 
 
 def _drive(arguments: Namespace) -> Drive | None:
-    from trimmer.motion.loops import Drive
+    from trimmer.loops.loops import Drive
 
     if (arguments.drive is None) != (arguments.amplitude is None):
         missing = "--amplitude (m)" if arguments.amplitude is None else "--drive (Hz)"
@@ -106,7 +106,7 @@ def _drive(arguments: Namespace) -> Drive | None:
 def _friction(text: str) -> BodyFriction:
     from trimmer.displacement import Displacement
     from trimmer.elements.coulomb_friction import CoulombFriction
-    from trimmer.motion.trimmer_loop import BodyFriction
+    from trimmer.loops.trimmer_loop import BodyFriction
 
     between, equals, force = text.partition("=")
     if not equals:

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import SHARE, amplitudes, last_times, summary_lines
-from trimmer.motion.switched_component import EventKind
+from trimmer.loops.switched_component import EventKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.motion import Motion
 
 REPEATING = (EventKind.IMPACT, EventKind.SWITCH)
 ONE_SIDE = ("upper contact", "plus")

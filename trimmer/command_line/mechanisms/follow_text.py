@@ -50,15 +50,18 @@ def _many(branch: FollowedBranch) -> str:
     """Say how many orbits a branch has, and how long they are."""
     count, periods = len(branch.points), branch.periods
     orbits = f"{count} orbit" if count == 1 else f"{count} orbits"
-    if branch.map.mechanism.frequency is None:
+    if branch.map.subject.frequency is None:
         return f"{orbits} with a period of their own" + (", which has doubled" if periods > 1 else "")
     return f"{orbits} with " + ("the drive's period" if periods == 1 else f"{periods} drive periods")
 
 
 def _heads(branch: FollowedBranch) -> list[str]:
     """Return the headings of the ranges: of the period, unless a drive gives it, and of each output."""
-    own = ["period, s"] if branch.map.mechanism.frequency is None else []
-    return [*own, *(f"{name}, peak to peak, m" for name in branch.map.mechanism.outputs)]
+    own = ["period, s"] if branch.map.subject.frequency is None else []
+    return [
+        *own,
+        *(f"{name}, peak to peak{f', {unit}' if unit else ''}" for name, unit in branch.units.items()),
+    ]
 
 
 def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
@@ -66,8 +69,8 @@ def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
     rows = []
     for stable, group in itertools.groupby(branch.points, key=lambda point: point.stable):
         points = list(group)
-        columns = [[point.period for point in points]] if branch.map.mechanism.frequency is None else []
-        for name in branch.map.mechanism.outputs:
+        columns = [[point.period for point in points]] if branch.map.subject.frequency is None else []
+        for name in branch.units:
             columns.append([point.outputs[name].peak_to_peak for point in points])
         ranges = [f"{min(values):.6g} to {max(values):.6g}" for values in columns]
         ends = (f"{points[0].value:.8g}", f"{points[-1].value:.8g}")

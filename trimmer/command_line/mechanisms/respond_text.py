@@ -11,8 +11,8 @@ from trimmer.response.response_json import response_json
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
+    from trimmer.motion.measures import Measures
     from trimmer.response.estimate import Estimate
-    from trimmer.response.measures import Measures
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
 

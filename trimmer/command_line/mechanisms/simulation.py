@@ -13,7 +13,7 @@ from trimmer.command_line.parser import OptionError, as_option, is_given
 from trimmer.command_line.patience import patience
 
 if TYPE_CHECKING:
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.motion import Motion
     from trimmer.response.motion import MechanismMotion
 
 MOST_PERIODS = 1e9
@@ -87,7 +87,7 @@ def draw(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
     """Draw the picture that is wanted."""
     from trimmer.drawing.content import figure_of
     from trimmer.drawing.mechanisms.response import motion_figure
-    from trimmer.motion.motion import Motion
+    from trimmer.loops.motion import Motion
 
     figure = figure_of(motion.plot) if isinstance(motion, Motion) else motion_figure(motion)
     write_picture(arguments, figure)

@@ -53,15 +53,15 @@ def draw_branch(branch: FollowedBranch, ax: Axes | None = None, output: str | No
         _draw_line(axes, each, name, colour(periods.index(each.periods)))
         _draw_special(axes, each, name)
     place = branch.map.place
-    name_axis(axes.xaxis, place, unit_of(branch.map.mechanism.places, place))
-    name_axis(axes.yaxis, f"{name}, peak to peak", "m")
+    name_axis(axes.xaxis, place, unit_of(branch.map.subject.places, place))
+    name_axis(axes.yaxis, f"{name}, peak to peak", branch.units[name])
     axes.grid(alpha=0.3)
     add_legend(axes)
     return axes
 
 
 def _outputs(branch: FollowedBranch) -> list[str]:
-    names = list(branch.map.mechanism.outputs)
+    names = list(branch.units)
     if not names:
         raise MechanismError("the mechanism has no output, so there is no stroke: give it one ([outputs])")
     return names
@@ -93,7 +93,7 @@ def _draw_line(axes: Axes, branch: FollowedBranch, name: str, look: str) -> None
 
 
 def _period(branch: FollowedBranch) -> str:
-    if branch.map.mechanism.frequency is None:
+    if branch.map.subject.frequency is None:
         return "own period" if branch.periods == 1 else f"period doubled to {branch.periods}"
     return f"period {branch.periods}"
 

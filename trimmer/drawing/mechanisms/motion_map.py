@@ -58,12 +58,13 @@ def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequenc
 
 
 def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
-    outputs = result.inputs.mechanism.outputs
+    outputs = result.outputs
     heights = (result.stroke if outputs else result.impacts)[0]
     colours = [legend[number].colour for number in numbers]
     axes.scatter(result.values[0], heights, c=colours, edgecolors="0.4", linewidths=0.4, s=14)
     if outputs:
-        name_axis(axes.yaxis, f"{next(iter(outputs))}, peak to peak", "m")
+        name, unit = next(iter(outputs.items()))
+        name_axis(axes.yaxis, f"{name}, peak to peak", unit)
     else:
         name_axis(axes.yaxis, "impacts per drive period", "")
     axes.grid(alpha=0.3)

@@ -2,46 +2,50 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.assembly import PUSHING
-from trimmer.contact.statuses import STICK
 from trimmer.drawing.axes import add_legend, axes_for
 from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
-from trimmer.response.motion_signals import output_rows, while_status
+from trimmer.motion.part import TOUCHING, Phase
+from trimmer.motion.signals import Readout, Steady, rate, read, while_status
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from matplotlib.axes import Axes
 
-    from trimmer.arrays import Reals
-    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.arrays import Integers, Reals
+    from trimmer.motion.flow import Course, Flow
 
 POINTS = 4000
 """Points of a curve."""
 
 
-def signals_of(flow: ExactFlow) -> Mapping[str, Reals]:
-    """Return what is drawn of a mechanism as functionals: its outputs, or its bodies if it has none."""
-    layout = flow.modes.system.layout
-    bodies = dict(zip(layout.bodies, np.eye(len(layout.bodies), layout.size), strict=True))
-    return output_rows(flow.mechanism, layout) or bodies
+def signals_of(flow: Flow) -> Mapping[str, Readout]:
+    """Return what is drawn of a motion: its outputs, or the bodies of a mechanism that has none."""
+    if flow.outputs:
+        return flow.outputs
+    size = flow.modes.system.layout.size
+    return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}
 
 
-def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes:
-    """Draw outputs, m, over time, s, with contact and stick marked; see ``MechanismMotion.plot``."""
+def draw_motion(flow: Flow, course: Course, ax: Axes | None = None) -> Axes:
+    """Draw outputs over time, s, with contact and stick marked; see ``Response.plot``."""
     axes = axes_for(ax)
     times = np.linspace(0.0, course.duration, POINTS)
-    states = course.states(times)
-    for number, (name, row) in enumerate(signals_of(flow).items()):
-        axes.plot(times, states @ row, label=plain_label(name), linewidth=1.2, **line(number))
+    states, rows = course.states(times), _rows(course, times)
+    signals = signals_of(flow)
+    for number, (name, each) in enumerate(signals.items()):
+        (values,) = read(course, [each], rows, states).T
+        axes.plot(times, values, label=plain_label(name), linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)
-    name_axis(axes.yaxis, "displacement", "m")
+    unit = "m" if all(each.unit == "m" for each in signals.values()) else ""
+    name_axis(axes.yaxis, "displacement" if unit else "signals", unit)
     name_axis(axes.xaxis, "time", "s")
     axes.grid(alpha=0.3)
     draw_strips(axes, strips_of(flow, course))
@@ -49,56 +53,71 @@ def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes
     return axes
 
 
-def strips_of(flow: ExactFlow, course: Course) -> list[Strip]:
+def _rows(course: Course, times: Reals) -> Integers:
+    return np.asarray(np.searchsorted(course.log.start, times, side="right") - 1, dtype=np.int64)
+
+
+def strips_of(flow: Flow, course: Course) -> list[Strip]:
     """Return when each play and stop is in contact, and when each friction sticks."""
-    layout = flow.modes.system.layout
-    contacts = [(f"{name}, contact", PUSHING, False) for name in layout.contacts]
-    sticks = [(f"{name}, stick", (STICK,), True) for name in layout.frictions]
-    return [
-        Strip(name, bars_of(course.log.start, course.duration, while_status(course, part, on)), stick)
-        for part, (name, on, stick) in enumerate([*contacts, *sticks])
-    ]
+    found = []
+    for number, part in enumerate(flow.parts):
+        for phases, word, stick in ((TOUCHING, "contact", False), ((Phase.STICK,), "stick", True)):
+            statuses = part.statuses(*phases)
+            if statuses:
+                on = while_status(course, number, statuses)
+                bars = bars_of(course.log.start, course.duration, on)
+                found.append(Strip(f"{part.name}, {word}", bars, stick))
+    return found
 
 
-def draw_phase_plane(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes:
-    """Draw the rate of the first output, m/s, over itself, m; dots mark the starts of drive periods."""
+def draw_phase_plane(flow: Flow, course: Course, ax: Axes | None = None) -> Axes:
+    """Draw the rate of the first output over itself; dots mark the starts of drive periods."""
     axes = axes_for(ax)
-    (name, row), *_ = signals_of(flow).items()
-    rate = row @ flow.modes.system.machine.base
-    states = course.states(np.linspace(0.0, course.duration, POINTS))
-    axes.plot(states @ row, states @ rate, color=line(0)["color"], linewidth=0.9)
+    (name, first), *_ = signals_of(flow).items()
+    plane = first, replace(first, signal=rate(flow.modes, first.signal))
+    times = np.linspace(0.0, course.duration, POINTS)
+    curve = read(course, plane, _rows(course, times), course.states(times)).T
+    axes.plot(*curve, color=line(0)["color"], linewidth=0.9)
     if flow.period:
-        starts = course.states(np.arange(0.0, course.duration * (1 - 1e-9), flow.period))
-        axes.plot(
-            starts @ row, starts @ rate, "o", color=BLACK, markersize=4, label="start of a drive period"
-        )
-    _name_plane(axes, name)
+        starts = np.arange(0.0, course.duration * (1 - 1e-9), flow.period)
+        points = read(course, plane, _rows(course, starts), course.states(starts)).T
+        axes.plot(*points, "o", color=BLACK, markersize=4, label="start of a drive period")
+    _name_plane(axes, name, first.unit)
     add_legend(axes)
     return axes
 
 
-def draw_section(axes: Axes, flow: ExactFlow, states: Reals, label: str, number: int = 0) -> None:
+def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int = 0) -> None:
     """Draw the rate of the first output over itself at the start of each drive period.
 
     Args:
         axes: Where.
-        flow: The motion of the mechanism.
+        flow: What moves.
         states: At the starts of drive periods, (count, n).
         label: Name of the points.
         number: Number of the colour and of the mark.
     """
-    (name, row), *_ = signals_of(flow).items()
-    rate = row @ flow.modes.system.machine.base
+    (name, first), *_ = signals_of(flow).items()
     forcing = np.tile(flow.modes.system.layout.forcing_at(0.0), (len(states), 1))
     extended = np.hstack([states, forcing])
+    # The rate of a displacement is the same in every mode.
+    alike = isinstance(first.signal, Steady)
+    modes = [flow.modes.number(flow.at(state).statuses) for state in (states[:1] if alike else states)]
+    rows = [(first.signal(mode), rate(flow.modes, first.signal)(mode)) for mode in modes]
+    points = [
+        row @ state
+        for row, state in zip(
+            np.broadcast_to(rows, (len(states), 2, extended.shape[1])), extended, strict=True
+        )
+    ]
     mark, size = ("osD^v"[number % 5], 4.0) if len(states) < 50 else (".", 1.5)
     look = {"color": line(number)["color"], "markersize": size, "linestyle": "none"}
-    axes.plot(extended @ row, extended @ rate, mark, label=label, **look)
-    _name_plane(axes, name)
+    axes.plot(*np.array(points).T, mark, label=label, **look)
+    _name_plane(axes, name, first.unit)
 
 
-def _name_plane(axes: Axes, name: str) -> None:
+def _name_plane(axes: Axes, name: str, unit: str) -> None:
     axes.locator_params(nbins=5)
-    name_axis(axes.xaxis, name, "m")
-    name_axis(axes.yaxis, f"rate of {name}", "m/s")
+    name_axis(axes.xaxis, name, unit)
+    name_axis(axes.yaxis, f"rate of {name}", f"{unit or 1}/s")
     axes.grid(alpha=0.3)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.motion.flow import Course, Flow
     from trimmer.response.motion import MechanismMotion
     from trimmer.response.response import Response, SettledMotion
 
@@ -69,7 +69,7 @@ def motion_figure(motion: MechanismMotion) -> Figure:
     return figure
 
 
-def shown(motion: SettledMotion) -> tuple[ExactFlow, Course]:
+def shown(motion: SettledMotion) -> tuple[Flow, Course]:
     """Return the motion that is drawn: an orbit, rest, or some periods of what does not repeat.
 
     Raises:

@@ -1,0 +1,216 @@
+"""Frictions in a ring: how they share the force is open, the motion is not, and it never chatters."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.trimmer.loops.reference.peer_time_stepping import time_stepping
+from tests.trimmer.loops.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
+from trimmer import (
+    CoulombFriction,
+    Drive,
+    FrictionBacklash,
+    InertiaBacklash,
+    Motion,
+    TrimmerLoop,
+    TrimmerParameters,
+    energy_balance,
+    simulate,
+)
+from trimmer.elements.element import Element
+from trimmer.linear import InputChannels
+from trimmer.loops import BodyFriction, EventKind, Outcome
+from trimmer.thesis import Displacement, TrimmerBody
+
+THESIS = TrimmerParameters.thesis()
+AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110
+DRIVE = Drive(AMPLITUDE, OMEGA)
+Ring = tuple[tuple[Displacement, float], ...]
+NODES = (None, *TrimmerBody)
+BETWEEN_BODIES: Ring = (
+    (Displacement(TrimmerBody.CUTTER, TrimmerBody.MOTOR), 3.5),
+    (Displacement(TrimmerBody.GUARD, TrimmerBody.MOTOR), 0.12),
+    (Displacement(TrimmerBody.GUARD, TrimmerBody.CUTTER), 0.014),
+)
+WITH_GROUND: Ring = (
+    (Displacement(TrimmerBody.CUTTER), 0.1),
+    (Displacement(TrimmerBody.GUARD), 0.15),
+    (Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), 18.0),
+)
+EXAMPLES = {"between bodies": BETWEEN_BODIES, "with ground": WITH_GROUND}
+
+
+def between(first: TrimmerBody | None, second: TrimmerBody | None) -> Displacement:
+    return (
+        Displacement(second, None)
+        if first is None and second
+        else Displacement(first or TrimmerBody.MOTOR, second)
+    )
+
+
+def some_frictions(seed: int, fewest: int = 3, most: int = 3) -> Ring:
+    """Three frictions in a ring, or as many as asked for anywhere, of 0.01 to 100 N."""
+    random = np.random.default_rng(seed)
+    pairs = list(itertools.combinations(range(5), 2))
+    count = int(random.integers(fewest, most + 1))
+    if most == 3:
+        pairs = list(itertools.combinations(sorted(random.choice(5, 3, replace=False)), 2))
+    chosen = random.choice(len(pairs), count, replace=False)
+    return tuple(
+        (between(NODES[pairs[each][0]], NODES[pairs[each][1]]), float(10 ** random.uniform(-2.0, 2.0)))
+        for each in chosen
+    )
+
+
+def loop_of(ring: Ring, element: Element | None = None, drive: Drive | None = DRIVE) -> TrimmerLoop:
+    frictions = tuple(BodyFriction(each, CoulombFriction(force)) for each, force in ring)
+    return TrimmerLoop(THESIS, element, drive, channels=InputChannels.DISPLACEMENT_ONLY, frictions=frictions)
+
+
+def peer_of(ring: Ring) -> PeerTrimmer:
+    frictions = tuple(Friction(each.row, force) for each, force in ring)
+    return PeerTrimmer(THESIS, False, (AMPLITUDE, OMEGA), None, 0.0, frictions)
+
+
+def check_laws(ring: Ring, duration: float) -> Motion:
+    """Check Newton's and Coulomb's laws along a motion, which have one solution, and the energy.
+
+    Newton's as the change of momentum over each piece between events, by quadrature of all forces.
+    """
+    motion = simulate(loop_of(ring), duration)
+    assert motion.outcome is Outcome.COMPLETED
+    ends = np.unique([*np.linspace(0.0, duration, 1 + int(duration / 2e-4)), *motion.event_times])
+    nodes, weights = np.polynomial.legendre.leggauss(10)
+    times = 0.5 * (ends[:-1, None] + ends[1:, None] + np.diff(ends)[:, None] * nodes)
+    states, forces = motion.state(times), motion.component_outputs(times)[1:]
+    rows, limits = np.array([each.row for each, _ in ring]), np.array([force for _, force in ring])
+    masses, C, K = replace(peer_of(ring), frictions=()).matrices()
+    push = np.multiply.outer(PUSH, THESIS.k2 * AMPLITUDE * np.sin(OMEGA * times))
+    terms = [push, -np.tensordot(K, states[:4], 1), -np.tensordot(C, states[4:], 1)]
+    terms.append(-np.tensordot(rows.T, forces, 1))
+    impulses = 0.5 * np.diff(ends) * (sum(terms) @ weights)
+    gained = masses[:, None] * np.diff(motion.state(ends)[4:])
+    largest = max(abs(term).max() for term in terms) * np.diff(ends).max()
+    assert abs(impulses - gained).max() < 1e-9 * largest
+    sliding = np.tensordot(rows, states[4:], 1)
+    slides = abs(sliding) > 1e-9 * AMPLITUDE * OMEGA
+    assert (abs(forces) <= limits[:, None, None] * (1 + 1e-12)).all()
+    assert (forces == np.sign(sliding) * limits[:, None, None])[slides].all()
+    assert energy_balance(motion).residual < 1e-10
+    return motion
+
+
+@pytest.mark.parametrize("name", sorted(EXAMPLES))
+def test_examples_go_on_to_the_end(name: str) -> None:
+    motion = check_laws(EXAMPLES[name], 0.2)
+    kinds = {event.kind for event in motion.events}
+    assert {EventKind.STICK, EventKind.SLIP} <= kinds
+    together = [time for time, events in itertools.groupby(motion.events, key=lambda each: each.time)]
+    assert len(together) < len(motion.events)  # Two of a ring stick and slip at one instant.
+
+
+@pytest.mark.parametrize("phase", [1.5, -2.0])
+def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
+    """Pushed from rest three slip at once; then one of them sticks, so that it has done nothing."""
+    motion = simulate(loop_of(some_frictions(8, 3, 4), drive=Drive(AMPLITUDE, OMEGA, phase)), 0.02)
+    changes = [(each.time, each.component) for each in motion.events]
+    assert len(set(changes)) == len(changes)
+    assert {each.component for each in motion.events if each.time == 0} == {"friction q2", "friction q2-q4"}
+
+
+@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(4), some_frictions(8, 5, 5)])
+def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
+    duration, steps = 0.015, 750
+    motion = simulate(loop_of(ring), duration)
+    misses = []
+    for refinement in (1, 4):
+        count = steps * refinement
+        instants = np.linspace(0.0, duration, count + 1)[1:]
+        exact = motion.state(instants)[:4]
+        misses.append(abs(time_stepping(peer_of(ring), count, duration) - exact).max() / abs(exact).max())
+    assert misses[1] < 3e-3
+    assert misses[1] < 0.5 * misses[0]
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_three_frictions_in_a_ring(seed: int) -> None:
+    check_laws(some_frictions(seed), 0.1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(180))
+def test_many_frictions_in_rings(seed: int) -> None:
+    check_laws(some_frictions(seed), 0.2)
+    check_laws(some_frictions(seed, 4, 6), 0.1)
+
+
+@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(8, 5, 5)])
+def test_the_order_of_frictions_and_of_their_ends_does_not_matter(ring: Ring) -> None:
+    turned = tuple((between(each.relative_to, each.of), force) for each, force in ring if each.relative_to)
+    others = tuple((each, force) for each, force in ring if not each.relative_to)
+    motion, permuted, other = (
+        simulate(loop_of(frictions), 0.05) for frictions in (ring, ring[::-1], (*others, *turned))
+    )
+    times = np.linspace(0.0, 0.05, 100)
+    assert permuted.state(times) == pytest.approx(motion.state(times), rel=1e-9, abs=1e-13)
+    assert other.state(times)[:4] == pytest.approx(motion.state(times)[:4], rel=1e-9, abs=1e-13)
+    assert len(motion.events) == len(permuted.events) == len(other.events) > 10
+    assert permuted.event_times == pytest.approx(motion.event_times, rel=1e-11)
+    assert other.event_times == pytest.approx(motion.event_times, rel=1e-11)
+
+
+@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(8, 5, 5)])
+def test_a_mirrored_drive_mirrors_the_motion(ring: Ring) -> None:
+    motion = simulate(loop_of(ring), 0.05)
+    mirrored = simulate(loop_of(ring, drive=Drive(AMPLITUDE, OMEGA, phase=math.pi)), 0.05)
+    times = np.linspace(0.0, 0.05, 100)
+    assert mirrored.state(times) == pytest.approx(-motion.state(times), rel=1e-8, abs=1e-12)
+    sides = {"plus": "minus", "minus": "plus", "held": "held"}
+    expected = sorted((round(each.time, 10), each.component, sides[each.mode]) for each in motion.events)
+    found = sorted((round(each.time, 10), each.component, each.mode) for each in mirrored.events)
+    assert [each[1:] for each in found] == [each[1:] for each in expected]
+
+
+def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -> None:
+    blades = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
+    ground = (Displacement(TrimmerBody.GUARD), 0.3)
+    one = simulate(loop_of(((blades, 2.0), ground)), 0.1)
+    three = simulate(loop_of(((blades, 0.2), (blades, 1.7), ground, (blades, 0.1))), 0.1)
+    times = np.linspace(0.0, 0.1, 200)
+    assert three.state(times) == pytest.approx(one.state(times), rel=1e-9, abs=1e-13)
+    forces = three.component_outputs(times)
+    assert forces[[1, 2, 4]].sum(axis=0) == pytest.approx(one.component_outputs(times)[1], rel=1e-9, abs=1e-9)
+    assert (abs(forces[[1, 2, 4]]).max(axis=1) <= [0.2, 1.7, 0.1]).all()
+
+
+@pytest.mark.parametrize("gap", [None, 2e-4])
+def test_a_force_just_at_its_limit_is_no_event_for_ever(gap: float | None) -> None:
+    """The cutter slides and pulls the guard with 1 N; the motor holds it with at most 1 N."""
+    ring = (
+        (Displacement(TrimmerBody.MOTOR, TrimmerBody.GUARD), 1.0),
+        (Displacement(TrimmerBody.CUTTER), 1.0),
+        (Displacement(TrimmerBody.MOTOR), 5.0),
+        (Displacement(TrimmerBody.HOUSING, TrimmerBody.GUARD), 1.0),
+        (Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD), 1.0),
+    )
+    motion = simulate(loop_of(ring, None if gap is None else FrictionBacklash(gap)), 0.1)
+    assert motion.outcome is Outcome.COMPLETED
+    assert energy_balance(motion).residual < 1e-10
+
+
+def test_a_load_comes_to_rest_at_a_pin_that_friction_holds() -> None:
+    ring = (
+        (Displacement(TrimmerBody.CUTTER), 1.0),
+        (Displacement(TrimmerBody.MOTOR, TrimmerBody.GUARD), 6.0),
+        (Displacement(TrimmerBody.MOTOR, TrimmerBody.CUTTER), 16.0),
+        (Displacement(TrimmerBody.MOTOR), 16.0),
+        (Displacement(TrimmerBody.HOUSING), 1.0),
+    )
+    motion = simulate(loop_of(ring, InertiaBacklash(2e-4), None), 0.1, impulse=1e-3)
+    assert motion.outcome is Outcome.COMPLETED
+    assert energy_balance(motion).residual < 1e-10

@@ -1,0 +1,167 @@
+"""Loops and where their motions start: what is kept, refused and shown, and states of elements at t = 0."""
+
+from __future__ import annotations
+
+import math
+import pickle
+
+import control
+import numpy as np
+import pytest
+import tqdm
+
+from trimmer import (
+    ClosedLoop,
+    CoulombFriction,
+    Drive,
+    FrictionBacklash,
+    InertiaBacklash,
+    OpenLoop,
+    Relay,
+    TrimmerLoop,
+    TrimmerParameters,
+    UnsupportedMotionError,
+    ViscousBacklash,
+    ViscousFriction,
+    WrongTypeError,
+    simulate,
+)
+from trimmer.elements import Element
+from trimmer.errors import IllPosedLoopError
+from trimmer.linear import InputChannels
+from trimmer.loops import BodyFriction, Outcome, SimulationInterrupted
+from trimmer.thesis import Displacement, TrimmerBody
+
+THESIS = TrimmerParameters.thesis()
+SYSTEM = control.ss([[0.0, 1.0], [-4.0, -0.5]], [[3.0], [7.0]], [[0.6, 0.0]], 0)
+ELEMENT = 2.0 * FrictionBacklash(0.1) + 3.0 * ViscousFriction(0.4)
+DRIVE = Drive(0.3, 5.0, 0.2)
+GAP = 4e-5
+BLADES = BodyFriction("q2-q4", 3.0 * CoulombFriction(0.5) + ViscousFriction(0.2))
+MOUNT = BodyFriction(Displacement(TrimmerBody.MOTOR), CoulombFriction(0.7))
+
+
+@pytest.mark.parametrize(
+    "loop", [ClosedLoop(SYSTEM, FrictionBacklash(0.1)), OpenLoop(SYSTEM, ELEMENT, DRIVE)]
+)
+def test_a_loop_and_its_motion_are_pickled(loop: ClosedLoop | OpenLoop) -> None:
+    motion = simulate(loop, 3.0, initial_state=[0.0, 2.0])
+    again, same = pickle.loads(pickle.dumps((loop, motion)))
+    times = np.linspace(0.0, 3.0, 20)
+    for other in (same, simulate(again, 3.0, initial_state=[0.0, 2.0])):
+        assert other.state(times).tolist() == motion.state(times).tolist()
+        assert other.events == motion.events
+        assert (other.duration, other.outcome) == (3.0, motion.outcome)
+    assert len(motion.events) > 1
+    assert repr(again) == repr(loop)
+    assert repr(loop).startswith(f"{type(loop).__name__}(<StateSpace of order 2>, ")
+
+
+def test_which_states_have_a_meaning() -> None:
+    for system, meant in ((SYSTEM, True), (control.tf([1.0], [1.0, 2.0, 3.0]), False)):
+        assert ClosedLoop(system, ELEMENT).has_states == OpenLoop(system, ELEMENT, DRIVE).has_states == meant
+    assert TrimmerLoop(THESIS).has_states
+
+
+def test_a_trimmer_shows_its_parts_and_names_its_components() -> None:
+    loop = TrimmerLoop(THESIS, 2.0 * FrictionBacklash(GAP), DRIVE, frictions=[BLADES, MOUNT])
+    assert loop.interconnection().labels == (
+        *("backlash", "friction q2-q4", "viscous friction q2-q4", "friction q1"),
+    )
+    assert repr(loop) == (
+        f"TrimmerLoop({loop.element!r}, {DRIVE!r}, output {loop.output.label}, {BLADES!r}, {MOUNT!r})"
+    )
+    assert repr(TrimmerLoop(THESIS, output="q3")) == "TrimmerLoop(output q3)"
+    assert TrimmerLoop(THESIS).channels is InputChannels.DISPLACEMENT_AND_VELOCITY
+    assert TrimmerLoop(THESIS, channels="displacement").channels is InputChannels.DISPLACEMENT_ONLY
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"element": 3.0}, "element"),
+        ({"drive": 3.0}, "drive .*a trimmer.Drive"),
+        ({"frictions": (MOUNT, 3.0)}, "frictions.*a trimmer.loops.BodyFriction"),
+        ({"parameters": 3.0}, "parameters"),
+    ],
+)
+def test_wrong_parts_of_a_trimmer_are_named(options: dict[str, object], message: str) -> None:
+    with pytest.raises(WrongTypeError, match=message):
+        TrimmerLoop(**{"parameters": THESIS, **options})  # type: ignore[arg-type]
+    with pytest.raises(WrongTypeError, match=r"law .*an element"):
+        BodyFriction("q1", 3.0)  # type: ignore[arg-type]
+
+
+def test_states_and_an_impulse_add() -> None:
+    system = control.ss([[0.0, 1.0], [-4.0, -1.0]], [[0.5], [2.0]], [[1.0, 0.0]], 0)
+    given = np.array([0.1, -0.2])
+    loop = ClosedLoop(system, FrictionBacklash(9.0))
+    motion = simulate(loop, 1.0, initial_state=given, impulse=0.3, element_output=0.25)
+    assert motion.state(0.0) == pytest.approx([0.1 + 0.15, -0.2 + 0.6], rel=1e-14)
+    assert motion.element_output(0.0) == 0.25
+    assert given.tolist() == [0.1, -0.2]
+    trimmer = TrimmerLoop(THESIS, FrictionBacklash(GAP))
+    start = simulate(trimmer, 1e-3, impulse=1e-6).state(0.0)
+    assert start == pytest.approx(1e-6 * trimmer.model.B[:, 0], rel=1e-14)
+
+
+@pytest.mark.parametrize("element", [FrictionBacklash(GAP), ViscousBacklash(GAP, 0.02), InertiaBacklash(GAP)])
+@pytest.mark.parametrize(
+    ("pin", "asked", "found"),
+    [(0.0, 1e-5, 1e-5), (2e-5, 0.0, 0.0), (-2e-5, 0.0, 0.0), (3e-5, 0.0, 1e-5), (-3e-5, 0.0, -1e-5)],
+)
+def test_a_load_starts_where_it_is_asked_to_or_in_contact(
+    element: Element, pin: float, asked: float, found: float
+) -> None:
+    loop = ClosedLoop(control.ss(control.tf([1.0], [1.0, 0.3, 1.0])), element)
+    row = loop.model.C[0]
+    motion = simulate(loop, 1e-9, initial_state=-pin * row / (row @ row), element_output=asked)
+    assert motion.element_input(0.0) == pytest.approx(pin, rel=1e-12)
+    assert motion.element_output(0.0) == pytest.approx(found, rel=1e-9)
+
+
+@pytest.mark.parametrize("x", [0.4, -0.4, 0.0])
+@pytest.mark.parametrize("v", [0.9, -0.9])
+def test_a_relay_at_zero_starts_by_the_rate_of_its_input(x: float, v: float) -> None:
+    loop = ClosedLoop(control.ss([[0.0, 1.0], [-9.0, -0.2]], [[0.0], [2.0]], [[1.0, 0.0]], 0), Relay(0.7))
+    motion = simulate(loop, 1e-9, initial_state=[x, v])
+    assert motion.element_output(5e-10) == -math.copysign(0.7, x or v)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_rounding_has_no_sign(side: float) -> None:
+    """The input is zero but for its last digit, and the output that would bring it back holds it there."""
+    system = control.ss([[0.0, 3.0], [-9.0, -0.2]], [[2.0 * side], [0.0]], [[side, side]], 0)
+    for x, held in ((0.3, True), (np.nextafter(0.3, 1.0), True), (0.3 + 1e-12, False), (0.3 - 1e-12, False)):
+        motion = simulate(ClosedLoop(system, Relay(3.0)), 1e-15, initial_state=[x, -0.3])
+        assert (abs(motion.element_output(0.0)) < 2.9) == held
+
+
+def test_what_cannot_move_is_refused_with_its_name() -> None:
+    acting = control.ss([[0.0, 1.0], [-9.0, -0.2]], [[1.0], [5.0]], [[1.0, 0.0]], 0)
+    with pytest.raises(IllPosedLoopError, match="friction: a force acts on its own rate at once"):
+        simulate(ClosedLoop(acting, FrictionBacklash(1.0) + CoulombFriction(0.5)), 1.0)
+    with pytest.raises(UnsupportedMotionError, match="8 components have more than 2916 modes together"):
+        simulate(ClosedLoop(SYSTEM, sum([Relay(1.0)] * 7, FrictionBacklash(1.0))), 1.0)
+
+
+def test_a_long_motion_that_is_interrupted_is_known_until_then(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C when progress is told, after a million steps; the bar is taken away."""
+    closed: list[object] = []
+
+    def pressed(self: object, more: float) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(tqdm.tqdm, "close", lambda self: closed.append(self))
+
+    loop = ClosedLoop(
+        control.ss([[0.0, 1.0], [-4.0, 0.0]], [[0.0], [1.0]], [[1.0, 0.0]], 0), FrictionBacklash(9.0)
+    )
+    monkeypatch.setattr(tqdm.tqdm, "update", pressed)
+    with pytest.raises(SimulationInterrupted, match=r"interrupted after \S+ s of the motion") as raised:
+        simulate(loop, 1e9, initial_state=[1.0, 0.0])
+    motion = raised.value.motion
+    assert len({id(each) for each in closed}) == 1
+    assert (motion.outcome, motion.success, motion.message) == (Outcome.INTERRUPTED, False, "interrupted")
+    assert motion.duration > 1e5
+    assert motion.state(3.0) == pytest.approx([math.cos(6.0), -2.0 * math.sin(6.0)], rel=1e-11)

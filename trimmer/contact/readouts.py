@@ -1,0 +1,151 @@
+"""What is read of the motion of a mechanism: outputs, accelerations, forces, and what its parts do."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.assembly import PUSHING, force_of
+from trimmer.contact.friction_forces import dry_forces
+from trimmer.contact.layout import Rows
+from trimmer.contact.statuses import (
+    ALWAYS,
+    BACKWARD,
+    CONTACT_MADE,
+    FORWARD,
+    MINUS,
+    PLUS,
+    RELEASED_MINUS,
+    RELEASED_PLUS,
+    STICK,
+)
+from trimmer.motion.extremes import extremes
+from trimmer.motion.measures import ContactMeasures, FrictionMeasures
+from trimmer.motion.part import Part, Phase
+from trimmer.motion.signals import Readout, Steady, along, durations, while_status
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Reals
+    from trimmer.contact.layout import Layout
+    from trimmer.contact.system import MechanismSystem
+    from trimmer.hybrid.tables import Modes
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Course
+    from trimmer.motion.signals import Signal
+
+_SIDES = {PLUS: Phase.UPPER, MINUS: Phase.LOWER, ALWAYS: Phase.EITHER}
+_OTHER_SIDE = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
+_OTHER_WAY = {FORWARD: BACKWARD, BACKWARD: FORWARD}
+
+
+def parts_of(layout: Layout) -> tuple[Part, ...]:
+    """Return the contacts, then the frictions."""
+    contacts = (Part(name, _SIDES, _OTHER_SIDE) for name in layout.contacts)
+    frictions = (Part(name, {STICK: Phase.STICK}, _OTHER_WAY) for name in layout.frictions)
+    return (*contacts, *frictions)
+
+
+def outputs_of(mechanism: Mechanism, layout: Layout) -> dict[str, Readout]:
+    """Return each output, m.
+
+    In a frame that moves it is without what the frame moves by, and so is a pin that goes on for ever while
+    nothing leans on it: that is its speed.
+    """
+    return {
+        name: Readout(
+            Steady(np.asarray(sum((weight * _row(layout, of) for of, weight in output.weights.items())))),
+            "m",
+            sum(weight * layout.speeds[of] for of, weight in output.weights.items()),
+        )
+        for name, output in mechanism.outputs.items()
+    }
+
+
+def _row(layout: Layout, name: str) -> Reals:
+    if name in layout.pins:
+        row: Reals = layout.pin_rows[layout.pins.index(name)]
+        return row
+    row = np.zeros(layout.size)
+    row[layout.bodies.index(name)] = 1.0
+    return row
+
+
+def acceleration(modes: Modes[MechanismSystem], body: int) -> Signal:
+    """Return the acceleration of a body by its number, m/s²."""
+    return lambda mode: np.asarray(modes[mode].flow[len(modes.system.layout.bodies) + body])
+
+
+def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
+    """Return the force of a contact by its number, N, positive where it pulls the ends together."""
+
+    def row(mode: int) -> Reals:
+        status = modes[mode].statuses[contact]
+        return (
+            force_of(modes.system.machine, contact, status)
+            if status in PUSHING
+            else np.zeros(modes.system.layout.size)
+        )
+
+    return row
+
+
+def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures:
+    """Return what a play or a stop, by its number, does over a motion that spans some periods."""
+    modes = course.modes
+    made = (course.log.part == part) & (course.log.kind == CONTACT_MADE)
+    speeds = abs(course.log.state[made] @ modes.system.machine.contact_rate[part])
+    touching = while_status(course, part, PUSHING)
+    largest = max(abs(each) for each in extremes(course, contact_force(modes, part)))
+    return ContactMeasures(
+        len(speeds) / periods,
+        tuple(speeds.tolist()),
+        largest,
+        float(durations(course)[touching].sum() / course.duration),
+    )
+
+
+def friction_measures(course: Course, number: int, periods: int) -> FrictionMeasures:
+    """Return what a friction, by its number, does over a motion that spans some periods."""
+    machine, nodes = course.modes.system.machine, course.nodes
+    sticking = while_status(course, len(machine.stiffness) + number, (STICK,))
+    speeds = abs(nodes.states @ machine.friction_rate[number])
+    sliding = float(nodes.weights @ np.where(sticking[nodes.rows], 0.0, speeds))
+    lost = float(machine.kinetic[number]) * sliding
+    stick = float(durations(course)[sticking].sum() / course.duration)
+    return FrictionMeasures(lost / periods, lost / course.duration, stick)
+
+
+def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:
+    """Return the force of each link, play, stop and friction, N, at times, s, that do not decrease.
+
+    It is positive where it pulls the ends together; forces of frictions that hold the same bodies are shared
+    as by ``MechanismMotion.friction_force``.
+    """
+    layout, states = course.modes.system.layout, course.states(times)
+    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    ends = Rows(mechanism, layout)
+    forces: dict[str, Reals] = {}
+    for name, link in mechanism.links.items():
+        forces[name] = _between(ends, link.between, link.stiffness, link.damping, states)
+    for name in (*mechanism.plays, *mechanism.stops):
+        forces[name] = np.zeros(len(times))
+        if name in layout.contacts:
+            signal = contact_force(course.modes, layout.contacts.index(name))
+            forces[name] = along(course, signal, rows, states)
+    dry = dry_forces(course, rows, states)
+    for name, friction in mechanism.frictions.items():
+        forces[name] = _between(ends, friction.between, 0.0, friction.viscous, states)
+        if name in layout.frictions:
+            forces[name] = forces[name] + dry[:, layout.frictions.index(name)]
+    return forces
+
+
+def _between(rows: Rows, ends: tuple[str, str], stiffness: float, damping: float, states: Reals) -> Reals:
+    """Return the force of a spring and a damper between two ends at extended states, N, (count,)."""
+    start, end = ends
+    stretch = rows.displacement(end) - rows.displacement(start)
+    rate = rows.velocity(end) - rows.velocity(start)
+    return np.asarray(states @ (stiffness * stretch + damping * rate))

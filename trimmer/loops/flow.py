@@ -1,0 +1,207 @@
+"""The exact motion of a loop, period by period of its drive, as everything that is asked of motion needs it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.hybrid.advance import Instant
+from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.initial import resumed
+from trimmer.loops.loop_signal import LoopSignal, row_in_modes
+from trimmer.loops.loops import Loop
+from trimmer.loops.readouts import contact_measures, friction_measures, part_of
+from trimmer.loops.relay_component import RelayComponent
+from trimmer.loops.system import LoopModes, LoopSystem
+from trimmer.motion.flow import Flow
+from trimmer.motion.signals import Readout
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.hybrid.system import Mode
+    from trimmer.motion.flow import Course
+    from trimmer.motion.measures import ContactMeasures, FrictionMeasures
+    from trimmer.motion.part import Part
+    from trimmer.motion.signals import Signal
+    from trimmer.motion.subject import Subject
+
+READ = {
+    "output": LoopSignal.OUTPUT,
+    "element_input": LoopSignal.ELEMENT_INPUT,
+    "element_output": LoopSignal.ELEMENT_OUTPUT,
+}
+"""What is read of every loop, by name."""
+
+
+@dataclass(frozen=True, eq=False)
+class LoopFlow(Flow):
+    """The exact motion of one loop.
+
+    The state of n entries holds the states of the linear system, then those of loads behind backlashes.
+
+    Attributes:
+        loop: The loop.
+    """
+
+    loop: Loop
+
+    @property
+    def subject(self) -> Loop:
+        """The loop."""
+        return self.loop
+
+    @cached_property
+    def modes(self) -> LoopModes:
+        """The modes that were met so far, with their ``system``."""
+        return LoopModes(LoopSystem(self.loop.interconnection(), by_periods=True))
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """What the states are, such as ``q1`` and ``backlash position``."""
+        interconnection = self.modes.system.interconnection
+        own = zip(interconnection.labels, interconnection.components, strict=True)
+        of_parts = (f"{label} {name}" for label, component in own for name in component.state_names)
+        return (*self.loop.model.state_labels, *of_parts)
+
+    def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
+        """Return the instant t = 0 at rest, or with some states, by name, as they are given."""
+        state = np.zeros(self.size)
+        for name, values in (start or {}).items():
+            state[self.names.index(name)] = values[0]
+        return self.at(state, stretched=False)
+
+    def at(
+        self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None
+    ) -> Instant:
+        """Return the instant at which the loop is in a given state.
+
+        Args:
+            state: The states, (n,).
+            phase: Time since the start of a period of the drive, s.
+            stretched: Whether loads behind backlashes are where the state says; otherwise they begin at rest
+                in the middle of their gap, or where the pin pushes them.
+            like: An instant of a neighbouring motion, whose statuses hold in this one too; the state is made
+                to fit.
+        """
+        modes, layout = self.modes, self.modes.system.layout
+        extended = np.concatenate([state, layout.forcing_at(phase)])
+        if like is None:
+            statuses, extended = resumed(modes, extended, anew=not stretched)
+        else:
+            statuses = like.statuses
+            extended = modes[modes.number(statuses)].hold @ extended
+        zeros = np.zeros((modes.system.part_count, modes.system.action_count), dtype=np.int64)
+        return Instant(extended[: self.size], statuses, 0, phase, zeros, np.zeros(0))
+
+    def at_other(self, subject: Subject) -> LoopFlow:
+        """Return the motion of another loop."""
+        assert isinstance(subject, Loop)
+        return LoopFlow(subject)
+
+    @cached_property
+    def axes(self) -> Mapping[str, tuple[int, ...]]:
+        """Places in the state of what a start may give, by name: each state of the linear system."""
+        order = self.modes.system.layout.order
+        return {name: (place,) for place, name in enumerate(self.names[:order])}
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """The switched components."""
+        system = self.modes.system.interconnection
+        return tuple(map(part_of, system.labels, system.components))
+
+    @cached_property
+    def outputs(self) -> Mapping[str, Readout]:
+        """Output of the linear system, input and output of the element."""
+        return {name: Readout(self._signal(each), self.loop.length) for name, each in READ.items()}
+
+    def _signal(self, signal: LoopSignal) -> Signal:
+        row, modes = row_in_modes(self.loop, signal), self.modes
+        return lambda mode: row(modes[mode])
+
+    @property
+    def accelerations(self) -> Mapping[str, Signal]:
+        """None: a loop has no bodies that it knows of."""
+        return {}
+
+    @property
+    def rubbing(self) -> tuple[str, ...]:
+        """Names of the dry frictions."""
+        components = self._components
+        return tuple(
+            label for _, label, each in components if isinstance(each, RelayComponent) and each.of_rate
+        )
+
+    def impact_speeds(self, course: Course) -> Reals:
+        """Return how fast pin and load meet at each impact of a motion, (impacts,)."""
+        found = [each.impact_speeds for each in self.contacts(course, 1).values()]
+        return np.array([speed for speeds in found for speed in speeds])
+
+    def contacts(self, course: Course, periods: int) -> Mapping[str, ContactMeasures]:
+        """Return what pin and load of each backlash do."""
+        return {
+            label: contact_measures(course, part, periods)
+            for part, label, component in self._components
+            if isinstance(component, BacklashComponent)
+        }
+
+    def frictions(self, course: Course, periods: int) -> Mapping[str, FrictionMeasures]:
+        """Return what each dry friction does."""
+        return {
+            label: friction_measures(course, part, periods)
+            for part, label, component in self._components
+            if isinstance(component, RelayComponent) and component.of_rate
+        }
+
+    @property
+    def _components(self) -> list[tuple[int, str, object]]:
+        system = self.modes.system.interconnection
+        numbered = zip(system.labels, system.components, strict=True)
+        return [(part, label, component) for part, (label, component) in enumerate(numbered)]
+
+    def positions(self, course: Course) -> Mapping[str, float]:
+        """Return what is read of the loop at the start of a motion."""
+        extended, mode = course.log.state[0], int(course.log.mode[0])
+        return {name: float(each.signal(mode) @ extended) for name, each in self.outputs.items()}
+
+    def forces(self, course: Course, times: Reals) -> Mapping[str, Reals]:
+        """Return the output of each component at times, s, that do not decrease."""
+        states, system = course.states(times), self.modes.system
+        rows = np.searchsorted(course.log.start, times, side="right") - 1
+        found = np.empty((len(system.interconnection.labels), len(times)))
+        for at, (row, state) in enumerate(zip(rows, states, strict=True)):
+            mode = self.modes[int(course.log.mode[row])]
+            values = np.array([each.output @ state for each in mode.signals])
+            found[:, at] = system.coupled.shared(mode.statuses, values)
+        return dict(zip(system.interconnection.labels, found, strict=True))
+
+    @cached_property
+    def mirrored_states(self) -> Reals:
+        """Factors of the states in the mirror image of a motion, (n,): 1 for the share of a velocity left."""
+        layout, signs = self.modes.system.layout, np.full(self.size, -1.0)
+        components = self.modes.system.interconnection.components
+        for first, component in zip(layout.first_states, components, strict=True):
+            end = first + component.state_count
+            signs[end - component.even_states : end] = 1.0
+        return signs
+
+    @property
+    def is_mirror_symmetric(self) -> bool:
+        """True: all elements that move in time are odd, and so is a sinusoidal drive."""
+        return True
+
+    @property
+    def is_bounded(self) -> bool:
+        """Not known of loops."""
+        return False
+
+    def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
+        """Return the real parts of the rates, exactly zero where rounding cannot tell."""
+        real: Reals = rates.real.copy()
+        real[abs(real) <= margins] = 0.0
+        return real

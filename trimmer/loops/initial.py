@@ -1,0 +1,124 @@
+"""Where a motion starts: the extended state and the modes that fit it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import real_number, real_values
+from trimmer.loops.interconnection import acts
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Reals
+    from trimmer.loops.loops import Loop
+    from trimmer.loops.mode import LoopMode
+    from trimmer.loops.system import LoopModes
+
+
+def initial_segment(
+    loop: Loop, modes: LoopModes, initial_state: ArrayLike | None, impulse: float, element_output: float
+) -> tuple[int, Reals]:
+    """Return the number of the mode, and the extended state, shape (n,), at t = 0.
+
+    Args:
+        loop: What moves.
+        modes: Its modes.
+        initial_state: States of ``loop.model``; None for zeros.
+        impulse: Strength of an impulse at the input of the linear system, in the unit of that input times s.
+        element_output: Position of a load behind a backlash, m.
+
+    Raises:
+        ValueError: if a value is not real and finite, or if an initial state has the wrong shape or is given
+            for a system without states of its own.
+    """
+    started = _plant_state(loop, initial_state, impulse)
+    if not math.isfinite(real_number("element_output", element_output)):
+        raise ValueError(f"element_output must be finite, not {element_output!r}")
+    return segment_from(modes, started, element_output)
+
+
+def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) -> tuple[int, Reals]:
+    """Return the mode and the extended state that go with states of the plant at t = 0.
+
+    Args:
+        modes: Modes of the loop.
+        plant_state: States of the linear system, of shape (n,).
+        element_output: Output that is wished for, where the input leaves a choice.
+    """
+    system, layout = modes.system, modes.system.layout
+    state = np.zeros(layout.size)
+    state[: layout.order] = plant_state
+    state[layout.sine :] = layout.forcing_at(0.0)
+    chosen = [0] * system.part_count
+    for k, component in enumerate(system.interconnection.components):
+        # With one component after the other, each sees the outputs of those before it.
+        mode = system.mode(tuple(chosen))
+        signals = mode.signals[k]
+        first, end = layout.first_states[k], layout.first_states[k] + component.state_count
+        switching = _leading_value(component.switching_function(signals), mode, modes, k, state)
+        chosen[k], state[first:end] = component.initial(
+            float(signals.input @ state), switching, element_output
+        )
+    return modes.number(modes.system.coupled.closed(tuple(chosen))), state
+
+
+def resumed(modes: LoopModes, extended: Reals, anew: bool = False) -> tuple[tuple[int, ...], Reals]:
+    """Return the statuses that go with an extended state, and the state as it fits them, (n,).
+
+    Args:
+        modes: Modes of the loop.
+        extended: Extended state, (n,).
+        anew: Whether the states of the components are chosen too, as at the start of a motion.
+    """
+    system, layout, state = modes.system, modes.system.layout, extended.copy()
+    chosen = [0] * system.part_count
+    for k, component in enumerate(system.interconnection.components):
+        # With one component after the other, each sees the outputs of those before it.
+        mode = system.mode(tuple(chosen))
+        signals = mode.signals[k]
+        own = slice(layout.first_states[k], layout.first_states[k] + component.state_count)
+        switching = _leading_value(component.switching_function(signals), mode, modes, k, state)
+        value = float(signals.input @ state)
+        if anew:
+            chosen[k], state[own] = component.initial(value, switching, 0.0)
+        else:
+            chosen[k] = component.resumed(value, switching, state[own])
+    statuses = system.coupled.closed(tuple(chosen))
+    return statuses, modes[modes.number(statuses)].hold @ state
+
+
+def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:
+    model = loop.model
+    state = np.zeros(model.nstates)
+    if initial_state is not None:
+        if not loop.has_states:
+            raise ValueError(
+                "initial_state: a transfer function has no states of its own; give a control.StateSpace"
+            )
+        state = real_values("initial_state", initial_state).copy()
+        if state.shape != (model.nstates,):
+            raise ValueError(f"initial_state must have shape ({model.nstates},), not {state.shape}")
+        if not np.isfinite(state).all():
+            raise ValueError("initial_state must be finite")
+    if not math.isfinite(real_number("impulse", impulse)):
+        raise ValueError(f"impulse must be finite, not {impulse!r}")
+    started: Reals = state + model.B[:, 0] * impulse
+    return started
+
+
+def _leading_value(row: Reals, mode: LoopMode, modes: LoopModes, k: int, state: Reals) -> float:
+    """Return a row's value, or its first derivative in time that is not zero before the output acts on it."""
+    push = np.zeros(state.size)
+    push[: modes.system.layout.order] = modes.system.interconnection.B[:, k]
+    for _ in range(modes.system.layout.order + 1):
+        value = float(row @ state)
+        if abs(value) > 1e-14 * float(abs(row) @ abs(state)):
+            return value
+        if acts(row, push):
+            break
+        row = row @ mode.flow
+    return 0.0

@@ -1,0 +1,68 @@
+"""The motion of a loop from an extended state, and its log in the modes of another loop."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.hybrid.advance import MOST_STEPS, Instant, advance
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.hybrid.advance import Stretch
+    from trimmer.hybrid.work import Log
+    from trimmer.loops.system import LoopModes
+
+
+def followed(
+    modes: LoopModes,
+    mode: int,
+    state: Reals,
+    duration: float,
+    most_events: int,
+    most_steps: int = MOST_STEPS,
+    watched: bool = False,
+) -> Stretch:
+    """Follow the motion of a loop for a time, s.
+
+    Args:
+        modes: The modes of the loop.
+        mode: Number of the one that it begins with.
+        state: Extended state that it begins with, (n,).
+        duration: s.
+        most_events: Largest number of events.
+        most_steps: Largest number of steps.
+        watched: Whether a progress bar shows on a terminal after two seconds.
+
+    Raises:
+        AdvanceInterrupted: on an interrupt (Ctrl-C).
+    """
+    layout = modes.system.layout
+    free = layout.state_count
+    begin = Instant(
+        state=state[:free],
+        statuses=modes[mode].statuses,
+        periods=0,
+        phase=0.0,
+        zeros=np.zeros((modes.system.part_count, modes.system.action_count), dtype=np.int64),
+        negligible=np.zeros(0),
+    )
+    return advance(
+        modes,
+        begin,
+        1,
+        duration,
+        True,
+        most_steps,
+        forcing=state[free:],
+        most_events=most_events,
+        exact=True,
+        watched=watched,
+    )
+
+
+def renumbered(log: Log, modes: LoopModes, others: LoopModes) -> Log:
+    """Return a log with the numbers that its modes have in another loop of the same components."""
+    numbers = {number: others.number(modes[number].statuses) for number in np.unique(log.mode).tolist()}
+    return log._replace(mode=np.array([numbers[number] for number in log.mode.tolist()], dtype=np.int64))

@@ -1,0 +1,72 @@
+"""Signals of a loop as rows over its extended state: what can be read of a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import require_instance
+from trimmer.displacement import Displacement
+from trimmer.errors import UnsupportedMotionError
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.loops.loops import Loop
+    from trimmer.loops.mode import LoopMode
+
+
+class LoopSignal(Enum):
+    """A signal that every loop has."""
+
+    OUTPUT = "output of the linear system"
+    ELEMENT_INPUT = "input of the nonlinear element"
+    ELEMENT_OUTPUT = "output of the nonlinear element"
+
+
+def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[LoopMode], Reals]:
+    """Return what gives the row of a signal in a mode, of shape (n,) over the extended state.
+
+    Args:
+        loop: The loop.
+        signal: One of its signals, or a displacement of a trimmer.
+
+    Raises:
+        UnsupportedMotionError: for a displacement, if the states of the loop's linear system are not those of
+            the trimmer (``pin_model``).
+        WrongTypeError: if it is neither.
+    """
+    require_instance("signal", signal, (LoopSignal, Displacement), "a LoopSignal or a Displacement")
+    model, size = loop.model, loop.modes.system.layout.size
+    if isinstance(signal, Displacement):
+        return lambda mode: _of_states(loop, signal)
+    if signal is LoopSignal.ELEMENT_INPUT:
+        return lambda mode: mode.signals[0].input
+    factors = np.array(loop.modes.system.interconnection.element_factors)
+
+    def element_output(mode: LoopMode) -> Reals:
+        row: Reals = factors @ np.array([each.output for each in mode.signals[: len(factors)]])
+        return row
+
+    if signal is LoopSignal.ELEMENT_OUTPUT:
+        return element_output
+    of_states = np.zeros(size)
+    of_states[: model.nstates] = model.C[0]
+    return lambda mode: of_states + model.D[0, 0] * element_output(mode)
+
+
+def _of_states(loop: Loop, displacement: Displacement) -> Reals:
+    row = np.zeros(loop.modes.system.layout.size)
+    labels = list(loop.model.state_labels)
+    for body, sign in ((displacement.of, 1.0), (displacement.relative_to, -1.0)):
+        if body is None:
+            continue
+        if not loop.has_states or body.coordinate not in labels:
+            raise UnsupportedMotionError(
+                f"{displacement.label} cannot be read from this loop: its linear system has no state "
+                f"{body.coordinate}; use a TrimmerLoop, or the state space of pin_model"
+            )
+        row[labels.index(body.coordinate)] += sign
+    return row

@@ -1,0 +1,309 @@
+"""Loops whose motion can be simulated: a linear system with a nonlinear element, closed or driven."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Self, cast, final
+
+import control
+import numpy as np
+
+from trimmer.arguments import finite_number, require_instance
+from trimmer.elements.control_element import adopted
+from trimmer.elements.element import Element
+from trimmer.linear.stored_system import restored, stored
+from trimmer.loops.components_of_elements import RigidComponent, components_of
+from trimmer.loops.interconnection import Interconnection, realized, require_system
+from trimmer.loops.system import LoopModes, LoopSystem
+from trimmer.mechanism.place_text import place_text
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+
+@final
+@dataclass(frozen=True, init=False)
+class Drive:
+    """A sinusoidal displacement amplitude * sin(omega t + phase).
+
+    ``Drive(1.5e-3, omega=691.0)`` and ``Drive(1.5e-3, frequency=110.0)`` are two ways to give one.
+
+    Attributes:
+        amplitude: Half of peak to peak, >= 0, m (or the unit of the element's input).
+        omega: Angular frequency, > 0, rad/s.
+        phase: Phase at t = 0, rad.
+
+    Raises:
+        WrongTypeError: if a value is no real number.
+        ValueError: if a value is not finite, the amplitude negative or the frequency not positive; or unless
+            exactly one of omega (rad/s) and frequency (Hz) is given.
+    """
+
+    amplitude: float
+    omega: float
+    phase: float = 0.0
+
+    def __init__(
+        self,
+        amplitude: float,
+        omega: float | None = None,
+        phase: float = 0.0,
+        *,
+        frequency: float | None = None,
+    ) -> None:
+        if (omega is None) == (frequency is None):
+            given = "neither" if omega is None else f"omega={omega!r} and frequency={frequency!r}"
+            raise ValueError(f"a drive needs omega (rad/s) or frequency (Hz), and one only: {given} is given")
+        if frequency is not None:
+            omega = 2.0 * math.pi * _checked("frequency", frequency, "Hz")
+        object.__setattr__(self, "amplitude", _checked("amplitude", amplitude, "m"))
+        object.__setattr__(self, "omega", _checked("omega", omega, "rad/s"))
+        object.__setattr__(self, "phase", _checked("phase", phase, "rad"))
+        if self.amplitude < 0:
+            raise ValueError(f"amplitude of the drive must not be negative, not {amplitude!r}")
+        for name, value, unit in (("frequency", frequency, "Hz"), ("omega", self.omega, "rad/s")):
+            if value is not None and value <= 0:
+                raise ValueError(f"{name} of the drive must be positive ({unit}), not {value!r}")
+
+    @property
+    def frequency(self) -> float:
+        """Frequency of the drive, Hz."""
+        return self.omega / (2.0 * math.pi)
+
+    @property
+    def period(self) -> float:
+        """Period of the drive, s."""
+        return 2.0 * math.pi / self.omega
+
+
+def _checked(name: str, value: object, unit: str) -> float:
+    return finite_number(f"{name} of the drive", value, unit)
+
+
+COMPUTED = ("model", "modes")
+"""What a loop computes from its fields and keeps."""
+
+
+class Loop(ABC):
+    """A linear system with switched elements, whose motion ``simulate`` follows."""
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(_shown(each) for each in self._parts())})"
+
+    def _parts(self) -> tuple[object, ...]:
+        """Return what the loop is made of, as far as it is to be shown."""
+        return tuple(value for name, value in vars(self).items() if name not in COMPUTED)
+
+    @abstractmethod
+    def interconnection(self) -> Interconnection:
+        """Return the equations of the loop; the first components are those of the nonlinear element."""
+
+    @property
+    @abstractmethod
+    def model(self) -> control.StateSpace:
+        """The linear system with one input and one output; its states are those of the interconnection."""
+
+    @property
+    def title(self) -> str:
+        """What it is, in a few words."""
+        return repr(self)
+
+    @property
+    def length(self) -> str:
+        """Unit of the element's input and output: empty where it is not known."""
+        return ""
+
+    @property
+    def frequency(self) -> float | None:
+        """Frequency of the drive, Hz; None without one."""
+        drive: Drive | None = getattr(self, "drive", None)
+        return None if drive is None else drive.frequency
+
+    @property
+    def places(self) -> Mapping[str, str]:
+        """The unit of every number, by its dotted place, such as ``{"element.gap": "m"}``."""
+        from trimmer.loops.numbers import numbers_of
+
+        return {place_text(place): unit for place, unit in numbers_of(self).items()}
+
+    def value(self, place: str) -> float:
+        """Return the number at a dotted place, in its unit.
+
+        Args:
+            place: Such as ``element.gap`` or ``frictions.q2-q4.force``.
+
+        Raises:
+            LoopError: if there is none.
+        """
+        from trimmer.loops.numbers import value_at
+
+        return value_at(self, place)
+
+    def with_value(self, place: str, value: float | str) -> Self:
+        """Return the loop with another number at a dotted place.
+
+        Args:
+            place: Such as ``element.gap`` or ``frictions.q2-q4.force``.
+            value: The number in its unit, or text with a unit, such as ``40 um``.
+
+        Raises:
+            LoopError: if there is no such place, or the number cannot stand there.
+        """
+        from trimmer.loops.numbers import with_value_at
+
+        return cast("Self", with_value_at(self, place, value))
+
+    @property
+    def has_states(self) -> bool:
+        """Whether the states of the model have a meaning, and are not those of some realization."""
+        return True
+
+    @cached_property
+    def modes(self) -> LoopModes:
+        """The modes of the loop with their tables, which are kept for the next simulation."""
+        return LoopModes(LoopSystem(self.interconnection()))
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what the loop is made of, for pickling; what is computed from that is computed again."""
+        return {name: stored(value) for name, value in vars(self).items() if name not in COMPUTED}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled."""
+        vars(self).update((name, restored(value)) for name, value in state.items())
+
+
+def _shown(part: object) -> str:
+    """Show a part in one line; a system would take many."""
+    if isinstance(part, control.LTI):
+        return f"<{type(part).__name__} of order {len(part.poles())}>"
+    return part if isinstance(part, str) else repr(part)
+
+
+def require_loop(loop: object) -> None:
+    """Check that a loop was given.
+
+    Raises:
+        WrongTypeError: if it was not.
+    """
+    require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop or TrimmerLoop")
+
+
+@final
+@dataclass(frozen=True, eq=False, repr=False)
+class ClosedLoop(Loop):
+    """Negative feedback without reference: the element's input is -y (figure 2.5 of the thesis).
+
+    Attributes:
+        system: Strictly proper, one input, one output, continuous in time.
+        element: Any element with a description in time.
+
+    Raises:
+        WrongTypeError: if the element is none, such as a class in place of an instance.
+        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
+            models.
+    """
+
+    system: control.LTI
+    element: Element
+
+    def __post_init__(self) -> None:
+        require_system(self.system)
+        object.__setattr__(self, "element", adopted("element", self.element))
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations with the input -y of the element.
+
+        Raises:
+            UnsupportedMotionError: if the element or the system cannot be simulated.
+            IllPosedLoopError: if the motion is not determined.
+        """
+        return element_around(self.model, self.element, None)
+
+    @property
+    def has_states(self) -> bool:
+        """Whether the system was given in state space."""
+        return isinstance(self.system, control.StateSpace)
+
+    @cached_property
+    def model(self) -> control.StateSpace:
+        """The system as a state-space model: as it was given, or a realization of its transfer function."""
+        return realized(self.system)
+
+
+@final
+@dataclass(frozen=True, eq=False, repr=False)
+class OpenLoop(Loop):
+    """The element's input is the drive; its output drives the linear system.
+
+    Attributes:
+        system: Strictly proper, one input, one output, continuous in time.
+        element: Any element with a description in time.
+        drive: The motion of the pin.
+
+    Raises:
+        WrongTypeError: if element or drive is none.
+        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
+            models.
+    """
+
+    system: control.LTI
+    element: Element
+    drive: Drive
+
+    def __post_init__(self) -> None:
+        require_system(self.system)
+        object.__setattr__(self, "element", adopted("element", self.element))
+        require_instance("drive", self.drive, Drive, "a trimmer.Drive")
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations with the drive as the input of the element.
+
+        Raises:
+            UnsupportedMotionError: if the element or the system cannot be simulated.
+            IllPosedLoopError: if the motion is not determined.
+        """
+        return element_around(self.model, self.element, self.drive)
+
+    @property
+    def has_states(self) -> bool:
+        """Whether the system was given in state space."""
+        return isinstance(self.system, control.StateSpace)
+
+    @cached_property
+    def model(self) -> control.StateSpace:
+        """The system as a state-space model: as it was given, or a realization of its transfer function."""
+        return realized(self.system)
+
+
+def element_around(
+    model: control.StateSpace, element: Element | None, drive: Drive | None
+) -> Interconnection:
+    """Put an element before a linear system: driven, or in negative feedback if there is no drive.
+
+    Args:
+        model: The linear system, one input and one output.
+        element: The element; None for a rigid connection.
+        drive: The element's input; None for feedback.
+
+    Raises:
+        UnsupportedMotionError: if the element has no motion in time.
+        IllPosedLoopError: if the motion is not determined.
+    """
+    parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
+    count = len(parts)
+    feedback = -1.0 if drive is None else 0.0
+    factors = np.array([factor for _, factor in parts])
+    return Interconnection(
+        A=model.A,
+        B=model.B @ factors[None, :],
+        C=np.repeat(feedback * model.C, count, axis=0),
+        D=feedback * model.D[0, 0] * np.tile(factors, (count, 1)),
+        drive_gain=np.full(count, 0.0 if drive is None else 1.0),
+        components=tuple(component for component, _ in parts),
+        labels=tuple(component.name for component, _ in parts),
+        drive=drive,
+        element_factors=tuple(factors),
+    )

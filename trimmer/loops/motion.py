@@ -1,0 +1,319 @@
+"""The result of a simulation: events, and the exact state at any time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.arguments import real_values
+from trimmer.hybrid.nodes import sample
+from trimmer.loops.relay_component import HELD, RelayComponent
+from trimmer.loops.switched_component import EventKind
+from trimmer.loops.system import KINDS
+from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.table import Column, Table, attributes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Reals
+    from trimmer.hybrid.work import Log
+    from trimmer.loops.loops import Loop
+    from trimmer.loops.mode import LoopMode
+
+
+class Outcome(Enum):
+    """How a simulation ended.
+
+    CHATTERING: the events accumulate (Zeno), as under a relay and friction that bring a body to rest by ever
+    shorter swings. UNRESOLVED ends a motion at the event where a pin is farther than 1e13 gaps from zero. For
+    no backlash at all leave the element out.
+    """
+
+    COMPLETED = "reached the end"
+    CHATTERING = "events accumulate at one instant: the motion cannot be continued beyond it"
+    UNRESOLVED = "a pin has gone farther than 1e13 gaps: double precision does not tell their sides apart"
+    EVENT_LIMIT = "reached the greatest number of events"
+    DIVERGED = "a state grew beyond 1e150: the loop is unstable, and the motion is not followed further"
+    INTERRUPTED = "interrupted"
+    STEP_LIMIT = "reached the greatest number of steps: the fastest mode is too fast for the duration"
+
+
+KINDS_BY_NUMBER = {number: kind for kind, number in KINDS.items()}
+EVENT_COLUMNS = (
+    *attributes(time="s"),
+    Column("kind", "", lambda event: event.kind.value),
+    *attributes(component="", mode=""),
+)
+
+
+@dataclass(frozen=True)
+class Event(Record):
+    """A change of mode.
+
+    Attributes:
+        time: Time since the start of the motion, s.
+        kind: Kind of the event.
+        component: Label of the component that changes its mode.
+        mode: Name of its mode afterwards.
+    """
+
+    time: float
+    kind: EventKind
+    component: str
+    mode: str
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion(Tabular):
+    """A simulated motion, exact between and at its events.
+
+    Attributes:
+        loop: The loop that moved.
+        duration: End of the motion, s; less than asked for if ``outcome`` is not COMPLETED.
+        outcome: How the simulation ended.
+        log: The segments between events, as the compiled integration wrote them.
+    """
+
+    loop: Loop
+    duration: float
+    outcome: Outcome
+    log: Log = field(repr=False)
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """All events in order of time; simultaneous ones in the order in which they take effect.
+
+        What a friction or relay does at one instant is one event, if it is in another mode afterwards. That a
+        load in the gap has come to rest, to rounding, is no event.
+        """
+        listed: list[_Listed] = []
+        at_instant = 0
+        for segment in range(1, len(self.log.start)):
+            if self.log.start[segment] > self.log.start[segment - 1]:
+                at_instant = len(listed)
+            for change in self._changes(segment):
+                _list(listed, at_instant, change)
+        modes = self.loop.modes
+        return tuple(
+            Event(
+                time=each.time,
+                kind=each.kind,
+                component=modes.system.interconnection.labels[each.component],
+                mode=modes.system.interconnection.components[each.component].mode_names[each.after],
+            )
+            for each in listed
+        )
+
+    @property
+    def event_times(self) -> Reals:
+        """Times of ``events``, s, shape (number of events,)."""
+        return np.array([event.time for event in self.events])
+
+    @property
+    def success(self) -> bool:
+        """Whether the motion reached the end that was asked for."""
+        return self.outcome is Outcome.COMPLETED
+
+    @property
+    def message(self) -> str:
+        """How the simulation ended, in words."""
+        return self.outcome.value
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: the numbers of modes mean something to their loop alone."""
+        modes = self.loop.modes
+        visited = {number: modes[number].statuses for number in np.unique(self.log.mode).tolist()}
+        return {**vars(self), "visited": visited}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled, and tabulate again the modes that the motion goes through."""
+        visited = state.pop("visited")
+        vars(self).update(state)
+        modes = self.loop.modes
+        numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
+        self.log.mode[:] = [numbers[number] for number in self.log.mode.tolist()]
+
+    @property
+    def touches(self) -> int:
+        """How many times an event function came to zero, to rounding, without crossing (grazing contact)."""
+        return int(self.log.touches.sum())
+
+    def state(self, times: ArrayLike) -> Reals:
+        """Return the states of the linear system, of shape (n,) + shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
+        layout = self.loop.modes.system.layout
+        rows = np.eye(layout.order, layout.size)
+        return self.values(times, lambda mode: rows)
+
+    def output(self, times: ArrayLike) -> Reals:
+        """Return the output y of the linear system, in its unit, in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
+        model = self.loop.model
+        row = np.zeros((1, self.loop.modes.system.layout.size))
+        row[0, : self.loop.modes.system.layout.order] = model.C[0]
+        direct = model.D[0, 0]
+        values: Reals
+        (values,) = self.values(times, lambda mode: row + direct * self._element_output(mode))
+        return values
+
+    def element_input(self, times: ArrayLike) -> Reals:
+        """Return the input of the nonlinear element, in its unit, in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
+        values: Reals
+        (values,) = self.values(times, lambda mode: mode.signals[0].input[None])
+        return values
+
+    def element_output(self, times: ArrayLike) -> Reals:
+        """Return the output of the nonlinear element, which drives the linear system.
+
+        It is in its unit and in the shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
+        values: Reals
+        (values,) = self.values(times, self._element_output)
+        return values
+
+    def component_outputs(self, times: ArrayLike) -> Reals:
+        """Return the output of every component, in the order of ``loop.interconnection().labels``.
+
+        For friction this is its force, also while it sticks, where the force is what holding needs. Where
+        several stick and the motion does not determine how they share the force, it is the share within the
+        limits that ``trimmer.hybrid.dry_friction.admissible_split`` gives. Shape (components,) +
+        shape of the times (s).
+
+        Raises:
+            ValueError: see ``values``.
+        """
+        values = self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
+        coupled = self.loop.modes.system.coupled
+        if coupled.members:
+            flat, instants = values.reshape(len(values), -1), np.ravel(np.asarray(times, dtype=float))
+            segments = np.searchsorted(self.log.start, instants, side="right") - 1
+            for place, number in enumerate(self.log.mode[segments]):
+                modes = self.loop.modes[int(number)].statuses
+                flat[:, place] = coupled.shared(modes, flat[:, place])
+        return values
+
+    def values(self, times: ArrayLike, rows_of: Callable[[LoopMode], Reals]) -> Reals:
+        """Return rows of the extended state, which may differ from mode to mode, at times (s).
+
+        At an event they are those just after it.
+
+        Args:
+            times: Instants, s, of any shape and order, from 0 to ``duration``.
+            rows_of: Function from a mode to its rows, an array (p, n).
+
+        Returns:
+            Array of shape (p,) + shape of the times.
+
+        Raises:
+            ValueError: if a time lies outside the motion, or is NaN.
+        """
+        instants = real_values("times", times)
+        if not ((instants >= 0) & (instants <= self.duration)).all():
+            raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
+        flat = instants.ravel()
+        order = np.argsort(flat, kind="stable")
+        segments = np.searchsorted(self.log.start, flat, side="right") - 1
+        states = np.empty((flat.size, self.log.state.shape[1]))
+        states[order] = sample(self.loop.modes.tables, self.log, flat[order])
+        visited = self.log.mode[segments]
+        rows = {number: rows_of(self.loop.modes[number]) for number in np.unique(self.log.mode).tolist()}
+        values = np.empty((len(next(iter(rows.values()))), flat.size))
+        for number, of_mode in rows.items():
+            values[:, visited == number] = of_mode @ states[visited == number].T
+        shaped: Reals = values.reshape(len(values), *instants.shape)
+        return shaped
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the output, and input and output of the element, over time, with contact and stick marked.
+
+        Args:
+            ax: Where to draw; new axes if not given.
+
+        Raises:
+            WrongTypeError: if ``ax`` is no Matplotlib axes.
+        """
+        from trimmer.drawing.loop_motion import draw_loop_motion
+
+        return draw_loop_motion(self, ax)
+
+    def _told(self) -> str:
+        return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"
+
+    def _table(self) -> Table:
+        return Table("Events", self.events, EVENT_COLUMNS)
+
+    def _element_output(self, mode: LoopMode) -> Reals:
+        factors = np.array(self.loop.modes.system.interconnection.element_factors)
+        row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
+        return row
+
+    def _changes(self, segment: int) -> Iterator[_Listed]:
+        """Yield what began a segment: each component that changed its mode."""
+        log, system = self.log, self.loop.modes.system
+        before, after = (self.loop.modes[int(log.mode[each])].statuses for each in (segment - 1, segment))
+        for k, component in enumerate(system.interconnection.components):
+            if before[k] != after[k]:
+                relay = isinstance(component, RelayComponent)
+                kind = _kind(before[k], after[k]) if relay else KINDS_BY_NUMBER[int(log.kind[segment])]
+                yield _Listed(float(log.start[segment]), k, before[k], after[k], kind, relay)
+
+
+@dataclass(frozen=True)
+class _Listed:
+    """An event, with the mode of its component before and after; ``relay``: a relay or friction."""
+
+    time: float
+    component: int
+    before: int
+    after: int
+    kind: EventKind
+    relay: bool
+
+
+def _list(listed: list[_Listed], at_instant: int, change: _Listed) -> None:
+    """Add a change to the list, or merge it with what the same relay did before at the same instant.
+
+    Args:
+        listed: The list.
+        at_instant: Where that instant begins in it.
+        change: What to add.
+    """
+    if change.kind is EventKind.REST:
+        return
+    for place in range(len(listed) - 1, at_instant - 1, -1):
+        earlier = listed[place]
+        if change.relay and earlier.component == change.component:
+            if earlier.before == change.after:
+                del listed[place]
+            else:
+                kind = _kind(earlier.before, change.after)
+                listed[place] = replace(earlier, after=change.after, kind=kind)
+            return
+    listed.append(change)
+
+
+def _kind(before: int, after: int) -> EventKind:
+    """Return what it is called when the mode of a relay changes."""
+    if after == HELD:
+        return EventKind.STICK
+    return EventKind.SLIP if before == HELD else EventKind.SWITCH

@@ -1,0 +1,213 @@
+"""The interface of a switched element in time: modes, output laws, event functions and transitions.
+
+All signals of a mode are rows: linear functionals of the extended state (states of the plant, states of the
+components, sine and cosine of the drive, and one). An event function is positive while its mode lasts.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+
+
+class EventKind(Enum):
+    """Kind of an event; the value is its name in text and JSON."""
+
+    IMPACT = "impact"
+    """The pin meets a side of the gap."""
+    SEPARATION = "separation"
+    """The contact would have to pull, so the pin leaves the side of the gap."""
+    REST = "rest"
+    """A load in the gap has slowed down to rounding, which only matters to the computation; never listed."""
+    SWITCH = "switch"
+    """The output of a relay, or the direction of sliding, reverses."""
+    CORNER = "corner"
+    """The input passes a corner of a saturation or dead zone."""
+    STICK = "stick"
+    """Sliding ends: the output takes the value that holds the input at zero."""
+    SLIP = "slip"
+    """The output that would hold the input at zero exceeds its limit."""
+
+
+@dataclass(frozen=True)
+class Explicit:
+    """The output is input_gain * input + sum of state_gains * own states + constant.
+
+    Attributes:
+        input_gain: Output per input.
+        state_gains: Output per own state, one number for each, or none at all.
+        constant: In the unit of the output.
+    """
+
+    input_gain: float
+    state_gains: tuple[float, ...]
+    constant: float
+
+
+@dataclass(frozen=True)
+class RateProportional:
+    """The output is a coefficient times the rate of the input.
+
+    Attributes:
+        coefficient: Output per rate of the input, N s/m for a force of a displacement.
+    """
+
+    coefficient: float
+
+
+@dataclass(frozen=True)
+class Constrained:
+    """The output is what keeps the switching function at zero: a set-valued element on its vertical part."""
+
+
+OutputLaw = Explicit | RateProportional | Constrained
+
+
+@dataclass(frozen=True)
+class Signals:
+    """Rows of one component in one mode, each of shape (n,) over the extended state.
+
+    Attributes:
+        input: The input, m for a displacement.
+        input_rate: Its first derivative, m/s.
+        input_curvature: Its second derivative, m/s².
+        output: The output.
+        states: The own states of the component.
+        one: The constant one.
+    """
+
+    input: Reals
+    input_rate: Reals
+    input_curvature: Reals
+    output: Reals
+    states: tuple[Reals, ...]
+    one: Reals
+
+
+@dataclass(frozen=True)
+class Transition:
+    """Where an event function leads.
+
+    Attributes:
+        kind: Kind of the event.
+        target: Mode of the component afterwards.
+        resets: New values of the component's states, rows of the mode that is left; empty if they stay.
+        zeros: For each event function of the target mode: how many of its first derivatives, counting the
+            zeroth, are known to vanish right after the transition.
+    """
+
+    kind: EventKind
+    target: int
+    resets: tuple[Reals, ...]
+    zeros: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class EventFunction:
+    """A row that is positive while the mode lasts.
+
+    Attributes:
+        row: The functional, shape (n,), in any unit: only its sign counts.
+        reached: Transition when it falls to zero.
+        jumped: Transition when it is negative at once, because the output of another component jumped, or
+            because the mode that was entered cannot hold.
+        continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
+            another component does.
+    """
+
+    row: Reals
+    reached: Transition
+    jumped: Transition
+    continuous: int = 0
+
+
+class Component(ABC):
+    """One switched element of the interconnection; immutable.
+
+    The defaults are those of a component without own states that does not switch.
+    """
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """Name of the component in events."""
+
+    @property
+    def mode_names(self) -> tuple[str, ...]:
+        """Names of the modes, by number."""
+        return ("always",)
+
+    @property
+    def state_count(self) -> int:
+        """Number of own states, which the extended state holds."""
+        return 0
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """What the own states are."""
+        return ()
+
+    @property
+    def output_jumps(self) -> bool:
+        """Whether the output can jump while the input does not."""
+        return False
+
+    @property
+    def continuous_rates(self) -> int:
+        """How many derivatives of the input, besides the input itself, must not jump."""
+        return 0
+
+    def mirrored(self, mode: int) -> int:
+        """Return the mode in place of ``mode`` when input, states and output change their signs.
+
+        Orbits that are their own mirror image after half a period are found with it.
+        """
+        return mode
+
+    @property
+    def even_states(self) -> int:
+        """Number of own states, the last ones, that keep their signs in the mirrored motion."""
+        return 0
+
+    @abstractmethod
+    def output_law(self, mode: int) -> OutputLaw:
+        """Return the law that determines the output in a mode."""
+
+    def state_rates(self, mode: int) -> Reals:
+        """Return the matrix A, ``state_count`` square, in z' = A z of the own states z."""
+        return np.zeros((self.state_count, self.state_count))
+
+    def switching_function(self, signals: Signals) -> Reals:
+        """Return the row that a constrained output holds at zero, or whose sign selects the first mode."""
+        return signals.input
+
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
+        """Return the event functions of a mode.
+
+        Args:
+            mode: Number of the mode.
+            signals: The rows of the component in it.
+            attracting: Whether a constrained output could hold the switching function at zero.
+        """
+        return ()
+
+    def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
+        """Return the mode and the own states, shape (state_count,), to start from.
+
+        Args:
+            input_value: Input at t = 0.
+            switching_value: Switching function, or its first derivative that is not zero.
+            output: Requested output, which the input may rule out.
+        """
+        return 0, np.zeros(self.state_count)
+
+    def resumed(self, input_value: float, switching_value: float, own: Reals) -> int:
+        """Return the mode to go on in with own states, (state_count,), as they are."""
+        return self.initial(input_value, switching_value, float(own[0]) if len(own) else 0.0)[0]

@@ -1,0 +1,186 @@
+"""A loop as the core asks for it: its modes, what follows its events, and what relays at rest do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.errors import UnsupportedMotionError
+from trimmer.hybrid.system import (
+    HOLD_BEGUN,
+    HOLD_ENDED,
+    JOINTLY,
+    OWN_ACTIONS,
+    OWN_KINDS,
+    REVERSED,
+    EventFunction,
+    Mode,
+    Transition,
+)
+from trimmer.hybrid.tables import Modes
+from trimmer.loops.frictions.complementarity import complementary_mode
+from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
+from trimmer.loops.interconnection import Layout
+from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, Change, LoopFunction, LoopMode, assemble
+from trimmer.loops.relay_component import HELD
+from trimmer.loops.switched_component import EventKind
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Places, Reals
+    from trimmer.loops.interconnection import Interconnection
+
+
+MOST_MODES = 4 * 3**6
+"""Largest number of modes of a loop: those of a backlash and six frictions."""
+KINDS: Mapping[EventKind, int] = {
+    EventKind.STICK: HOLD_BEGUN,
+    EventKind.SLIP: HOLD_ENDED,
+    EventKind.SWITCH: REVERSED,
+    EventKind.IMPACT: OWN_KINDS,
+    EventKind.SEPARATION: OWN_KINDS + 1,
+    EventKind.CORNER: OWN_KINDS + 2,
+    EventKind.REST: OWN_KINDS + 3,
+}
+"""What each kind of event counts as."""
+
+
+@dataclass(frozen=True, eq=False)
+class LoopSystem:
+    """The exact motion of a loop; its parts are its components, their modes its statuses.
+
+    Attributes:
+        interconnection: The equations of the loop.
+        by_periods: Whether it is followed period by period of its drive.
+
+    Raises:
+        UnsupportedMotionError: if there are more than ``MOST_MODES`` modes.
+    """
+
+    interconnection: Interconnection
+    by_periods: bool = False
+    _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        components = self.interconnection.components
+        if np.prod([len(each.mode_names) for each in components], dtype=float) > MOST_MODES:
+            raise UnsupportedMotionError(
+                f"{len(components)} components have more than {MOST_MODES} modes together"
+            )
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Positions of plant, components and drive in the extended state."""
+        return Layout.of(self.interconnection, self.by_periods)
+
+    @cached_property
+    def coupled(self) -> CoupledRelays:
+        """The relays that depend on each other."""
+        return CoupledRelays.of(self.interconnection)
+
+    @property
+    def part_count(self) -> int:
+        """Number of components."""
+        return len(self.interconnection.components)
+
+    @property
+    def kind_count(self) -> int:
+        """Number of kinds of events, and of what counts as none."""
+        return OWN_KINDS + 4
+
+    @property
+    def action_count(self) -> int:
+        """Number of actions that event functions of one component can have."""
+        return OWN_ACTIONS + FUNCTIONS_OF_COMPONENT
+
+    @property
+    def decaying_states(self) -> Integers:
+        """No state decays by itself."""
+        return np.zeros(0, dtype=np.int64)
+
+    @property
+    def scales(self) -> Reals:
+        """Nor has one a size below which it is negligible."""
+        return np.zeros(0)
+
+    def mode(self, statuses: tuple[int, ...]) -> LoopMode:
+        """Return the mode in which each component is in a given mode, assembled on first use.
+
+        Raises:
+            IllPosedLoopError: see ``assemble``.
+        """
+        if statuses not in self._assembled:
+            self._assembled[statuses] = assemble(self.interconnection, statuses, self.coupled)
+        return self._assembled[statuses]
+
+    def terms(self, mode: Mode) -> Reals:
+        """Return the moduli of the flow of a mode, (N, N)."""
+        return abs(mode.flow)
+
+    def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
+        """Return what follows an event; None where several relays begin to slide together.
+
+        Those that are held already go on being held; what the change makes them do is an event of theirs.
+        """
+        assert isinstance(mode, LoopMode)
+        assert isinstance(function, LoopFunction)
+        if function.owner == JOINTLY:
+            return None
+        changes = function.jumped if jumped else function.reached
+        after = _with(mode.statuses, changes)
+        first = changes[0].transition
+        actions = self.mode(after).actions(function.owner)
+        zeros = tuple((action, count) for action, count in zip(actions, first.zeros, strict=False) if count)
+        return Transition(after, KINDS[first.kind], zeros, self.reset(mode, function))
+
+    def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
+        """Return what an event makes of the state, (N, N), None for nothing; what is held is at rest then."""
+        assert isinstance(function, LoopFunction)
+        reset = self.of_states(function)
+        if mode.held:
+            reset = reset @ mode.hold
+        return None if (reset == np.eye(len(reset))).all() else reset
+
+    def of_states(self, function: LoopFunction) -> Reals:
+        """Return what an event makes of the states of its components, (N, N)."""
+        reset = np.eye(self.layout.size)
+        for change in function.reached:
+            first = self.layout.first_states[change.component]
+            for each, row in enumerate(change.transition.resets):
+                reset[first + each] = row
+        return reset
+
+    def decide(
+        self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+    ) -> tuple[tuple[int, ...], int, Reals]:
+        """Return what relays at rest do, one after the other where their influence is not symmetric."""
+        held = list(mode.statuses)
+        for k in at_rest.tolist():
+            held[k] = HELD
+        closed = self.coupled.closed(tuple(held))
+        relays = tuple(
+            k for k, one in enumerate(closed) if one == HELD and attracting(self.interconnection, k)
+        )
+        state = self.mode(closed).hold @ state
+        after = complementary_mode(self, mode.statuses, state, relays)
+        if after is None:
+            assert isinstance(function, LoopFunction)
+            after = _with(mode.statuses, function.jumped if jumped else function.reached)
+        return after, 1, state
+
+
+def _with(statuses: tuple[int, ...], changes: tuple[Change, ...]) -> tuple[int, ...]:
+    targets = {change.component: change.transition.target for change in changes}
+    return tuple(targets.get(k, before) for k, before in enumerate(statuses))
+
+
+class LoopModes(Modes[LoopSystem]):
+    """The modes of a loop by number."""
+
+    def __getitem__(self, number: int) -> LoopMode:
+        mode = super().__getitem__(number)
+        assert isinstance(mode, LoopMode)
+        return mode

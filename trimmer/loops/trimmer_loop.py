@@ -1,0 +1,139 @@
+"""The trimmer in motion: backlash at the pin, and friction between any two of its bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+import scipy.linalg
+
+from trimmer.arguments import require_instance, require_instances
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.elements.control_element import adopted
+from trimmer.elements.element import Element
+from trimmer.linear.model import InputChannels, pin_model
+from trimmer.loops.components_of_elements import components_of
+from trimmer.loops.interconnection import Interconnection
+from trimmer.loops.loops import Drive, Loop, element_around
+from trimmer.parameters import TrimmerParameters, require_parameters
+
+if TYPE_CHECKING:
+    import control
+
+
+@final
+@dataclass(frozen=True)
+class BodyFriction:
+    """A force between two bodies that depends on the displacement of one relative to the other.
+
+    Attributes:
+        between: The relative displacement, or that of one body from the ground.
+        law: Force against that displacement, N: ``CoulombFriction``, ``ViscousFriction``, a sum of them.
+            A negative factor would drive the bodies instead.
+
+    Raises:
+        DisplacementError: if ``between``, which may be a label such as ``q2-q4``, is no displacement.
+    """
+
+    between: Displacement
+    law: Element
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "between", Displacement.parse(self.between))
+        require_instance("law", self.law, Element, "an element, such as CoulombFriction(0.5)")
+
+
+@final
+@dataclass(frozen=True, eq=False, repr=False)
+class TrimmerLoop(Loop):
+    """The linear trimmer with an element between pin and bridge, and with friction between bodies.
+
+    Attributes:
+        parameters: The trimmer, SI units.
+        element: Backlash between pin and driving bridge; None for a pin without backlash.
+        drive: Motion of the pin relative to the motor; None for the closed loop of harmonic balance, where
+            the pin follows -y.
+        output: The output y, m.
+        channels: Whether the bridge is driven by its displacement alone, as in the thesis, or by its velocity
+            too.
+        frictions: Forces between bodies.
+
+    Output and channels may also be given by their words, such as ``q2-q4`` and ``both``.
+
+    Raises:
+        ChoiceError: if there are no such channels.
+        DisplacementError: if the output is no displacement.
+    """
+
+    parameters: TrimmerParameters
+    element: Element | None = None
+    drive: Drive | None = None
+    output: Displacement = CUTTER_RELATIVE_TO_GUARD
+    channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY
+    frictions: tuple[BodyFriction, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "output", Displacement.parse(self.output))
+        object.__setattr__(self, "channels", InputChannels.chosen(self.channels, "channels"))
+        require_parameters(self.parameters)
+        if self.element is not None:
+            object.__setattr__(self, "element", adopted("element", self.element))
+        if self.drive is not None:
+            require_instance("drive", self.drive, Drive, "a trimmer.Drive")
+        frictions = require_instances(
+            "frictions", self.frictions, BodyFriction, "a trimmer.loops.BodyFriction"
+        )
+        object.__setattr__(self, "frictions", frictions)
+
+    def _parts(self) -> tuple[object, ...]:
+        """Return all but the many parameters."""
+        moved = [each for each in (self.element, self.drive) if each is not None]
+        return (*moved, f"output {self.output.label}", *self.frictions)
+
+    @property
+    def length(self) -> str:
+        """Pin, bridge and bodies move by metres."""
+        return "m"
+
+    @cached_property
+    def model(self) -> control.StateSpace:
+        """The linear trimmer from the displacement of the bridge (m) to y (m)."""
+        return pin_model(self.parameters, self.output, self.channels)
+
+    def interconnection(self) -> Interconnection:
+        """Return the equations; after the components of the element come those of the frictions.
+
+        Raises:
+            UnsupportedMotionError: if the element or a friction has no motion in time.
+            IllPosedLoopError: if the motion is not determined.
+        """
+        base = element_around(self.model, self.element, self.drive)
+        if not self.frictions:
+            return base
+        parts = [
+            (component, factor, friction.between)
+            for friction in self.frictions
+            for component, factor in components_of(friction.law)
+        ]
+        forces = np.array([factor * self._acceleration(between) for _, factor, between in parts]).T
+        rows = np.array([between.row + (0.0,) * len(between.row) for _, _, between in parts])
+        return Interconnection(
+            A=base.A,
+            B=np.hstack([base.B, forces]),
+            C=np.vstack([base.C, rows]),
+            D=scipy.linalg.block_diag(base.D, np.zeros((len(parts), len(parts)))),
+            drive_gain=np.append(base.drive_gain, np.zeros(len(parts))),
+            components=base.components + tuple(component for component, _, _ in parts),
+            labels=base.labels
+            + tuple(f"{component.name} {between.label}" for component, _, between in parts),
+            drive=base.drive,
+            element_factors=base.element_factors,
+        )
+
+    def _acceleration(self, between: Displacement) -> np.ndarray:
+        """Return the rates of all states due to a unit force that works against a relative displacement."""
+        values = self.parameters
+        masses = np.array([values.m1, values.m2, values.m3, values.m4])
+        return np.concatenate([np.zeros(len(masses)), -np.array(between.row) / masses])

@@ -1,0 +1,73 @@
+"""Extreme values of a signal along a motion, exact to rounding: at events, and where its rate is zero."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.motion.signals import Signal, along, durations, rate, row_of_each
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Reals
+    from trimmer.motion.flow import Course
+
+NEWTON_STEPS = 5
+"""Steps of Newton's method from between two nodes to the place of an extreme."""
+
+
+def extremes(course: Course, signal: Signal) -> tuple[float, float]:
+    """Return the smallest and the largest value of a signal over a motion, in its unit."""
+    values = turning_values(course, signal)
+    return float(values.min()), float(values.max())
+
+
+def turning_values(course: Course, signal: Signal) -> Reals:
+    """Return a signal at both ends of each segment and at its extremes in between."""
+    times, rows, states = _points(course)
+    slopes = along(course, rate(course.modes, signal), rows, states)
+    turning = np.flatnonzero((rows[1:] == rows[:-1]) & (slopes[1:] * slopes[:-1] < 0))
+    _, firsts = np.unique(rows, return_index=True)
+    ends = np.concatenate([firsts, firsts[1:] - 1, [-1]])
+    found = along(course, signal, rows[ends], states[ends])
+    if not len(turning):
+        return found
+    bracket = times[turning], times[turning + 1], slopes[turning], slopes[turning + 1]
+    return np.concatenate([found, _between(course, signal, rows[turning], bracket)])
+
+
+def _points(course: Course) -> tuple[Reals, Integers, Reals]:
+    """Return times, rows of the log and states of nodes and of both ends of segments, in their order."""
+    log, nodes = course.log, course.nodes
+    lasting = np.flatnonzero(durations(course) > 0)
+    ends = np.vstack([log.state[1:], course.states(np.array([course.duration]))])[lasting]
+    until = np.append(log.start[1:], course.duration)[lasting]
+    times = np.concatenate([log.start[lasting], nodes.times, until])
+    rows = np.concatenate([lasting, nodes.rows, lasting])
+    order = np.lexsort((times, rows))
+    states = np.concatenate([log.state[lasting], nodes.states, ends])[order]
+    return times[order], rows[order], states
+
+
+def _between(
+    course: Course, signal: Signal, rows: Integers, bracket: tuple[Reals, Reals, Reals, Reals]
+) -> Reals:
+    """Return a signal where its rate is zero, by Newton's method between two times of unlike slopes."""
+    low, high, slope_low, slope_high = (each.copy() for each in bracket)
+    modes = course.modes
+    values, first, second = (
+        row_of_each(course, each)[rows]
+        for each in (signal, rate(modes, signal), rate(modes, rate(modes, signal)))
+    )
+    times = (low * slope_high - high * slope_low) / (slope_high - slope_low)
+    for _ in range(NEWTON_STEPS):
+        states = course.states(times)
+        slope = np.einsum("ij,ij->i", states, first)
+        curvature = np.einsum("ij,ij->i", states, second)
+        before = slope * slope_low > 0
+        low, high = np.where(before, times, low), np.where(before, high, times)
+        with np.errstate(divide="ignore"):
+            following = times - np.divide(slope, curvature, out=np.zeros_like(slope), where=slope != 0)
+        inside = (following >= low) & (following <= high)
+        times = np.where(inside, following, 0.5 * (low + high))
+    return np.asarray(np.einsum("ij,ij->i", course.states(times), values))

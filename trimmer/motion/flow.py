@@ -1,0 +1,367 @@
+"""The exact motion of a system from one instant on: period by period, for a time, or seen once a period.
+
+Times in a ``Course`` count from its start, in which whole periods of what forces the system follow each other.
+Between the rows of its log the motion is linear, so it is known at all times.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
+from trimmer.hybrid.nodes import Nodes, nodes, sample
+from trimmer.hybrid.system import NOTHING
+from trimmer.hybrid.variation import propagated, propagator
+from trimmer.hybrid.work import Log
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Complexes, Integers, Reals
+    from trimmer.hybrid.system import Mode
+    from trimmer.hybrid.tables import Modes
+    from trimmer.motion.measures import ContactMeasures, FrictionMeasures
+    from trimmer.motion.part import Part
+    from trimmer.motion.signals import Readout, Signal
+    from trimmer.motion.subject import Subject
+
+BLOCK = 100_000
+"""Steps that periods followed in one call of the compiled code may take: no interrupt ends it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A motion between two instants.
+
+    Attributes:
+        modes: The modes of the system.
+        begin: The instant at which it begins.
+        end: The instant at which it ends.
+        ending: Why it ends there.
+        duration: s.
+        log: Its segments; times count from its start.
+    """
+
+    modes: Modes[Any]
+    begin: Instant
+    end: Instant
+    ending: Ending
+    duration: float
+    log: Log
+
+    @cached_property
+    def nodes(self) -> Nodes:
+        """The motion at the nodes of quadrature."""
+        return nodes(self.modes.tables, self.log, self.duration)
+
+    def states(self, times: Reals) -> Reals:
+        """Return the extended states, (times, N), at times, s, that do not decrease."""
+        return sample(self.modes.tables, self.log, times)
+
+    def turned(self, time: float, phase: float) -> Course:
+        """Return a motion that repeats after whole periods as one that begins at a later instant of it.
+
+        Nothing is integrated again, so that each event is there once, also where it comes to that instant.
+
+        Args:
+            time: From the start to that instant, s.
+            phase: Time of that instant since the start of a period, s.
+        """
+        count, log = int(np.searchsorted(self.log.start, time, side="right")), self.log
+        (extended,) = self.states(np.array([time]))
+        mode = int(log.mode[count - 1])
+        cut = Log._make(each[count - 1 : count].copy() for each in log)
+        cut.start[:], cut.state[:], cut.part[:], cut.kind[:], cut.function[:] = 0.0, extended, -1, NOTHING, -1
+        later = log._replace(start=log.start - time), log._replace(start=log.start + self.duration - time)
+        turned = cut, Log._make(each[count:] for each in later[0]), later[1].first(count)
+        begin = replace(
+            self.begin,
+            state=extended[: self.modes.system.layout.state_count],
+            statuses=self.modes[mode].statuses,
+            periods=0,
+            phase=phase,
+            zeros=np.zeros_like(self.begin.zeros),
+        )
+        end = replace(begin, periods=self.end.periods - self.begin.periods)
+        joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
+        return replace(self, begin=begin, end=end, log=joined)
+
+    def tangents(self, at_start: Reals) -> Reals:
+        """Return what becomes of small distances of the state, (n, columns), over the motion.
+
+        Distances that are none, since nothing depends on them, are taken out of them first.
+        """
+        return propagated(self.modes, self.log, self.duration, self.modes.system.layout.felt(at_start))
+
+    @property
+    def monodromy(self) -> Reals:
+        """The derivative of the state at the end by that at the start, (n, n)."""
+        return self.tangents(np.eye(self.modes.system.layout.state_count))
+
+    def before(self, row: int) -> Reals:
+        """Return the extended state, (N,), just before the event that begins a row of the log."""
+        log = self.log
+        elapsed = float(log.start[row] - log.start[row - 1])
+        state: Reals = propagator(self.modes, int(log.mode[row - 1]), elapsed) @ log.state[row - 1]
+        return state
+
+    @property
+    def times(self) -> Reals:
+        """Times, s, at which its mode changes, in their order."""
+        times: Reals = self.log.start[(self.log.kind != NOTHING) | (self.log.function >= 0)]
+        return times
+
+    @property
+    def events(self) -> list[tuple[float, int, int]]:
+        """Time, s, part and kind of each event that counts."""
+        rows = np.flatnonzero(self.log.kind != NOTHING)
+        return [
+            (float(self.log.start[row]), int(self.log.part[row]), int(self.log.kind[row])) for row in rows
+        ]
+
+
+@dataclass(frozen=True, eq=False)
+class Strobe:
+    """A motion seen once a period.
+
+    Attributes:
+        states: At the start and after each period, (periods + 1, n).
+        counts: Events of each period by kind, (periods, kinds).
+        end: The instant at which it ends.
+        ending: Why it ends there.
+    """
+
+    states: Reals
+    counts: Integers
+    end: Instant
+    ending: Ending
+
+
+class Flow(ABC):
+    """The exact motion of a mechanism or a loop, of which everything else is asked.
+
+    What differs between them is below: where a motion begins, what its states and parts are, and what is
+    measured of it. The state of n entries holds what the system itself moves; what forces it is not in it.
+    """
+
+    @property
+    @abstractmethod
+    def subject(self) -> Subject:
+        """What moves, as data."""
+
+    @property
+    @abstractmethod
+    def modes(self) -> Modes[Any]:
+        """The modes that were met so far, with their ``system``."""
+
+    @property
+    @abstractmethod
+    def names(self) -> tuple[str, ...]:
+        """What the states are, such as ``motor`` and ``motor'``."""
+
+    @property
+    @abstractmethod
+    def parts(self) -> tuple[Part, ...]:
+        """The parts whose statuses make a mode, in their order."""
+
+    @property
+    @abstractmethod
+    def outputs(self) -> Mapping[str, Readout]:
+        """What is read of the motion, by name."""
+
+    @property
+    @abstractmethod
+    def accelerations(self) -> Mapping[str, Signal]:
+        """Acceleration of each body, m/s²; none where there are no bodies."""
+
+    @property
+    @abstractmethod
+    def mirrored_states(self) -> Reals:
+        """Factors, 1 or -1, that make of a state that of the mirror image of a motion, (n,)."""
+
+    @property
+    @abstractmethod
+    def is_mirror_symmetric(self) -> bool:
+        """Whether with x(t) also its mirror image is a motion, half a period of the drive later if any."""
+
+    @property
+    @abstractmethod
+    def is_bounded(self) -> bool:
+        """Whether it is known that no motion can grow without bound."""
+
+    @abstractmethod
+    def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
+        """Return the instant t = 0 at rest, or where the subject's own start, or another one, puts it."""
+
+    @abstractmethod
+    def at(
+        self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None
+    ) -> Instant:
+        """Return the instant at which the system is in a given state.
+
+        Args:
+            state: The states, (n,).
+            phase: Time since the start of a period of the drive, s.
+            stretched: Whether also those states are given that follow from the others in a new motion.
+            like: An instant of a neighbouring motion, whose statuses hold in this one too; the state is made
+                to fit.
+        """
+
+    @property
+    @abstractmethod
+    def axes(self) -> Mapping[str, tuple[int, ...]]:
+        """Places in the state of what a start may give, by name."""
+
+    @abstractmethod
+    def at_other(self, subject: Subject) -> Flow:
+        """Return the motion of another subject of the same kind, as of one with another number."""
+
+    @abstractmethod
+    def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
+        """Return the real parts of the rates of free motions, 1/s, exactly zero where nothing damps them.
+
+        Args:
+            mode: The mode.
+            states: The states in each free motion, (n, r).
+            rates: Their rates, 1/s, (r,).
+            margins: Rounding of each, 1/s, (r,).
+        """
+
+    def without_rounding(self, sizes: Reals) -> Reals:
+        """Return sizes of states, (n,), 0 for what is rounding beside others of its kind."""
+        return sizes
+
+    def is_alike(self, other: Flow) -> bool:
+        """Say whether another motion of the same kind has the same states and parts."""
+        return self.names == other.names and [each.name for each in self.parts] == [
+            each.name for each in other.parts
+        ]
+
+    def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
+        """Return statuses, with what a change of the state, (n,), sets free that was held."""
+        return statuses
+
+    @property
+    @abstractmethod
+    def rubbing(self) -> tuple[str, ...]:
+        """Names of the dry frictions, those without a force among them."""
+
+    @abstractmethod
+    def impact_speeds(self, course: Course) -> Reals:
+        """Return how fast the sides of contacts meet at each impact of a motion, (impacts,)."""
+
+    @abstractmethod
+    def contacts(self, course: Course, periods: int) -> Mapping[str, ContactMeasures]:
+        """Return what parts that touch do over a motion that spans some periods."""
+
+    @abstractmethod
+    def frictions(self, course: Course, periods: int) -> Mapping[str, FrictionMeasures]:
+        """Return what dry frictions do over a motion that spans some periods."""
+
+    @abstractmethod
+    def positions(self, course: Course) -> Mapping[str, float]:
+        """Return where what rests stands, by name, in a motion in which nothing moves."""
+
+    @abstractmethod
+    def forces(self, course: Course, times: Reals) -> Mapping[str, Reals]:
+        """Return the force of each part at times, s, that do not decrease."""
+
+    @property
+    def size(self) -> int:
+        """Number n of states."""
+        size: int = self.modes.system.layout.state_count
+        return size
+
+    @property
+    def period(self) -> float:
+        """Period of the drive, s; 0 without one."""
+        period: float = self.modes.system.layout.period
+        return period
+
+    @property
+    def shifts(self) -> int:
+        """Number of directions along which states may be shifted without a change of what moves them."""
+        return 0
+
+    def advances(self, sizes: Reals) -> bool:
+        """Say whether the frame of the states moves on, beside a motion with the sizes of states, (n,)."""
+        return False
+
+    def reduced(self, states: Reals) -> Reals:
+        """Return states, (..., n), shifted back along all directions in which nothing changes."""
+        return states
+
+    def grounded(self) -> Flow:
+        """Return the same in the frame of the ground."""
+        return self
+
+    def moving(self, mean: Reals) -> Flow:
+        """Return the same in a frame that moves evenly, at mean velocities of the states that lead."""
+        return self
+
+    def travelling(self, course: Course) -> tuple[Flow, Course]:
+        """Return a motion in the frame that moves on evenly with it, and its flow."""
+        return self, course
+
+    def watched(self, instant: Instant, periods: int) -> Flow:
+        """Return the motion in the frame that moves on as it does in the mean over some periods."""
+        return self
+
+    def strobe(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Strobe:
+        """Go on for a number of drive periods, at least 1, and keep the state between them."""
+        # What moves on for ever forces each period in a way of its own.
+        portions = ([1] * periods if self.modes.system.layout.ramp else []) or [periods]
+        states, counts, end = [instant.state[None]], [], instant
+        for portion in portions:
+            stretch = advance(self.modes, end, portion, self.period, False, most_steps)
+            states.append(stretch.states[1:])
+            counts.append(stretch.counts)
+            end = stretch.end
+            if stretch.ending is not Ending.REACHED_END:
+                break
+        return Strobe(np.concatenate(states), np.concatenate(counts), end, stretch.ending)
+
+    def course(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Course:
+        """Go on for a number of drive periods, and keep the motion."""
+        parts, end, ending = self._periods(instant, periods, most_steps)
+        return self._joined(instant, end, ending, parts)
+
+    def timed(self, instant: Instant, duration: float, most_steps: int = MOST_STEPS) -> Course:
+        """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
+        if not self.period:
+            stretch = advance(self.modes, instant, 1, duration, True, most_steps)
+            return self._joined(instant, stretch.end, stretch.ending, [stretch.log], duration)
+        whole = int(duration / self.period)
+        parts, end, ending = self._periods(instant, whole, most_steps)
+        rest = duration - whole * self.period
+        if ending is Ending.REACHED_END and rest > 0:
+            stretch = advance(self.modes, end, 1, rest, True, most_steps)
+            parts.append(stretch.log._replace(start=stretch.log.start + whole * self.period))
+            end, ending = stretch.end, stretch.ending
+        return self._joined(instant, end, ending, parts, duration)
+
+    def _periods(self, instant: Instant, periods: int, most_steps: int) -> tuple[list[Log], Instant, Ending]:
+        """Go on for whole periods; returns the logs of the motion, its end, and why it ends."""
+        logs, end, ending = list[Log](), instant, Ending.REACHED_END
+        done, count = 0, 1
+        while done < periods and ending is Ending.REACHED_END:
+            # What moves on for ever forces each period in a way of its own.
+            count = 1 if self.modes.system.layout.ramp else min(count, periods - done)
+            stretch = advance(self.modes, end, count, self.period, True, most_steps, done)
+            logs.append(stretch.log)
+            end, ending, done = stretch.end, stretch.ending, done + count
+            count = max(min(2 * count, count * BLOCK // max(stretch.steps, 1)), 1)
+        return logs, end, ending
+
+    def _joined(
+        self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None
+    ) -> Course:
+        log = Log(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+        if duration is None or ending is not Ending.REACHED_END:
+            duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
+        return Course(self.modes, begin, end, ending, float(duration), log)

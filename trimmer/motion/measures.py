@@ -1,0 +1,186 @@
+"""What outputs, bodies, contacts and frictions do over a motion: integrals and extremes exact to rounding."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.hybrid.system import NOTHING
+from trimmer.motion.extremes import extremes
+from trimmer.motion.fourier import fourier
+from trimmer.motion.signals import along, read
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Complexes, Reals
+    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.signals import Signal
+
+HARMONICS = 20
+"""Number of harmonics of the drive that are given."""
+
+
+@dataclass(frozen=True, eq=False)
+class OutputMeasures:
+    """What an output does, in its unit.
+
+    Attributes:
+        smallest, largest: Its extremes.
+        mean: Mean over the motion.
+        rms: Root of the mean square about the mean.
+        amplitudes: Complex amplitudes at p/k of the drive, p = 1, 2, ...: real part of c exp(i p w t / k).
+        period_count: k.
+        advance: Shift over the motion, which was taken off evenly before all this was measured.
+    """
+
+    smallest: float
+    largest: float
+    mean: float
+    rms: float
+    amplitudes: Complexes
+    period_count: int
+    advance: float = 0.0
+
+    @property
+    def peak_to_peak(self) -> float:
+        """Largest less smallest."""
+        return self.largest - self.smallest
+
+    @property
+    def harmonics(self) -> Reals:
+        """Amplitudes a_n of a_n cos(n w t + phase) at the multiples of the drive, n = 1, 2, ..."""
+        return np.abs(self.amplitudes[self.period_count - 1 :: self.period_count])
+
+    @property
+    def phases(self) -> Reals:
+        """Their phases, rad."""
+        return np.angle(self.amplitudes[self.period_count - 1 :: self.period_count])
+
+    @property
+    def subharmonics(self) -> Reals:
+        """Amplitudes at 1/k ... (k-1)/k of the drive."""
+        return np.abs(self.amplitudes[: self.period_count - 1])
+
+    @property
+    def lines(self) -> list[tuple[int, int, float]]:
+        """p, k and amplitude of all lines at p/k of the drive."""
+        sizes = np.abs(self.amplitudes).tolist()
+        return [(place + 1, self.period_count, size) for place, size in enumerate(sizes)]
+
+
+@dataclass(frozen=True)
+class ContactMeasures:
+    """What a play or a stop does.
+
+    Attributes:
+        impacts: Number of contacts made per drive period, the mean.
+        impact_speeds: Relative speed just before each contact of the motion, m/s, in their order.
+        largest_force: Largest modulus of its force, N; None where it has none, as behind a loop's backlash.
+        share: Share of the time in contact.
+    """
+
+    impacts: float
+    impact_speeds: tuple[float, ...]
+    largest_force: float | None
+    share: float
+
+    @property
+    def impact_speed(self) -> float:
+        """The largest of the speeds, m/s; 0 without impact."""
+        return max(self.impact_speeds, default=0.0)
+
+
+@dataclass(frozen=True)
+class FrictionMeasures:
+    """What a dry friction does.
+
+    Attributes:
+        work: Lost to it per drive period, the mean, J; without its viscous part.
+        power: Mean power lost to it, W: what wears it.
+        stick: Share of the time in stick.
+    """
+
+    work: float
+    power: float
+    stick: float
+
+
+@dataclass(frozen=True, eq=False)
+class Measures:
+    """Measures of a motion, each computed when it is asked for.
+
+    Attributes:
+        course: The motion, over whole drive periods, or without a drive over one period of its own.
+        flow: What moves.
+        period_count: Number k of drive periods after which it returns; 1 for a window of one that does not.
+        periods: Number of drive periods it spans.
+    """
+
+    course: Course
+    flow: Flow
+    period_count: int
+    periods: int
+
+    @cached_property
+    def outputs(self) -> Mapping[str, OutputMeasures]:
+        """Of each output."""
+        outputs = self.flow.outputs
+        if not outputs:
+            return {}
+        nodes, duration = self.course.nodes, self.course.duration
+        signals = read(self.course, outputs.values(), nodes.rows, nodes.states)
+        means = nodes.weights @ signals / duration
+        apart = signals - means
+        rms = np.sqrt(nodes.weights @ apart**2 / duration)
+        count = self.period_count
+        omega = 2 * np.pi * self.periods / (duration * count)
+        amplitudes = fourier(self.course, apart, omega, HARMONICS * count)
+        return {
+            name: OutputMeasures(
+                *extremes(self.course, output.signal),
+                float(means[place]),
+                float(rms[place]),
+                amplitudes[:, place],
+                count,
+                output.speed * duration,
+            )
+            for place, (name, output) in enumerate(outputs.items())
+        }
+
+    @cached_property
+    def peak_to_peak(self) -> Mapping[str, float]:
+        """Of each output, without the rest of its measures."""
+        ranges = {name: extremes(self.course, each.signal) for name, each in self.flow.outputs.items()}
+        return {name: largest - smallest for name, (smallest, largest) in ranges.items()}
+
+    @cached_property
+    def rms_acceleration(self) -> Mapping[str, float]:
+        """Of each body, m/s²; the acceleration jumps where the force of a contact or a friction does."""
+        nodes = self.course.nodes
+        return {
+            name: float(np.sqrt(nodes.weights @ self._at_nodes(signal) ** 2 / self.course.duration))
+            for name, signal in self.flow.accelerations.items()
+        }
+
+    def _at_nodes(self, signal: Signal) -> Reals:
+        nodes = self.course.nodes
+        return along(self.course, signal, nodes.rows, nodes.states)
+
+    @cached_property
+    def contacts(self) -> Mapping[str, ContactMeasures]:
+        """Of each part that touches."""
+        return self.flow.contacts(self.course, self.periods)
+
+    @cached_property
+    def frictions(self) -> Mapping[str, FrictionMeasures]:
+        """Of each dry friction."""
+        return self.flow.frictions(self.course, self.periods)
+
+    @property
+    def events_per_period(self) -> float:
+        """Number of events per drive period, the mean."""
+        return int((self.course.log.kind != NOTHING).sum()) / self.periods

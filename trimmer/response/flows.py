@@ -1,0 +1,38 @@
+"""The exact motion of whatever may move: a mechanism or a loop."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trimmer.arguments import require_instance
+from trimmer.mechanism.mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.subject import Subject
+
+
+def flow_of(subject: Subject) -> Flow:
+    """Return the motion of a mechanism, in the frame in which it repeats, or of a loop."""
+    if isinstance(subject, Mechanism):
+        from trimmer.contact.flow import ExactFlow
+
+        return ExactFlow.returning(subject)
+    from trimmer.loops.flow import LoopFlow
+    from trimmer.loops.loops import Loop
+
+    require_subject(subject)
+    assert isinstance(subject, Loop)
+    return LoopFlow(subject)
+
+
+def require_subject(subject: object) -> None:
+    """Check that something was given that moves.
+
+    Raises:
+        WrongTypeError: if it was not.
+    """
+    from trimmer.loops.loops import Loop
+
+    kinds = "a trimmer.Mechanism or a loop: a ClosedLoop, OpenLoop or TrimmerLoop"
+    require_instance("mechanism", subject, (Mechanism, Loop), kinds)
