@@ -183,6 +183,7 @@ def contact_rows(design: Design) -> Rows:
     rows = [["Contact", "Impacts per period", "Largest speed", "Largest force", "Time in contact"]]
     if design.motion is not None:
         for name, each in design.motion.contacts.items():
+            assert each.largest_force is not None, "contacts of mechanisms have springs"
             rows.append(
                 [
                     name,

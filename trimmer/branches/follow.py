@@ -150,8 +150,8 @@ def _self_excited(
     else:
         first = real_array("state", state)
         if first.shape != (map.size,):
-            error = LoopError if isinstance(map.subject, Loop) else MechanismError
-            raise error(
+            kind = LoopError if isinstance(map.subject, Loop) else MechanismError
+            raise kind(
                 f"the start has the shape {first.shape}, but without a drive it is {map.size - 1} states "
                 f"and the period: {listed((*flow.names, 'period'))}"
             )

@@ -275,7 +275,7 @@ class ExactFlow(Flow):
         return alike and not (layout.frame.leaders != own.frame.leaders).any()
 
     def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
-        """Return the statuses, with what a change of velocities, among that of all states, tears out of stick.
+        """Return the statuses, with what a change of the state, (n,), tears out of stick.
 
         One whose kinetic force is less than the static one may leave for good; stick is taken to hold.
         """

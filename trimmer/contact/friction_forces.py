@@ -21,9 +21,9 @@ from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, least_share
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Places, Reals
-    from trimmer.contact.flow import Course
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
+    from trimmer.motion.flow import Course
 
 
 def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:

@@ -112,15 +112,15 @@ class Layout:
         return found
 
     def felt(self, distances: Reals) -> Reals:
-        """Return distances, (n, columns), without shifts of all that leaders lead, where the frame follows."""
+        """Return distances, (n, columns), without shifts of what leaders lead, where the frame follows."""
         return self.frame.reduced(distances.T).T if self.frame.follows else distances
 
     def sizes(self, states: Reals, duration: float) -> Reals:
         """Return the scale of each state over a motion, (n,).
 
-        Where bodies may be shifted without a change of any force, it is that beside their leader. What is much
-        smaller than the others of its kind is measured by a share of theirs, and what does not move at all
-        by 1.
+        Where bodies may be shifted without a change of any force, it is that beside their leader. What is
+        much smaller than the others of its kind is measured by a share of theirs, and what does not move at
+        all by 1.
 
         Args:
             states: At instants of the motion, (instants, n).

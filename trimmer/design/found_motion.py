@@ -21,7 +21,7 @@ from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.contact.flow import Course, ExactFlow
+    from trimmer.motion.flow import Course, Flow
     from trimmer.response.estimate import Estimate
     from trimmer.response.orbit import MechanismOrbit
     from trimmer.response.response import SettledMotion
@@ -165,7 +165,7 @@ def of_orbit(orbit: MechanismOrbit, settled: SettledMotion | None = None) -> Fou
 
 
 def _made(
-    flow: ExactFlow,
+    flow: Flow,
     course: Course,
     settled: SettledMotion | None,
     orbit: MechanismOrbit | None,
@@ -203,7 +203,7 @@ def _hand_arm(
     return hand_arm_of_samples(course, rms, SAMPLES * periods / course.duration)
 
 
-def _signals(flow: ExactFlow, course: Course, share: float) -> Signals:
+def _signals(flow: Flow, course: Course, share: float) -> Signals:
     layout, log = flow.modes.system.layout, course.log
     end = share * course.duration
     times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])

@@ -12,7 +12,7 @@ from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled
 from trimmer.errors import TrimmerError
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
-from trimmer.response.forced_orbit import mechanism_orbit
+from trimmer.response.forced_orbit import exact_orbit
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind, Response
 from trimmer.response.same import same_orbit
@@ -166,7 +166,7 @@ def _new(mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions) 
 def _orbit(mechanism: Mechanism, periods: int, state: Reals) -> MechanismOrbit | None:
     """Return the orbit at a state, (n,), over so many drive periods; None if there is none."""
     try:
-        orbit = mechanism_orbit(mechanism, periods, state)
+        orbit = exact_orbit(mechanism, periods, state)
     except TrimmerError:
         return None
     return orbit if orbit.success else None

@@ -13,7 +13,7 @@ from trimmer.design.trial import Asked, all_measures, measured
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
-from trimmer.response.forced_orbit import mechanism_orbit
+from trimmer.response.forced_orbit import exact_orbit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -155,7 +155,7 @@ def _measures(
 ) -> Mapping[Asked, float] | None:
     try:
         changed = mechanism.with_value(place, value)
-        orbit = mechanism_orbit(changed, motion.period_count or 1, motion.state)
+        orbit = exact_orbit(changed, motion.period_count or 1, motion.state)
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
         return None
     return {each: _of(orbit, each) for each in asked} if orbit.success else None

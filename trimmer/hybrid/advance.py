@@ -96,6 +96,7 @@ class Stretch:
         states: State at the start and after each period, (periods done + 1, n).
         counts: Events of each period by kind, (periods begun, kinds).
         steps: Number of steps that it took.
+        duration: Time from its start to its end, s.
     """
 
     end: Instant
@@ -104,6 +105,7 @@ class Stretch:
     states: Reals
     counts: Integers
     steps: int
+    duration: float
 
 
 class AdvanceInterrupted(KeyboardInterrupt):
@@ -357,7 +359,8 @@ class _Integration:
 
     def _stretch(self, ending: Ending, place: Place, steps: int) -> Stretch:
         free, work, done = self.modes.system.layout.state_count, self.work, place.done
-        periods, phase = self._reached(done, 0.0 if done == len(self.counts) else place.time)
+        within = 0.0 if done == len(self.counts) else place.time
+        periods, phase = self._reached(done, within)
         end = replace(
             self.instant,
             state=work.state[:free].copy(),
@@ -374,6 +377,7 @@ class _Integration:
             self.states[: done + 1],
             self.counts[: done + 1],
             steps,
+            float(done * self.length + within),
         )
 
     def _timed(self, log: Log) -> Log:
@@ -392,7 +396,8 @@ class _Integration:
         if self.length == period:
             return done, self.begin + time
         phase = self.begin + done * self.length + time
-        return (1, phase - period) if period and phase >= period else (0, phase)
+        over = int(phase // period) if period else 0
+        return over, phase - over * period if over else phase
 
 
 def _kind(before: Mode, after: Mode, part: int) -> int:

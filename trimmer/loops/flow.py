@@ -1,4 +1,4 @@
-"""The exact motion of a loop, period by period of its drive, as everything that is asked of motion needs it."""
+"""The exact motion of a loop, period by period of its drive, as all that is asked of motion needs it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.relay_component import RelayComponent
-from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import Readout
 
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.hybrid.system import Mode
+    from trimmer.loops.system import LoopModes
     from trimmer.motion.flow import Course
     from trimmer.motion.measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.part import Part
@@ -55,10 +55,10 @@ class LoopFlow(Flow):
         """The loop."""
         return self.loop
 
-    @cached_property
+    @property
     def modes(self) -> LoopModes:
         """The modes that were met so far, with their ``system``."""
-        return LoopModes(LoopSystem(self.loop.interconnection(), by_periods=True))
+        return self.loop.modes
 
     @cached_property
     def names(self) -> tuple[str, ...]:

@@ -154,7 +154,6 @@ class Layout:
         sine: Position of the drive's sine; its cosine follows.
         size: Number of entries; the last one is one.
         drive: The prescribed motion of the pin; None without one.
-        by_periods: Whether the motion is followed period by period of the drive, and not as a whole.
     """
 
     order: int
@@ -162,16 +161,15 @@ class Layout:
     sine: int
     size: int
     drive: Drive | None
-    by_periods: bool = False
 
     @classmethod
-    def of(cls, interconnection: Interconnection, by_periods: bool = False) -> Layout:
+    def of(cls, interconnection: Interconnection) -> Layout:
         """Return the layout of an interconnection: plant, components, drive, one."""
         counts = [component.state_count for component in interconnection.components]
         ends = np.cumsum([interconnection.order, *counts])
         sine = int(ends[-1])
         firsts = tuple(int(end) for end in ends[:-1])
-        return cls(interconnection.order, firsts, sine, sine + 3, interconnection.drive, by_periods)
+        return cls(interconnection.order, firsts, sine, sine + 3, interconnection.drive)
 
     @property
     def state_count(self) -> int:
@@ -185,8 +183,8 @@ class Layout:
 
     @property
     def period(self) -> float:
-        """Period of the drive, s; 0 without one, or where the motion is followed as a whole."""
-        return self.drive.period if self.drive is not None and self.by_periods else 0.0
+        """Period of the drive, s; 0 without one."""
+        return 0.0 if self.drive is None else self.drive.period
 
     @property
     def ramp(self) -> bool:
@@ -213,7 +211,7 @@ class Layout:
         """What gives sine, cosine and one as real parts of these times exp(i omega t), (orders, 3)."""
         if self.drive is None:
             return np.zeros((0, 3), dtype=complex)
-        return np.exp(1j * self.drive.phase) * np.array([[-1j, 1.0, 0.0]])
+        return np.asarray(np.exp(1j * self.drive.phase) * np.array([[-1j, 1.0, 0.0]]))
 
     @cached_property
     def kinds(self) -> tuple[slice, ...]:

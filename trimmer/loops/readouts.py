@@ -10,6 +10,7 @@ from trimmer.hybrid.system import OWN_KINDS
 from trimmer.loops import corner_component, relay_component, threshold_component
 from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
 from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.mode import LoopMode
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.motion.measures import ContactMeasures, FrictionMeasures
@@ -63,6 +64,7 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
 def _approach(course: Course, part: int, row: int) -> float:
     """Return how fast pin and load approach each other just before the event that begins a row of the log."""
     mode = course.modes[int(course.log.mode[row - 1])]
+    assert isinstance(mode, LoopMode)
     play = mode.signals[part].input - mode.signals[part].output
     return abs(float(play @ mode.flow @ course.before(row)))
 
@@ -72,9 +74,10 @@ def friction_measures(course: Course, part: int, periods: int) -> FrictionMeasur
     modes, nodes = course.modes, course.nodes
     level: float = modes.system.interconnection.components[part].level
 
-    def relative(mode: int) -> Reals:
-        row: Reals = modes[mode].signals[part].input
-        return row
+    def relative(number: int) -> Reals:
+        mode = modes[number]
+        assert isinstance(mode, LoopMode)
+        return mode.signals[part].input
 
     speeds = abs(along(course, rate(modes, relative), nodes.rows, nodes.states))
     sticking = while_status(course, part, (HELD,))

@@ -101,10 +101,10 @@ def simulate_loop(
         stretch = followed(modes, mode, state, float(duration), events, steps, watched=True)
     except AdvanceInterrupted as interrupt:
         until = interrupt.stretch
-        motion = Motion(loop, float(until.end.phase), Outcome.INTERRUPTED, until.log)
+        motion = Motion(loop, float(until.duration), Outcome.INTERRUPTED, until.log)
         raise SimulationInterrupted(motion) from interrupt
     unresolved = unresolved_segment(modes, stretch.log)
     if unresolved is not None:
         log = stretch.log.first(unresolved + 1)
         return Motion(loop, float(log.start[-1]), Outcome.UNRESOLVED, log)
-    return Motion(loop, float(stretch.end.phase), OUTCOMES[stretch.ending], stretch.log)
+    return Motion(loop, float(stretch.duration), OUTCOMES[stretch.ending], stretch.log)

@@ -54,14 +54,12 @@ class LoopSystem:
 
     Attributes:
         interconnection: The equations of the loop.
-        by_periods: Whether it is followed period by period of its drive.
 
     Raises:
         UnsupportedMotionError: if there are more than ``MOST_MODES`` modes.
     """
 
     interconnection: Interconnection
-    by_periods: bool = False
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -74,7 +72,7 @@ class LoopSystem:
     @cached_property
     def layout(self) -> Layout:
         """Positions of plant, components and drive in the extended state."""
-        return Layout.of(self.interconnection, self.by_periods)
+        return Layout.of(self.interconnection)
 
     @cached_property
     def coupled(self) -> CoupledRelays:

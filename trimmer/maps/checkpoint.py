@@ -130,8 +130,8 @@ def _problem_of_kind(motion: CellMotion, measures: Measures, flow: Flow) -> str:
         ("rms_acceleration", flow.accelerations),
         ("wear_power", flow.rubbing),
     ):
-        if getattr(measures, name).keys() != parts.keys():
-            return f"measures.{name} is not of the parts of the mechanism"
+        if {*getattr(measures, name)} != {*parts}:
+            return f"measures.{name} is not of the parts of what moves"
     return ""
 
 

@@ -6,7 +6,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import numpy as np
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from trimmer.motion.subject import Subject
 
+_Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1
 """Version of the format of files."""
 MOST_CELLS = 4_000_000
@@ -98,7 +99,7 @@ def described(subject: Subject) -> dict[str, Any]:
     return {"loop": loop_as_data(subject)}
 
 
-def varied(mechanism: Subject, places: tuple[str, ...], values: tuple[float, ...]) -> Subject:
+def varied(mechanism: _Subject, places: tuple[str, ...], values: tuple[float, ...]) -> _Subject:
     """Return the mechanism or loop with other numbers at some places, in whatever order they can be set.
 
     Raises:
@@ -111,7 +112,7 @@ def varied(mechanism: Subject, places: tuple[str, ...], values: tuple[float, ...
         return _in_order(mechanism, places[::-1], values[::-1])
 
 
-def _in_order(mechanism: Subject, places: tuple[str, ...], values: tuple[float, ...]) -> Subject:
+def _in_order(mechanism: _Subject, places: tuple[str, ...], values: tuple[float, ...]) -> _Subject:
     for place, value in zip(places, values, strict=True):
         mechanism = mechanism.with_value(place, value)
     return mechanism

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
@@ -20,6 +20,9 @@ from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.settling import orbit_from_rest
 from trimmer.runners.runner import Runner
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
 
 MOST_ORBITS = 600
 """Orbits after which a branch is left."""
@@ -66,7 +69,7 @@ class LineWork:
             mechanism = varied(self.subject, self.places, (start, second))
             if branches and _reaches(branches[0], mechanism):
                 continue
-            branch = follow(mechanism, self.places[0], start, stop, settings=settings)
+            branch = follow(cast("Mechanism", mechanism), self.places[0], start, stop, settings=settings)
             branches += [] if branch.reason is BranchEnd.NO_START else [branch]
         return Line(second, tuple(branches))
 

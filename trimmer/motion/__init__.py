@@ -15,7 +15,7 @@ def __getattr__(name: str) -> Any:
     """Return what stood here before loops had a room of their own, with a warning."""
     from trimmer import loops
 
-    if name.startswith("_") or name not in loops.__all__:
+    if name.startswith("_") or name not in dir(loops):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     told = f"trimmer.motion.{name} stands in trimmer.loops: from trimmer.loops import {name}"
     warn(told, DeprecationWarning, stacklevel=2)

@@ -1,7 +1,7 @@
 """The exact motion of a system from one instant on: period by period, for a time, or seen once a period.
 
-Times in a ``Course`` count from its start, in which whole periods of what forces the system follow each other.
-Between the rows of its log the motion is linear, so it is known at all times.
+Times in a ``Course`` count from its start, in which whole periods of the drive follow each other. Between the
+rows of its log the motion is linear, so it is known at all times.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ class Readout:
 
 
 def read(course: Course, readouts: Iterable[Readout], rows: Integers, states: Reals) -> Reals:
-    """Return what is read at states, (count, N), that lie in rows, (count,), of the log: (count, readouts)."""
+    """Return what is read at states, (count, N), in rows, (count,), of the log: (count, readouts)."""
     signals = [each.signal for each in readouts]
     if all(isinstance(each, Steady) for each in signals):
         steady = [each.row for each in signals if isinstance(each, Steady)]

@@ -140,7 +140,7 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
             if _settles(loop, turn, orbits):
                 return Ending.SETTLED
         steps -= stretch.steps
-        mode, state = _quiet_state(loop, log, stretch.end.phase)
+        mode, state = _quiet_state(loop, log, stretch.duration)
         events += events // 2
     return Ending.LEFT
 

@@ -71,7 +71,8 @@ class LinearMotion:
     def sizes(self) -> Reals:
         """Scale of each state, (n,): those of one kind share theirs."""
         terms = abs(self.mean) + abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
-        layout, sizes = self.flow.modes.system.layout, terms.copy()
+        layout = self.flow.modes.system.layout
+        sizes: Reals = terms.copy()
         moving = abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
         for kind in layout.kinds:
             sizes[kind] = (moving if kind in layout.rates else terms)[kind].max(initial=0.0)

@@ -232,7 +232,7 @@ class MechanismMotion(Tabular):
 
     @property
     def _size(self) -> int:
-        return self.course.modes.system.layout.size
+        return self.flow.modes.system.layout.size
 
     def _rows(self, name: str) -> tuple[Reals, Reals]:
         _require("body or pin", name, (*self.mechanism.bodies, *self.mechanism.pins, GROUND))

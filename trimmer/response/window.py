@@ -125,7 +125,7 @@ class Window:
 
     @cached_property
     def spectrum(self) -> tuple[Reals, Mapping[str, Reals]]:
-        """Frequencies, Hz, and power density of each output, its unit² per Hz, by Welch's method (Hann, half over)."""
+        """Frequencies, Hz, and power density of each output by Welch's method (Hann, half over)."""
         from scipy.signal import welch
 
         rate = SAMPLES / self.flow.period

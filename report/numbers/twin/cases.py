@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final, cast
 
 import numpy as np
 
@@ -13,10 +13,13 @@ from report.numbers.twin.mechanism import BLADE, BRIDGE, CUTTER, FREQUENCY, MOTO
 from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import Mechanism, MechanismMotion, MotionKind, OrbitNotFoundError, TrimmerParameters, respond
 from trimmer.arrays import Reals
-from trimmer.contact.flow import Course, ExactFlow
+from trimmer.motion.flow import Course
 from trimmer.motion.measures import Measures
 from trimmer.response.estimate import Estimate
 from trimmer.response.response import SettledMotion
+
+if TYPE_CHECKING:
+    from trimmer.contact.flow import ExactFlow
 
 SHOWN: Final = 3
 """Drive periods of the stretch."""
@@ -147,10 +150,11 @@ def followed(mechanism: Mechanism) -> Followed:
     motion = respond(mechanism, most_periods=MOST_WAITED).motion
     if motion.orbit is not None:
         count = motion.orbit.period_count
-        return Followed(motion, motion.orbit.flow, motion.orbit.course, count, count)
+        flow = cast("ExactFlow", motion.orbit.flow)
+        return Followed(motion, flow, motion.orbit.course, count, count)
     if motion.window is None:
         raise OrbitNotFoundError(motion.message)
-    flow = motion.window.flow
+    flow = cast("ExactFlow", motion.window.flow)
     return Followed(motion, flow, flow.course(motion.window.end, RECORD), RECORD, 0)
 
 
@@ -184,7 +188,7 @@ def twin_case(gap: float, force: float, frequency: float = FREQUENCY) -> TwinCas
         cutter=measures.rms_acceleration[CUTTER],
         impacts=contact.impacts,
         impact_speed=contact.impact_speed,
-        largest_force=contact.largest_force,
+        largest_force=contact.largest_force or 0.0,
         contact_share=contact.share,
         wear=measures.frictions[BLADE].power if BLADE in measures.frictions else 0.0,
         bridge=_bridge(found),

@@ -53,7 +53,7 @@ class Grid:
 def displaced(inputs: MapInputs, distance: float) -> MapInputs:
     """Return the inputs with the cutter beside rest at the start, m."""
     mechanism = replace(inputs.mechanism, start={CUTTER: (distance, 0.0)})
-    return replace(inputs, mechanism=mechanism)
+    return replace(inputs, subject=mechanism)
 
 
 GAPS: Final = (0.0, 500e-6, 51)

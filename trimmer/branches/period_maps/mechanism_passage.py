@@ -62,7 +62,7 @@ class MechanismPassage:
 
     @cached_property
     def sizes(self) -> Reals:
-        """Largest magnitude of each entry at events and at equal times, shape (n,), 0 for what is rounding."""
+        """Largest magnitude of each entry at events and equal times, shape (n,), 0 for what is rounding."""
         times = np.linspace(0.0, self.course.duration, 64)
         states = np.vstack([self.course.states(times), self.course.log.state])
         sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])

@@ -134,9 +134,10 @@ class ValueChange:
         for jump in jumps(modes, log, first, last):
             gradient, here = jump.function.row, jump.here
             mode, changed = self._changed(jump.function, (jump.before, int(log.mode[first - 1])))
-            later = 0.0
+            later: float = 0.0
             if jump.slope != 0.0:
-                later = -(gradient @ tangent + (changed.row - gradient) @ here / self.step) / jump.slope
+                missed = gradient @ tangent + (changed.row - gradient) @ here / self.step
+                later = -float(missed) / jump.slope
             if jump.reset is not None:
                 other = self.other.reset(mode, changed)
                 tangent = jump.reset @ tangent

@@ -103,16 +103,11 @@ def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int 
     # The rate of a displacement is the same in every mode.
     alike = isinstance(first.signal, Steady)
     modes = [flow.modes.number(flow.at(state).statuses) for state in (states[:1] if alike else states)]
-    rows = [(first.signal(mode), rate(flow.modes, first.signal)(mode)) for mode in modes]
-    points = [
-        row @ state
-        for row, state in zip(
-            np.broadcast_to(rows, (len(states), 2, extended.shape[1])), extended, strict=True
-        )
-    ]
+    rows = np.array([(first.signal(mode), rate(flow.modes, first.signal)(mode)) for mode in modes])
+    points = (rows @ extended[:, :, None])[:, :, 0]
     mark, size = ("osD^v"[number % 5], 4.0) if len(states) < 50 else (".", 1.5)
     look = {"color": line(number)["color"], "markersize": size, "linestyle": "none"}
-    axes.plot(*np.array(points).T, mark, label=label, **look)
+    axes.plot(*points.T, mark, label=label, **look)
     _name_plane(axes, name, first.unit)
 
 
