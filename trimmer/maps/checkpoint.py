@@ -34,8 +34,7 @@ _MAPS = Records(
     many="map",
     one="cell of a map",
     others={
-        "mechanism": "another mechanism",
-        "loop": "another loop",
+        "mechanism": "another mechanism or loop",
         "places": "other places to vary",
         "values": "other values",
         "settings": "other settings",

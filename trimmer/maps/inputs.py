@@ -81,7 +81,7 @@ class MapInputs:
         from trimmer import __version__
 
         content = {
-            **described(self.subject),
+            "mechanism": described(self.subject),
             "places": list(self.places),
             "values": [list(values) for values in self.values],
             "settings": asdict(self.settings),
@@ -90,13 +90,13 @@ class MapInputs:
         return {"trimmer map": FORMAT, "program": __version__, **content, "inputs": digest}
 
 
-def described(subject: Subject) -> dict[str, Any]:
-    """Return a mechanism or a loop as data that tell it from any other one."""
+def described(subject: Subject) -> Any:
+    """Return a mechanism as its file, or a loop as data that tell it from any other one."""
     if isinstance(subject, Mechanism):
-        return {"mechanism": subject.to_toml()}
+        return subject.to_toml()
     from trimmer.loops.description import loop_as_data
 
-    return {"loop": loop_as_data(subject)}
+    return loop_as_data(subject)
 
 
 def varied(mechanism: _Subject, places: tuple[str, ...], values: tuple[float, ...]) -> _Subject:

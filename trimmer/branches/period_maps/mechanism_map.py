@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING, cast
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
@@ -13,6 +14,9 @@ from trimmer.motion.flow import Course, Flow
 from trimmer.motion.part import mirrored
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
 
 DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""
@@ -67,6 +71,11 @@ class MechanismMap:
     def size(self) -> int:
         """Number of states."""
         return flow_of(self.subject).size
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism, if it is one that moves."""
+        return cast("Mechanism", self.subject)
 
     @cached_property
     def is_mirror_symmetric(self) -> bool:
