@@ -21,7 +21,7 @@ from trimmer.mechanism.place_text import parse_place
 from trimmer.messages import listed
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
-from trimmer.response.orbit import NEUTRAL, MechanismOrbit
+from trimmer.response.orbit import NEUTRAL, Orbit
 from trimmer.response.self_excited import orbit_by_itself
 from trimmer.response.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
@@ -165,7 +165,7 @@ def _self_excited(
     return _followed(continuation(doubled, first, begin, end, settings), map)
 
 
-def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) -> MechanismOrbit | None:
+def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) -> Orbit | None:
     """Return what a mechanism settles to, or an orbit of a given number of periods, stable or not."""
     if periods is None:
         return orbit_from_rest(mechanism, most_periods)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
     from trimmer.motion.flow import Course, Flow
     from trimmer.response.estimate import Estimate
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.response.response import SettledMotion
 
 POINTS = 1200
@@ -159,7 +159,7 @@ def of_settled(settled: SettledMotion) -> FoundMotion | None:
     return _made(flow, course, settled, None, WINDOW)
 
 
-def of_orbit(orbit: MechanismOrbit, settled: SettledMotion | None = None) -> FoundMotion:
+def of_orbit(orbit: Orbit, settled: SettledMotion | None = None) -> FoundMotion:
     """Return an orbit with its measures; without starts, if no settled motion is given with it."""
     return _made(orbit.flow, orbit.course, settled, orbit, orbit.periods or 1)
 
@@ -168,7 +168,7 @@ def _made(
     flow: Flow,
     course: Course,
     settled: SettledMotion | None,
-    orbit: MechanismOrbit | None,
+    orbit: Orbit | None,
     periods: int,
 ) -> FoundMotion:
     measures = Measures(course, flow, max(orbit.period_count, 1) if orbit else 1, periods)
@@ -196,7 +196,7 @@ def _made(
 
 
 def _hand_arm(
-    course: Course, orbit: MechanismOrbit | None, rms: Mapping[str, float], periods: int
+    course: Course, orbit: Orbit | None, rms: Mapping[str, float], periods: int
 ) -> Mapping[str, HandArm]:
     if orbit is not None:
         return hand_arm_of_orbit(course, 2 * np.pi / course.duration, rms)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from trimmer.design.varied_places import Varied
     from trimmer.maps.cells import CellMotion
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.runners.runner import Runner
 
 REACH = 0.3
@@ -163,7 +163,7 @@ def _new(mechanism: Mechanism, motions: tuple[CellMotion, ...], known: Motions) 
             yield of_orbit(orbit)
 
 
-def _orbit(mechanism: Mechanism, periods: int, state: Reals) -> MechanismOrbit | None:
+def _orbit(mechanism: Mechanism, periods: int, state: Reals) -> Orbit | None:
     """Return the orbit at a state, (n,), over so many drive periods; None if there is none."""
     try:
         orbit = exact_orbit(mechanism, periods, state)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from trimmer.design.found_motion import FoundMotion
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 STEP = 1e-3
 """Change of a number, relative."""
@@ -161,5 +161,5 @@ def _measures(
     return {each: _of(orbit, each) for each in asked} if orbit.success else None
 
 
-def _of(orbit: MechanismOrbit, asked: Asked) -> float:
+def _of(orbit: Orbit, asked: Asked) -> float:
     return measured(orbit.measures, asked, orbit.period_count)

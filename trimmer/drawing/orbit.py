@@ -11,7 +11,7 @@ from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis, with_prefix
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Sequence
 
     from matplotlib.axes import Axes
 
@@ -27,7 +27,7 @@ def draw_orbit(orbit: PeriodicOrbit, ax: Axes | None = None) -> Axes:
     return draw_orbits([orbit], ax)
 
 
-def draw_orbits(orbits: Iterable[PeriodicOrbit], ax: Axes | None = None) -> Axes:
+def draw_orbits(orbits: Sequence[PeriodicOrbit], ax: Axes | None = None) -> Axes:
     """Draw orbits, stable ones solid and others dashed, with dots where a mode changes."""
     axes = axes_for(ax)
     for number, orbit in enumerate(orbits):
@@ -37,8 +37,9 @@ def draw_orbits(orbits: Iterable[PeriodicOrbit], ax: Axes | None = None) -> Axes
         axes.plot(*in_plane(orbit, times), color=colour(number), linestyle=dashes, label=_words(orbit))
         where = in_plane(orbit, events[events <= orbit.period])
         axes.plot(*where, "o", color=BLACK, markersize=3.0, linestyle="none", label="change of mode")
-    name_axis(axes.xaxis, "input of the element", "m")
-    name_axis(axes.yaxis, "its rate", "m/s")
+    unit = next(iter(orbits)).unit if orbits else ""
+    name_axis(axes.xaxis, "input of the element", unit)
+    name_axis(axes.yaxis, "its rate", f"{unit or 1}/s")
     axes.grid(alpha=0.3)
     add_legend(axes)
     return axes
@@ -52,4 +53,4 @@ def in_plane(orbit: PeriodicOrbit, times: Reals) -> Reals:
 
 
 def _words(orbit: PeriodicOrbit) -> str:
-    return f"{orbit.steadiness}: {orbit.frequency:.5g} Hz,\nA = {with_prefix(orbit.amplitude, 'm')}"
+    return f"{orbit.steadiness}: {orbit.frequency:.5g} Hz,\nA = {with_prefix(orbit.amplitude, orbit.unit)}"

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.hybrid.advance import Instant
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 SETTLED_WITHIN = 400
 """Drive periods in which a motion has to settle from its start."""
@@ -43,7 +43,7 @@ class ModelMotion:
     """
 
     coordinates: Reals
-    orbit: MechanismOrbit
+    orbit: Orbit
     lines: Complexes
 
 
@@ -123,7 +123,7 @@ class Model:
             return None
         return ModelMotion(coordinates, orbit, self._lines(orbit))
 
-    def _lines(self, orbit: MechanismOrbit) -> Complexes:
+    def _lines(self, orbit: Orbit) -> Complexes:
         course = orbit.course
         nodes = course.nodes
         signals = read(course, [orbit.flow.outputs[each] for each in self.outputs], nodes.rows, nodes.states)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from trimmer.fitting.search import Searched
     from trimmer.fitting.weak import WeakDirection
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Fit(Tabular):
     measured: MeasuredLines
     simulated: Complexes
     shift: float
-    orbit: MechanismOrbit
+    orbit: Orbit
     searched: Searched
     judgement: Judgement
     weak: tuple[WeakDirection, ...]

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
     from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 FIRST_SCALE = 2.0
 """How far random starts of a loop go, in what its states reach from rest."""
@@ -206,7 +206,7 @@ def _described(flow: Flow, settled: Settled) -> CellMotion:
     )
 
 
-def _repeating(flow: Flow, kind: MotionKind, orbit: MechanismOrbit, periods: int) -> CellMotion:
+def _repeating(flow: Flow, kind: MotionKind, orbit: Orbit, periods: int) -> CellMotion:
     rests = kind is MotionKind.REST
     return CellMotion(
         kind,

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Flow
     from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 FIRST_LOOK = 24
 """Drive periods after which a motion is first looked at; later looks are half as long again apart."""
@@ -77,7 +77,7 @@ class Settled:
     kind: MotionKind
     periods: int
     end: Instant
-    orbit: MechanismOrbit | None = None
+    orbit: Orbit | None = None
     lyapunov: float | None = None
     ending: Ending = Ending.REACHED_END
     linear: LinearMotion | None = None
@@ -127,7 +127,7 @@ class _Following:
     flow: Flow
     instant: Instant
     states: Reals
-    known: list[MechanismOrbit]
+    known: list[Orbit]
     tried: float = RETURNING / PROGRESS
 
     def on(self, periods: int) -> Settled | None:
@@ -158,7 +158,7 @@ class _Following:
         lyapunov = 0.0 if found.orbit is None else None
         return Settled(found.kind, done, end, found.orbit, lyapunov, linear=found.motion)
 
-    def _solve(self) -> MechanismOrbit | None:
+    def _solve(self) -> Orbit | None:
         """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on."""
         count, difference = _recurrence(self.states)
         if difference >= PROGRESS * self.tried:
@@ -172,13 +172,13 @@ class _Following:
         return None
 
 
-def on_orbit(orbit: MechanismOrbit, periods: int) -> Settled:
+def on_orbit(orbit: Orbit, periods: int) -> Settled:
     """Return a motion that has settled to an orbit after some drive periods: one that repeats, or rests."""
     kind = MotionKind.PERIODIC if rest_of(orbit) is None else MotionKind.REST
     return Settled(kind, periods, orbit.instant, orbit)
 
 
-def orbit_near(flow: Flow, instant: Instant, periods: int) -> MechanismOrbit | None:
+def orbit_near(flow: Flow, instant: Instant, periods: int) -> Orbit | None:
     """Return the orbit near an instant that closes after some drive periods, over as few as it needs."""
     while True:
         shot = solve(Return(flow, periods), flow.at(instant.state, like=instant), patience=PATIENCE)

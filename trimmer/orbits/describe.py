@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.variation import propagator
 from trimmer.hybrid.work import Log
-from trimmer.loops.motion import Motion, Outcome
-from trimmer.orbits.measures import extremes
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.orbits.return_map import arcs, follow
+from trimmer.loops.flow import LoopFlow
+from trimmer.motion.flow import Course
+from trimmer.orbits.periodic_orbit import NEUTRAL, PeriodicOrbit
+from trimmer.orbits.return_map import follow
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -39,21 +42,27 @@ def orbit_of(
         begin: Mode and extended state on the orbit at which its motion begins; those of the solution if not
             given.
     """
-    modes = loop.modes
-    chain = arcs(modes, shot.log, shot.span)
-    lowest, highest = extremes(modes, chain)
-    if problem.mirrored:
-        lowest, highest = min(lowest, -highest), max(highest, -lowest)
+    modes, flow = loop.modes, LoopFlow(loop)
     period = 2.0 * shot.span if problem.mirrored else shot.span
     log = follow(modes, *(begin or (shot.mode, shot.state)), period)
     assert log is not None, "half of it was followed before"
+    log, count = _with_one_seam(log, period), modes.system.layout.state_count
+    multipliers = _multipliers(problem, shot)
+    first = flow.at(log.state[0][:count])
+    start = replace(first, statuses=modes[int(log.mode[0])].statuses)
+    last = propagator(modes, int(log.mode[-1]), period - float(log.start[-1])) @ log.state[-1]
+    end = replace(start, state=last[:count], statuses=modes[int(log.mode[-1])].statuses)
+    course = Course(modes, start, end, Ending.REACHED_END, period, log)
+    driven = int(problem.driven)
     return PeriodicOrbit(
-        period=period,
-        amplitude=0.5 * (highest - lowest),
-        multipliers=_multipliers(problem, shot),
-        driven=problem.driven,
+        flow=flow,
+        periods=driven,
+        period_count=1,
+        course=replace(course, end=replace(end, periods=driven)),
+        sizes=problem.sizes[:count],
+        multipliers=multipliers,
         residual=shot.miss,
-        motion=Motion(loop, period, Outcome.COMPLETED, _with_one_seam(log, period)),
+        margins=np.full(len(multipliers), NEUTRAL),
         prediction=prediction,
     )
 

@@ -1,26 +1,19 @@
-"""Stroke, harmonics and impacts of a periodic motion, from the exact motion itself."""
+"""The impacts of a periodic motion of a loop, with the speeds at which pin and load meet."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
 import numpy as np
 
+from trimmer.hybrid.variation import propagator
 from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
-from trimmer.orbits.measures import HARMONICS, extremes_of
-from trimmer.orbits.return_map import arcs, flow
 from trimmer.showing.shown import Record
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.loops.mode import LoopMode
     from trimmer.loops.motion import Motion
-
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(48)
-"""Gauss-Legendre quadrature of a step; in one the fastest mode turns by about 2 rad, a harmonic by 30."""
 
 
 @final
@@ -41,32 +34,6 @@ class ImpactEvent(Record):
     speed: float
 
 
-def stroke(motion: Motion, row: Callable[[LoopMode], Reals]) -> float:
-    """Return the largest value less the smallest one of a signal over a motion, in its unit."""
-    modes = motion.loop.modes
-    lowest, highest = extremes_of(modes, arcs(modes, motion.log, motion.duration), row)
-    return highest - lowest
-
-
-def harmonics_by_quadrature(motion: Motion, row: Callable[[LoopMode], Reals]) -> Complexes:
-    """Return the complex amplitudes c_n, n = 1 to HARMONICS, of a signal over a period.
-
-    The signal is Im Σ c_n exp(j n omega t) + constant, with t = 0 at the start of the motion. Unlike the
-    closed form of ``trimmer.orbits.measures`` it also holds under a drive, which turns with omega itself.
-
-    Args:
-        motion: A motion over one period.
-        row: Gives the row of the signal in a mode.
-    """
-    turning = -2j * np.pi / motion.duration * np.arange(1, HARMONICS + 1)
-    totals = np.zeros(HARMONICS, dtype=complex)
-    for times, weights in _pieces(motion):
-        (values,) = motion.values(times, lambda mode: row(mode)[None])
-        totals += np.exp(np.multiply.outer(turning, times)) @ (weights * values)
-    amplitudes: Complexes = 2j * totals / motion.duration
-    return amplitudes
-
-
 def impacts(motion: Motion) -> Iterator[ImpactEvent]:
     """Yield the impacts of a periodic motion over its period, in order of time.
 
@@ -79,7 +46,7 @@ def impacts(motion: Motion) -> Iterator[ImpactEvent]:
         before, state = int(log.mode[segment]), log.state[segment]
         elapsed = end - float(log.start[segment])
         if elapsed > 0:
-            state = flow(modes, before, elapsed) @ state
+            state = propagator(modes, before, elapsed) @ state
         changes = zip(modes[before].statuses, modes[after].statuses, strict=True)
         for place, (left, entered) in enumerate(changes):
             component = modes.system.interconnection.components[place]
@@ -94,16 +61,3 @@ def impacts(motion: Motion) -> Iterator[ImpactEvent]:
 
 def _is_impact(left: int, entered: int) -> bool:
     return left not in (UPPER, LOWER) and entered in (UPPER, LOWER)
-
-
-def _pieces(motion: Motion) -> Iterator[tuple[Reals, Reals]]:
-    """Yield times and weights that integrate over a motion, arc by arc."""
-    begin = 0.0
-    modes = motion.loop.modes
-    for arc in arcs(modes, motion.log, motion.duration):
-        steps = math.ceil(arc.duration / float(modes.tables.step[arc.mode]))
-        width = arc.duration / steps
-        lows = begin + width * np.arange(steps)
-        times = (lows[:, None] + 0.5 * width * (1.0 + NODES)).ravel()
-        yield np.minimum(times, motion.duration), np.tile(0.5 * width * WEIGHTS, steps)
-        begin += arc.duration

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from trimmer.displacement import Displacement
+from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
-from trimmer.orbits.edge import TOLD, one_sided
-from trimmer.orbits.measures import harmonics
-from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
-from trimmer.orbits.return_map import arcs
-from trimmer.orbits.shooting import CLOSED
-from trimmer.showing.shown import Tabular
+from trimmer.loops.motion import Motion, Outcome
+from trimmer.motion.extremes import extremes
+from trimmer.motion.fourier import fourier
+from trimmer.motion.signals import Steady, along
+from trimmer.orbits.orbit_measures import ImpactEvent, impacts
+from trimmer.response.orbit import Orbit
 from trimmer.showing.table import Table, arrays, attributes
 
 if TYPE_CHECKING:
@@ -22,17 +24,17 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.displacement import Displacement
-    from trimmer.loops.loops import Drive
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.loops import Drive, Loop
+    from trimmer.motion.signals import Signal
 
 
 NEUTRAL = 1e-6
 """Distance from 1 that rounding can give a multiplier; a double one is exact to the root of rounding."""
 
 
+HARMONICS = 15
+"""Number of harmonics that an orbit of a loop gives."""
 ORBIT_COLUMNS = attributes(
-    amplitude="m",
     period="s",
     frequency="Hz",
     stable="",
@@ -43,30 +45,83 @@ ORBIT_COLUMNS = attributes(
 )
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class PeriodicOrbit(Tabular):
-    """A periodic solution of a closed or driven loop, exact to rounding.
+@dataclass(frozen=True, eq=False)
+class Given:
+    """A loop as it was given, where its orbits are computed in other states, in which less is lost.
 
     Attributes:
-        period: Period, s.
-        amplitude: Half of peak to peak of the nonlinear element's input, m.
-        multipliers: Floquet multipliers by falling modulus: one for each state of the linear system, one for
-            the position of each load and, if it keeps its velocity for a while, one for that. Those of a load
-            are zero if it is in contact once in a period. Without drive one multiplier is 1: it belongs to a
-            shift along the orbit.
-        driven: Whether a drive sets the period.
-        residual: Largest miss of the state after one return, each entry relative to its size.
-        motion: The motion over one period; its events are the switching times.
-        prediction: The limit cycle of harmonic balance it was found from, if any.
+        loop: The loop.
+        states: Matrix T of its states T z of the linear system, n x n, with the other states z.
     """
 
-    period: float
-    amplitude: float
-    multipliers: Complexes
-    driven: bool
-    residual: float
-    motion: Motion
-    prediction: LimitCycle | None
+    loop: Loop
+    states: Reals
+
+    def motion(self, orbit: Orbit) -> Motion:
+        """Return the motion of an orbit in the states that were given."""
+        course, order = orbit.course, len(self.states)
+        log = renumbered(course.log, course.modes, self.loop.modes)
+        states = np.hstack([log.state[:, :order] @ self.states.T, log.state[:, order:]])
+        return Motion(self.loop, course.duration, Outcome.COMPLETED, log._replace(state=states))
+
+    def row(self, row: Reals) -> Reals:
+        """Return a functional of the given extended state, (N,), as one of that with the other states."""
+        order = len(self.states)
+        return np.concatenate([row[:order] @ self.states, row[order:]])
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PeriodicOrbit(Orbit):
+    """An orbit of a loop, exact to rounding.
+
+    Its multipliers are one for each state of the linear system, one for the position of each load and, if it
+    keeps its velocity for a while, one for that. Those of a load are zero if it is in contact once in a
+    period. Without drive one multiplier is 1: it belongs to a shift along the orbit.
+
+    Attributes:
+        prediction: The limit cycle of harmonic balance it was found from, if any.
+        given: The loop as it was given, if the orbit is that of the same loop in other states.
+    """
+
+    prediction: LimitCycle | None = None
+    given: Given | None = None
+
+    @property
+    def loop(self) -> Loop:
+        """The loop."""
+        return self._computed if self.given is None else self.given.loop
+
+    @property
+    def _computed(self) -> Loop:
+        return cast("Loop", self.flow.subject)
+
+    @property
+    def subject(self) -> Loop:
+        """What moves: the loop."""
+        return self.loop
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion over one period, in the states of the loop; its events are the switching times."""
+        if self.given is not None:
+            return self.given.motion(self)
+        return Motion(self.loop, self.period, Outcome.COMPLETED, self.course.log)
+
+    @cached_property
+    def amplitude(self) -> float:
+        """Half of peak to peak of the nonlinear element's input, in its unit."""
+        lowest, highest = extremes(self.course, self.flow.outputs["element_input"].signal)
+        return 0.5 * (highest - lowest)
+
+    @property
+    def unit(self) -> str:
+        """Unit of the element's input, empty where it is not known."""
+        return self.loop.length
+
+    @property
+    def driven(self) -> bool:
+        """Whether a drive sets the period."""
+        return bool(self.periods)
 
     @property
     def frequency(self) -> float:
@@ -84,29 +139,7 @@ class PeriodicOrbit(Tabular):
 
         e = Im Σ harmonics[n-1] exp(j n omega t), with t counted from the start of ``motion``.
         """
-        if self.driven:  # The closed form has no answer there: the drive turns with omega itself.
-            return self.harmonics_of(LoopSignal.ELEMENT_INPUT)
-        return harmonics(self.motion.loop.modes, arcs(self.motion.loop.modes, self.motion.log, self.period))
-
-    @property
-    def nontrivial_multipliers(self) -> Complexes:
-        """The multipliers without the one that belongs to a shift along the orbit."""
-        if self.driven:
-            return self.multipliers
-        return np.delete(self.multipliers, int(np.argmin(abs(self.multipliers - 1.0))))
-
-    @property
-    def stable(self) -> bool:
-        """Whether neighbouring motions approach it: all multipliers but the trivial one have |z| < 1.
-
-        A multiplier that is 1 to rounding neither grows nor decays; with one the answer is False.
-        """
-        return bool((abs(self.nontrivial_multipliers) < 1.0 - NEUTRAL).all())
-
-    @property
-    def neutral(self) -> bool:
-        """Whether neighbouring motions neither leave it nor all approach it, to rounding."""
-        return not self.stable and self.largest_multiplier <= 1.0 + NEUTRAL
+        return self.harmonics_of(LoopSignal.ELEMENT_INPUT)
 
     @property
     def has_neighbours(self) -> bool:
@@ -123,22 +156,10 @@ class PeriodicOrbit(Tabular):
         """Largest modulus of the multipliers but the trivial one: what one period leaves of a disturbance."""
         return float(abs(self.nontrivial_multipliers).max(initial=0.0))
 
-    @cached_property
-    def one_sided(self) -> bool:
-        """Whether its multipliers hold for disturbances to one side only, as where events coincide."""
-        return self.success and one_sided(self.motion)
-
-    @property
-    def success(self) -> bool:
-        """Whether the state returns to rounding, as that of every orbit does that a search gives."""
-        return self.residual <= CLOSED
-
     @property
     def message(self) -> str:
         """What came out, in words."""
-        returns = f"returns after {self.period:.6g} s" if self.success else "does not return"
-        told = f"the state {returns}, with a miss of {self.residual:.1e} of its size; {self.steadiness}"
-        return f"{told}; {TOLD}" if self.one_sided else told
+        return self.sentence if self.edge is None else f"{self.sentence}; {self.edge.told}"
 
     @property
     def switching_times(self) -> Reals:
@@ -162,7 +183,7 @@ class PeriodicOrbit(Tabular):
     @property
     def drive(self) -> Drive | None:
         """The drive, with its amplitude in m; None without one."""
-        return self.motion.loop.modes.system.interconnection.drive
+        return self.loop.modes.system.interconnection.drive
 
     def stroke_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
         """Return peak to peak of a signal, in its unit, such as m.
@@ -174,7 +195,8 @@ class PeriodicOrbit(Tabular):
             UnsupportedMotionError: for a displacement, if the loop's linear system has not the states of a
                 trimmer.
         """
-        return stroke(self.motion, row_in_modes(self.motion.loop, signal))
+        lowest, highest = extremes(self.course, self._row(signal))
+        return highest - lowest
 
     def harmonics_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> Complexes:
         """Return the complex amplitudes of a signal at 1, 2, 3 ... times the frequency, shape (15,).
@@ -182,7 +204,16 @@ class PeriodicOrbit(Tabular):
         The signal is Im Σ c_n exp(j n omega t) + constant, with t counted from the start of ``motion``.
         Argument and errors are those of ``stroke_of``.
         """
-        return harmonics_by_quadrature(self.motion, row_in_modes(self.motion.loop, signal))
+        nodes, row = self.course.nodes, self._row(signal)
+        values = along(self.course, row, nodes.rows, nodes.states)
+        return np.asarray(1j * fourier(self.course, values[:, None], self.omega, HARMONICS)[:, 0])
+
+    def _row(self, signal: LoopSignal | Displacement) -> Signal:
+        if self.given is not None and isinstance(signal, Displacement):
+            given, mode = self.given, self.motion.loop.modes[int(self.motion.log.mode[0])]
+            return Steady(given.row(row_in_modes(given.loop, signal)(mode)))
+        row, modes = row_in_modes(self._computed, signal), self._computed.modes
+        return lambda mode: row(modes[mode])
 
     def phase_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
         """Return by how much the first harmonic of a signal leads the drive, rad, in (-pi, pi].
@@ -221,14 +252,15 @@ class PeriodicOrbit(Tabular):
         return draw_orbit(self, ax)
 
     def _told(self) -> str:
-        return f"amplitude {self.amplitude:.6g} m, {self.frequency:.6g} Hz, {self.steadiness}"
+        unit = f" {self.unit}" if self.unit else ""
+        return f"amplitude {self.amplitude:.6g}{unit}, {self.frequency:.6g} Hz, {self.steadiness}"
 
     def _table(self) -> Table:
         orders = np.arange(1, len(self.harmonics) + 1)
         columns = arrays(
             order=("", orders),
             frequency=("Hz", self.frequency * orders),
-            amplitude=("m", np.abs(self.harmonics)),
+            amplitude=(self.unit, np.abs(self.harmonics)),
             phase=("rad", np.angle(self.harmonics)),
         )
         return Table("Harmonics of the element's input", range(len(orders)), columns)

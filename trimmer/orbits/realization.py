@@ -16,8 +16,8 @@ import control
 import numpy as np
 import scipy.linalg
 
-from trimmer.loops.integration import renumbered
 from trimmer.loops.loops import ClosedLoop, Loop, OpenLoop
+from trimmer.orbits.periodic_orbit import Given
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -55,11 +55,7 @@ class Restated(Generic[LoopT]):
         """Return an orbit of the loop in the states that were given."""
         if self.states is None:
             return orbit
-        order = len(self.states)
-        log = renumbered(orbit.motion.log, orbit.motion.loop.modes, self.given.modes)
-        states = np.hstack([log.state[:, :order] @ self.states.T, log.state[:, order:]])
-        motion = replace(orbit.motion, loop=self.given, log=log._replace(state=states))
-        return replace(orbit, motion=motion)
+        return replace(orbit, given=Given(self.given, self.states))
 
 
 def restated(loop: LoopT) -> Restated[LoopT]:

@@ -11,7 +11,7 @@ from trimmer.arguments import real_values, whole_number
 from trimmer.choices import Choice
 from trimmer.orbits.periodic_orbit import ORBIT_COLUMNS, PeriodicOrbit
 from trimmer.showing.shown import Tabular
-from trimmer.showing.table import Table
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -268,7 +268,8 @@ class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
         return "; ".join([found, *self._continua, *(self.search.doubts or ["the search went to its end"])])
 
     def _table(self) -> Table:
-        return Table("Periodic orbits", self.orbits, ORBIT_COLUMNS)
+        amplitude = attributes(amplitude=self.orbits[0].unit if self.orbits else "")
+        return Table("Periodic orbits", self.orbits, (*amplitude, *ORBIT_COLUMNS))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Sequence) and list(self) == list(other)

@@ -29,7 +29,7 @@ class Edge:
     """What is known of the other side of an orbit that rests on an edge.
 
     Attributes:
-        other_multipliers: Multipliers of the side that ``MechanismOrbit.multipliers`` are not of, largest
+        other_multipliers: Multipliers of the side that ``Orbit.multipliers`` are not of, largest
             modulus first, (n,); None where these are of neither side.
     """
 

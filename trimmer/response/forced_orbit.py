@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.response.starts import Start
 
 SETTLING = (8, 64, 512)
@@ -27,10 +27,10 @@ def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit: ...
 @overload
 def forced_orbit(
     loop: Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
-) -> MechanismOrbit: ...
+) -> Orbit: ...
 def forced_orbit(
     loop: Loop | Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
-) -> PeriodicOrbit | MechanismOrbit:
+) -> PeriodicOrbit | Orbit:
     """Find a motion that repeats with the drive.
 
     Of a loop it is the motion with the period of the drive, found from rest. Of a mechanism it is an exact
@@ -65,7 +65,7 @@ def forced_orbit(
 
 def exact_orbit(
     subject: Subject, periods: int = 1, guess: Start = None, settling: int | None = None
-) -> MechanismOrbit:
+) -> Orbit:
     """Find an exact periodic motion of a mechanism or a loop; see ``forced_orbit``."""
     from trimmer.response.self_excited import orbit_by_itself, self_excited_orbit
     from trimmer.response.starts import instant_of
@@ -85,14 +85,14 @@ def exact_orbit(
     return _with_edge(_driven(flow, periods, guess, settling))
 
 
-def _with_edge(orbit: MechanismOrbit) -> MechanismOrbit:
+def _with_edge(orbit: Orbit) -> Orbit:
     """Return an orbit whose message says what is known where it rests on an edge."""
     if orbit.edge is None:
         return orbit
-    return replace(orbit, message=f"{orbit.message}; {orbit.edge.told}")
+    return replace(orbit, about=f"{orbit.about}; {orbit.edge.told}" if orbit.about else orbit.edge.told)
 
 
-def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> MechanismOrbit:
+def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orbit:
     from trimmer.errors import OrbitNotFoundError
     from trimmer.hybrid.advance import Ending
     from trimmer.response.orbit import orbit_of

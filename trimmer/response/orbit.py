@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.one_orbit import SAME
 from trimmer.response.multipliers import multipliers_of, with_place
 from trimmer.response.shooting import CLOSED, Shot
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Integers, Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.flow import Course, Flow
     from trimmer.motion.measures import Measures
     from trimmer.motion.subject import Subject
@@ -36,22 +36,21 @@ RETURNS = 64
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MechanismOrbit(Tabular):
+class Orbit(Tabular):
     """A motion that repeats, or repeats up to an advance along which no force changes.
 
     Attributes:
-        flow: The motion of the mechanism, in the frame that advances evenly with the motion, if it does.
+        flow: What moves, in the frame that advances evenly with the motion, if it does.
         periods: Number of drive periods after which it was to return; 0 without a drive.
         period_count: The smallest number of drive periods after which it returns, a divisor of ``periods``;
             1 without a drive.
         course: The motion over ``periods``.
-        sizes: Scale of each state, m, m/s and m, (n,).
+        sizes: Scale of each state, (n,).
         multipliers: Floquet multipliers over ``periods``, largest modulus first, (n,). Zeros where stick or
             contact takes a dimension away. Without a drive one of them is 1, and so is one for each
             direction in which bodies may be shifted without a change of any force.
         residual: Largest distance between end and start as a share of the sizes.
-        success: Whether it returns.
-        message: What was found, in a sentence.
+        about: What else is to be said if it was found.
         margins: Rounding of each multiplier, (n,): its condition times that of the derivative of the return,
             in which what is left of the residual counts too, and what the place of the orbit adds where a
             multiplier near 1 leaves it open. Empty for none.
@@ -64,8 +63,7 @@ class MechanismOrbit(Tabular):
     sizes: Reals
     multipliers: Complexes
     residual: float
-    success: bool
-    message: str
+    about: str = ""
     margins: Reals = field(default_factory=lambda: np.zeros(0))
 
     @property
@@ -74,14 +72,35 @@ class MechanismOrbit(Tabular):
         return self.flow.subject
 
     @property
-    def mechanism(self) -> Mechanism:
-        """The mechanism.
+    def success(self) -> bool:
+        """Whether it returns."""
+        return self.residual <= CLOSED
 
-        Raises:
-            AttributeError: if it is a loop that moves.
-        """
-        mechanism: Mechanism = self.flow.mechanism  # type: ignore[attr-defined]
-        return mechanism
+    @property
+    def message(self) -> str:
+        """What was found, in a sentence without a full stop."""
+        return self.sentence
+
+    @cached_property
+    def sentence(self) -> str:
+        """What was found, without what is known of an edge."""
+        if not self.success:
+            time = f"{self.periods} drive periods" if self.periods else f"{self.period:.6g} s"
+            return (
+                f"no motion that returns after {time} was found; the closest misses by "
+                f"{self.residual:.1e} of its size. Begin elsewhere, or with another number of periods"
+            )
+        kind = "a stable" if self.stable else "a neutral" if self.neutral else "an unstable"
+        if not self.periods:
+            told = f"{kind} motion that repeats after {self.period:.9g} s"
+        elif self.period_count < self.periods:
+            count = _periods(self.period_count)
+            told = f"{kind} motion that repeats after {count} already, not {self.periods}"
+        else:
+            told = f"{kind} motion that repeats after {_periods(self.periods)}"
+        if self.advances:
+            told += ", up to an advance"
+        return f"{told}; {self.about}" if self.about else told
 
     @property
     def instant(self) -> Instant:
@@ -226,11 +245,21 @@ class MechanismOrbit(Tabular):
         return Table("Harmonics of the outputs", range(len(orders)), columns)
 
 
-def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> MechanismOrbit:
+@dataclass(frozen=True, eq=False, repr=False)
+class MechanismOrbit(Orbit):
+    """An orbit of a mechanism."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        return cast("Mechanism", self.flow.subject)
+
+
+def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> Orbit:
     """Return the orbit that a solved return gives; one that misses is marked as not found.
 
     Args:
-        flow: The motion of the mechanism.
+        flow: What moves.
         shot: The motion.
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
@@ -242,10 +271,17 @@ def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> Mechanism
     multipliers, margins = with_shifts(flow, multipliers, margins)
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
     seen, course = flow.travelling(shot.course) if success else (flow, shot.course)
-    orbit = MechanismOrbit(
-        seen, periods, count, course, shot.sizes, multipliers, shot.miss, success, "", margins
-    )
-    return _told(orbit, about)
+    kind = _kind_of(flow)
+    return kind(seen, periods, count, course, shot.sizes, multipliers, shot.miss, about, margins)
+
+
+def _kind_of(flow: Flow) -> type[Orbit]:
+    """Return what an orbit of a mechanism or of a loop is, with what can be asked of that alone."""
+    if isinstance(flow.subject, Mechanism):
+        return MechanismOrbit
+    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+
+    return PeriodicOrbit
 
 
 def with_shifts(flow: Flow, multipliers: Complexes, margins: Reals) -> tuple[Complexes, Reals]:
@@ -255,7 +291,7 @@ def with_shifts(flow: Flow, multipliers: Complexes, margins: Reals) -> tuple[Com
     motions are computed, nothing is left of it.
 
     Args:
-        flow: The motion of the mechanism.
+        flow: What moves.
         multipliers: Of that frame, by falling modulus, (n,).
         margins: Their rounding, (n,).
     """
@@ -265,26 +301,6 @@ def with_shifts(flow: Flow, multipliers: Complexes, margins: Reals) -> tuple[Com
     known = np.append(margins[: -flow.shifts], np.zeros(flow.shifts))
     order = np.argsort(-abs(found), kind="stable")
     return found[order], known[order]
-
-
-def _told(orbit: MechanismOrbit, about: str) -> MechanismOrbit:
-    if not orbit.success:
-        time = f"{orbit.periods} drive periods" if orbit.periods else f"{orbit.period:.6g} s"
-        return replace(
-            orbit,
-            message=f"no motion that returns after {time} was found; the closest misses by "
-            f"{orbit.residual:.1e} of its size. Begin elsewhere, or with another number of periods",
-        )
-    kind = "a stable" if orbit.stable else "a neutral" if orbit.neutral else "an unstable"
-    if not orbit.periods:
-        told = f"{kind} motion that repeats after {orbit.period:.9g} s"
-    elif orbit.period_count < orbit.periods:
-        told = f"{kind} motion that repeats after {_periods(orbit.period_count)} already, not {orbit.periods}"
-    else:
-        told = f"{kind} motion that repeats after {_periods(orbit.periods)}"
-    if orbit.advances:
-        told += ", up to an advance"
-    return replace(orbit, message=f"{told}; {about}" if about else told)
 
 
 def _periods(count: int) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 NEAR = 0.1
 """Distance of two states, as a share of their sizes, at which a motion may be about to repeat."""
@@ -56,7 +56,7 @@ def has_returned(states: Reals, sizes: Reals, periods: int) -> bool:
     return bool((abs((last - last[0]) / sizes) < RETURNED).all())
 
 
-def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:
+def settles_to(orbit: Orbit, states: Reals) -> bool:
     """Return whether a motion comes closer to a stable orbit as its multipliers say.
 
     The last two returns are compared with the derivative of the return. Small distances may grow at first;
@@ -86,7 +86,7 @@ def settles_to(orbit: MechanismOrbit, states: Reals) -> bool:
     )
 
 
-def approach(orbit: MechanismOrbit, states: Reals) -> float | None:
+def approach(orbit: Orbit, states: Reals) -> float | None:
     """Return how fast a motion comes nearer to a stable orbit, though it may still be far from it.
 
     The distance is measured in the eigenvectors of the return, in which it falls at once close to the orbit.

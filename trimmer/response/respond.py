@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from trimmer.loops.loops import Loop
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.flow import Flow
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.response.rest import Rest
     from trimmer.response.self_excited import SelfExcited
     from trimmer.response.starts import Start
@@ -103,7 +103,7 @@ class _Search:
 
     flow: Flow
     most_periods: int
-    known: list[MechanismOrbit]
+    known: list[Orbit]
 
     def motion(self, instant: Instant) -> SettledMotion:
         """Return what a start settles to."""
@@ -145,11 +145,11 @@ class _Search:
             return replace(settled_at_last(settling.solved, settling.periods), neighbour_agrees=agrees)
         slow = None if seen is None or seen.leaves else settling.slowly_approached(seen.window.end)
         if slow is not None:
-            told = f"It settles to {slow.message}, but so slowly that its end was not waited for"
+            told = f"It settles to {slow.sentence}, but so slowly that its end was not waited for"
             return _settled(slow, settling.periods, agrees, f"{told}: {_slowness(slow)}.")
         if orbit is None:
             return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
-        told = f"It settles within {settling.periods} drive periods to {orbit.message}."
+        told = f"It settles within {settling.periods} drive periods to {orbit.sentence}."
         if agrees is not None:
             told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
         return _settled(orbit, settling.periods, agrees, told)
@@ -167,11 +167,11 @@ class _Search:
         if found.rest is not None:
             return at_rest(found.rest, found.waited), found.waited
         if found.orbit is not None:
-            told = f"It settles to {found.orbit.message}."
+            told = f"It settles to {found.orbit.sentence}."
             return _settled(found.orbit, 0, None, told), found.waited
         return _of_kind(MotionKind.UNDECIDED, 0, _unsettled(found)), found.waited
 
-    def _agrees(self, instant: Instant, orbit: MechanismOrbit | None, periods: int) -> bool:
+    def _agrees(self, instant: Instant, orbit: Orbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
         moving = self.flow.modes.system.layout.kinds[-1].stop
         state = instant.state.copy()
@@ -195,7 +195,7 @@ class _Search:
         return found
 
 
-def _slowness(orbit: MechanismOrbit) -> str:
+def _slowness(orbit: Orbit) -> str:
     """Say how slowly small distances to an orbit die out."""
     largest = float(abs(orbit.multipliers).max())
     halved = math.ceil(orbit.periods * math.log(0.5) / math.log(largest))
@@ -223,7 +223,7 @@ def _pulled(starts: int) -> SettledMotion:
     return SettledMotion(MotionKind.DIVERGING, None, None, 0, None, starts, 1.0, False, told)
 
 
-def _settled(orbit: MechanismOrbit, periods: int, agrees: bool | None, told: str) -> SettledMotion:
+def _settled(orbit: Orbit, periods: int, agrees: bool | None, told: str) -> SettledMotion:
     rest = rest_of(orbit)
     if rest is not None:
         return replace(at_rest(rest, periods), neighbour_agrees=agrees)

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from trimmer.motion.subject import Subject
     from trimmer.response.linear_lines import LinearLines
     from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.response.rest import Rest
     from trimmer.response.window import Window
 
@@ -71,7 +71,7 @@ class SettledMotion(Shown):
     """
 
     kind: MotionKind
-    orbit: MechanismOrbit | None
+    orbit: Orbit | None
     window: Window | None
     drive_periods: int
     neighbour_agrees: bool | None

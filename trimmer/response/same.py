@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.response.estimate import Estimate
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.response.response import SettledMotion
     from trimmer.response.rest import Rest
 
@@ -64,7 +64,7 @@ def same_rest(rest: Rest, other: Rest) -> bool:
     return not rest.family and not other.family and bool((abs(ours - theirs) <= SAME * scale).all())
 
 
-def same_orbit(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
+def same_orbit(orbit: Orbit, other: Orbit) -> bool:
     """Return whether one orbit is the other, shifted in time: by whole drive periods where there is a drive.
 
     Of neutral ones, as where friction holds a body wherever it stopped, there is one beside the other without
@@ -74,7 +74,7 @@ def same_orbit(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     return orbit.periods == other.periods and are_one(curve_of(orbit, anywhere), curve_of(other, anywhere))
 
 
-def curve_of(orbit: MechanismOrbit, about_its_mean: bool = False) -> ClosedCurve:
+def curve_of(orbit: Orbit, about_its_mean: bool = False) -> ClosedCurve:
     """Return an orbit as the closed curve by which it is compared; the mean taken off, if so."""
     parts, autonomous = max(orbit.periods, 1), not orbit.periods
     states = _at_even_times(orbit, POINTS * parts, about_its_mean)
@@ -87,19 +87,19 @@ def curve_of(orbit: MechanismOrbit, about_its_mean: bool = False) -> ClosedCurve
     )
 
 
-def largest_states(orbit: MechanismOrbit) -> Reals:
+def largest_states(orbit: Orbit) -> Reals:
     """Return the largest modulus of each state over an orbit, at even times, (n,)."""
     count = POINTS * max(orbit.periods, 1)
     largest: Reals = abs(_at_even_times(orbit, count, about_its_mean=False)).max(axis=0)
     return largest
 
 
-def _at_even_times(orbit: MechanismOrbit, count: int, about_its_mean: bool) -> Reals:
+def _at_even_times(orbit: Orbit, count: int, about_its_mean: bool) -> Reals:
     """Return states at so many even times over an orbit, (count, n); the mean taken off, if so."""
     return _states(orbit, orbit.period * np.arange(count) / count, about_its_mean)
 
 
-def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
+def _states(orbit: Orbit, times: Reals, about_its_mean: bool) -> Reals:
     order = np.argsort(times, kind="stable")
     states = np.empty((len(times), orbit.flow.size))
     states[order] = orbit.course.states(np.ascontiguousarray(times[order]))[:, : orbit.flow.size]
@@ -109,7 +109,7 @@ def _states(orbit: MechanismOrbit, times: Reals, about_its_mean: bool) -> Reals:
     return orbit.flow.reduced(states)
 
 
-def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
+def twins(orbit: Orbit, other: Orbit) -> bool:
     """Return whether an orbit is the mirror image of another one, half a drive period later."""
     if orbit.periods != other.periods or not orbit.flow.is_mirror_symmetric:
         return False
@@ -119,12 +119,12 @@ def twins(orbit: MechanismOrbit, other: MechanismOrbit) -> bool:
     )
 
 
-def keeps_symmetry(orbit: MechanismOrbit) -> bool | None:
+def keeps_symmetry(orbit: Orbit) -> bool | None:
     """Return whether an orbit is its own mirror image; None if the mechanism has none."""
     return twins(orbit, orbit) if orbit.periods and orbit.flow.is_mirror_symmetric else None
 
 
-def mirrored(orbit: MechanismOrbit) -> Reals:
+def mirrored(orbit: Orbit) -> Reals:
     """Return the strobed states of the mirror image of an orbit, (periods, n)."""
     times = orbit.flow.period * (0.5 + np.arange(orbit.periods, dtype=np.float64))
     states = orbit.course.states(times)[:, : orbit.flow.size]

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Course, Flow
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
     from trimmer.response.shooting import Shot
 
 STRETCHES = (20, 80, 320, 1280)
@@ -53,13 +53,13 @@ class SelfExcited:
     """
 
     waited: float
-    orbit: MechanismOrbit | None = None
+    orbit: Orbit | None = None
     rest: Rest | None = None
     solved: Solved | None = None
-    passed: MechanismOrbit | None = None
+    passed: Orbit | None = None
 
 
-def self_excited_orbit(flow: Flow, instant: Instant) -> MechanismOrbit:
+def self_excited_orbit(flow: Flow, instant: Instant) -> Orbit:
     """Find a periodic motion without a drive, from what a start settles to.
 
     An unstable one that the motion passes will do where it settles to none.
@@ -83,7 +83,7 @@ def self_excited_orbit(flow: Flow, instant: Instant) -> MechanismOrbit:
     raise OrbitNotFoundError(f"nothing repeats within {found.waited:.6g} s; another start may settle")
 
 
-def orbit_by_itself(flow: Flow) -> MechanismOrbit:
+def orbit_by_itself(flow: Flow) -> Orbit:
     """Find a periodic motion without a drive, of what moves from rest; of a loop one that was searched for.
 
     At rest nothing happens in a closed loop. So it is the stable orbit of largest amplitude there that
@@ -151,7 +151,7 @@ def self_excited(flow: Flow, instant: Instant) -> SelfExcited:
     return SelfExcited(waited, passed=unstable)
 
 
-def _repeating(found: Solved) -> MechanismOrbit | None:
+def _repeating(found: Solved) -> Orbit | None:
     return found.orbit if found.kind is MotionKind.PERIODIC else None
 
 
@@ -194,10 +194,10 @@ def at_rest(course: Course, unit: float) -> bool:
     return bool((rates <= RESTING * sizes).all())
 
 
-def _recurring(flow: Flow, course: Course) -> list[MechanismOrbit]:
+def _recurring(flow: Flow, course: Course) -> list[Orbit]:
     """Return the orbits that recurrences of a motion lead to, up to the first that is stable."""
     sizes = sizes_of(course)
-    found: list[MechanismOrbit] = []
+    found: list[Orbit] = []
     for first, last in _recurrences(course, sizes):
         log = course.log
         begin = log.start[first]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 FIRST, LONGEST = 8, 128
 """Drive periods before the first look at a motion, and at most between two looks."""
@@ -53,7 +53,7 @@ class Settling:
 
     flow: Flow
     instant: Instant
-    known: list[MechanismOrbit] = field(default_factory=list)
+    known: list[Orbit] = field(default_factory=list)
     states: Reals = field(init=False)
     periods: int = 0
     ending: Ending = Ending.REACHED_END
@@ -78,7 +78,7 @@ class Settling:
         self._quiet = not strobe.counts[-1].any()
         return self.can_go_on
 
-    def until_settled(self, most_periods: int) -> MechanismOrbit | None:
+    def until_settled(self, most_periods: int) -> Orbit | None:
         """Return the orbit that the motion settles to within some drive periods, None if it does not.
 
         Where it meets no event any more, ``solved`` is set, and the motion is not followed further.
@@ -107,7 +107,7 @@ class Settling:
         """Whether it comes ever nearer to a stable orbit that is known, however slowly."""
         return any(approach(orbit, self.states) is not None for orbit in self.known)
 
-    def slowly_approached(self, instant: Instant) -> MechanismOrbit | None:
+    def slowly_approached(self, instant: Instant) -> Orbit | None:
         """Return the stable orbit to which a motion comes nearer as slowly as its multipliers say.
 
         Args:
@@ -121,7 +121,7 @@ class Settling:
         shares = ((approach(orbit, strobe.states), orbit) for orbit in self.known)
         return next((orbit for share, orbit in shares if share is not None and 0.5 <= share <= 2.0), None)
 
-    def _accepted(self, orbits: Sequence[MechanismOrbit]) -> MechanismOrbit | None:
+    def _accepted(self, orbits: Sequence[Orbit]) -> Orbit | None:
         return next((orbit for orbit in orbits if settles_to(orbit, self.states)), None)
 
     def _is_near(self) -> bool:
@@ -131,7 +131,7 @@ class Settling:
             (abs((orbit.strobed - last) / orbit.sizes).max(axis=1) < 0.5).any() for orbit in self.known
         )
 
-    def _looked_for(self) -> MechanismOrbit | None:
+    def _looked_for(self) -> Orbit | None:
         course = self.flow.course(self.instant, 1)
         if course.ending is not Ending.REACHED_END:
             return None
@@ -152,7 +152,7 @@ class Settling:
                     return orbit
         return None
 
-    def _orbit(self, periods: int, state: Reals) -> MechanismOrbit | None:
+    def _orbit(self, periods: int, state: Reals) -> Orbit | None:
         """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""
         start = self.flow.at(state, like=self.instant)
         for count in _counts(periods):
@@ -168,7 +168,7 @@ class Settling:
         return orbit if orbit.success else None
 
 
-def orbit_from_rest(subject: Subject, most_periods: int) -> MechanismOrbit | None:
+def orbit_from_rest(subject: Subject, most_periods: int) -> Orbit | None:
     """Return the orbit that a mechanism or a loop settles to from rest, or from its own start.
 
     Args:
@@ -187,7 +187,7 @@ def _counts(periods: int) -> Iterator[int]:
     yield from (each for each in range(periods - 1, 0, -1) if periods % each == 0)
 
 
-def _listed(orbit: MechanismOrbit, known: Sequence[MechanismOrbit]) -> bool:
+def _listed(orbit: Orbit, known: Sequence[Orbit]) -> bool:
     from trimmer.response.same import same_orbit
 
     return any(same_orbit(orbit, other) for other in known)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Course, Flow
-    from trimmer.response.orbit import MechanismOrbit
+    from trimmer.response.orbit import Orbit
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)
 """For an orbit that is known to rounding."""
@@ -53,7 +53,7 @@ class Solved:
 
     kind: MotionKind
     motion: LinearMotion
-    orbit: MechanismOrbit | None = None
+    orbit: Orbit | None = None
     rest: Rest | None = None
 
     @property
@@ -93,7 +93,7 @@ def _in_place(motion: LinearMotion) -> LinearMotion:
     return linear_motion(flow.moving(speeds), motion.instant) or motion
 
 
-def rest_of(orbit: MechanismOrbit) -> Rest | None:
+def rest_of(orbit: Orbit) -> Rest | None:
     """Return the rest that an orbit is in which nothing moves; None for others."""
     if orbit.course.events:
         return None
@@ -165,7 +165,7 @@ def _of_rest(rest: Rest) -> str:
 
 def _told(found: Solved) -> str:
     if found.orbit is not None:
-        told = f"It settles to {found.orbit.message}"
+        told = f"It settles to {found.orbit.sentence}"
         if found.motion.alive.any():
             return f"{told}: {_undamped(found)}"
         return f"{told}: {_decay(found)}" if found.decay else told

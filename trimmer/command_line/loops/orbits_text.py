@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.json_values import document, finite, pair
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
-from trimmer.orbits.edge import TOLD
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
@@ -34,9 +33,9 @@ def as_text(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
     lines += [f"predictions {searched}", *undecided, orbits.search.sentence]
     lines += [f"{family.sentence[0].upper()}{family.sentence[1:]}." for family in orbits.families]
     lines += [
-        f"of amplitude {orbit.amplitude:.6g} at {orbit.frequency:.6g} Hz: {TOLD}"
+        f"of amplitude {orbit.amplitude:.6g} at {orbit.frequency:.6g} Hz: {orbit.edge.told}"
         for orbit in orbits
-        if orbit.one_sided
+        if orbit.edge is not None
     ]
     if orbits:
         lines.append("multiplier: what is left of a disturbance after one period; above 1 it grows")
