@@ -19,7 +19,7 @@ from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from trimmer.arrays import Complexes, Reals
+    from trimmer.arrays import Complexes, Places, Reals
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Force, Pin
 
@@ -97,6 +97,11 @@ class Layout:
     def measured_between(self) -> bool:
         """What is small at all events is small."""
         return False
+
+    @property
+    def independent(self) -> Places:
+        """Each state may be disturbed by itself."""
+        return np.arange(self.state_count)
 
     @property
     def travels(self) -> bool:

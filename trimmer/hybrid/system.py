@@ -143,6 +143,10 @@ class Layout(Protocol):
         """Whether states may be small at all events and large between them."""
 
     @property
+    def independent(self) -> Places:
+        """Places of the states that may be disturbed by themselves; others follow from them."""
+
+    @property
     def travels(self) -> bool:
         """Whether the frame in which the states are moves."""
 

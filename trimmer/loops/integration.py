@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from trimmer.hybrid.advance import MOST_STEPS, Instant, advance
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Stretch
+    from trimmer.hybrid.tables import Modes
     from trimmer.hybrid.work import Log
     from trimmer.loops.system import LoopModes
 
@@ -62,7 +63,7 @@ def followed(
     )
 
 
-def renumbered(log: Log, modes: LoopModes, others: LoopModes) -> Log:
+def renumbered(log: Log, modes: Modes[Any], others: LoopModes) -> Log:
     """Return a log with the numbers that its modes have in another loop of the same components."""
     numbers = {number: others.number(modes[number].statuses) for number in np.unique(log.mode).tolist()}
     return log._replace(mode=np.array([numbers[number] for number in log.mode.tolist()], dtype=np.int64))

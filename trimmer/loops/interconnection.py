@@ -19,7 +19,7 @@ from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
 from trimmer.loops.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
+    from trimmer.arrays import Complexes, Places, Reals
     from trimmer.loops.loops import Drive
     from trimmer.loops.switched_component import Component
 
@@ -154,6 +154,7 @@ class Layout:
         sine: Position of the drive's sine; its cosine follows.
         size: Number of entries; the last one is one.
         drive: The prescribed motion of the pin; None without one.
+        following: Places of the states that follow from others.
     """
 
     order: int
@@ -161,6 +162,7 @@ class Layout:
     sine: int
     size: int
     drive: Drive | None
+    following: tuple[int, ...] = ()
 
     @classmethod
     def of(cls, interconnection: Interconnection) -> Layout:
@@ -169,7 +171,12 @@ class Layout:
         ends = np.cumsum([interconnection.order, *counts])
         sine = int(ends[-1])
         firsts = tuple(int(end) for end in ends[:-1])
-        return cls(interconnection.order, firsts, sine, sine + 3, interconnection.drive)
+        following = tuple(
+            first + each.state_count - number
+            for first, each in zip(firsts, interconnection.components, strict=True)
+            for number in range(each.even_states, 0, -1)
+        )
+        return cls(interconnection.order, firsts, sine, sine + 3, interconnection.drive, following)
 
     @property
     def state_count(self) -> int:
@@ -190,6 +197,11 @@ class Layout:
     def ramp(self) -> bool:
         """Time itself forces no loop."""
         return False
+
+    @property
+    def independent(self) -> Places:
+        """Places of all states but the share of a velocity that is left, on which nothing depends."""
+        return np.delete(np.arange(self.sine), self.following)
 
     @property
     def travels(self) -> bool:

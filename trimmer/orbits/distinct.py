@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
-from trimmer.orbits.return_map import arcs
-from trimmer.orbits.shooting import Return, Shot, solve
+from trimmer.response.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
+    from trimmer.hybrid.advance import Instant
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 
@@ -53,12 +53,11 @@ def curve_of(orbit: PeriodicOrbit) -> ClosedCurve:
 
 def shortest(problem: Return, shot: Shot) -> tuple[Return, Shot]:
     """Return the shortest return of an orbit, with signs changed if it has this symmetry."""
-    events = len(arcs(problem.modes, shot.log, shot.span)) - 1
-    for part in _prime_factors(events):
+    for part in _prime_factors(len(np.unique(shot.course.times))):
         # After an even number of half periods the signs are the old ones.
         found = None if problem.mirrored and part == 2 else _part_of(problem, shot, part)
         shot = shot if found is None else found
-    if not problem.mirrored and not problem.driven:
+    if not problem.mirrored and not problem.periods:
         mirrored = replace(problem, mirrored=True)
         half = _part_of(mirrored, shot, 2)
         if half is not None:
@@ -68,8 +67,19 @@ def shortest(problem: Return, shot: Shot) -> tuple[Return, Shot]:
 
 def _part_of(problem: Return, shot: Shot, part: int) -> Shot | None:
     """Return the return after a part of the span, if the motion is back by then; None if not."""
-    trial = problem.shoot(shot.mode, shot.state, shot.span / part)
-    return None if trial is None or trial.miss > SAME else solve(problem, trial.mode, trial.state, trial.span)
+    trial = problem.shoot(shot.course.begin, shot.duration / part, shot.sizes)
+    if trial is None or trial.miss > SAME:
+        return None
+    return closed(problem, trial.course.begin, trial.duration, trial.sizes)
+
+
+def closed(
+    problem: Return, instant: Instant, duration: float, sizes: Reals, patience: Patience | None = None
+) -> Shot | None:
+    """Return a solved return from a guess of start and span, s; None if Newton's method does not find one."""
+    shot = solve(problem, instant, duration, patience, sizes[: problem.flow.size])
+    long = shot is not None and shot.duration > LONGEST * duration
+    return None if shot is None or shot.miss > CLOSED or long else shot
 
 
 def _prime_factors(number: int) -> list[int]:

@@ -60,7 +60,7 @@ class Given:
     def motion(self, orbit: Orbit) -> Motion:
         """Return the motion of an orbit in the states that were given."""
         course, order = orbit.course, len(self.states)
-        log = renumbered(course.log, course.modes, self.loop.modes)
+        log = renumbered(course.log, orbit.flow.modes, self.loop.modes)
         states = np.hstack([log.state[:, :order] @ self.states.T, log.state[:, order:]])
         return Motion(self.loop, course.duration, Outcome.COMPLETED, log._replace(state=states))
 

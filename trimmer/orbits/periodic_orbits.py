@@ -15,9 +15,10 @@ from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
+from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.orbits.balanced_start import balanced_starts
-from trimmer.orbits.describe import orbit_of
-from trimmer.orbits.distinct import same
+from trimmer.orbits.describe import orbit_of_loop
+from trimmer.orbits.distinct import closed, same
 from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.realization import restated
@@ -30,7 +31,7 @@ from trimmer.orbits.search import (
     Simulations,
 )
 from trimmer.orbits.settling import settled_orbits
-from trimmer.orbits.shooting import Return, Shot, solve
+from trimmer.response.shooting import Return, Shot
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import ClosedLoop
@@ -179,11 +180,11 @@ def _near(
     for start, trial in chain([first], balanced_starts(loop, amplitude, omega)):
         found = _shot(loop, start, trial)
         if found is not None:
-            return orbit_of(loop, *found, prediction)
+            return orbit_of_loop(*found, prediction)
     return None
 
 
 def _shot(loop: ClosedLoop, start: Start, omega: float) -> tuple[Return, Shot] | None:
-    problem = Return(loop.modes, mirrored=True, driven=False, sizes=start.sizes)
-    shot = solve(problem, start.mode, start.state, math.pi / omega)
+    problem = Return(LoopFlow(loop), 0, mirrored=True, alike=True)
+    shot = closed(problem, instant_in(problem.flow, start.mode, start.state), math.pi / omega, start.sizes)
     return None if shot is None else (problem, shot)

@@ -6,16 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.hybrid.variation import propagator
 from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent
+from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.relay_component import PLUS, RelayComponent
 from trimmer.loops.threshold_component import POSITIVE, ThresholdComponent
-from trimmer.orbits.describe import orbit_of
-from trimmer.orbits.distinct import shortest
+from trimmer.orbits.describe import orbit_of_loop
+from trimmer.orbits.distinct import closed, shortest
 from trimmer.orbits.half_period import HalfPeriodEquation, interval_of, zeros
-from trimmer.orbits.return_map import flow
 from trimmer.orbits.search import RelaySearch
-from trimmer.orbits.shooting import Return, solve
 from trimmer.orbits.unequal_switches import POINTS, unequal_switches
+from trimmer.response.shooting import Return
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -104,16 +105,16 @@ def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Rea
     assert number is not None
     state = np.zeros(layout.size)
     state[: layout.order], state[-1] = start, 1.0
-    step = flow(loop.modes, number, positive / PARTS)
+    step = propagator(loop.modes, number, positive / PARTS)
     states = [state]
     for _ in range(PARTS):
         states.append(step @ states[-1])
     sizes = abs(np.array(states)).max(axis=0)
     sizes[sizes == 0.0] = 1.0
-    problem = Return(loop.modes, mirrored=negative is None, driven=False, sizes=sizes)
-    span = positive if negative is None else positive + negative
-    trial = problem.shoot(number, states[PARTS // 2], span)
+    problem = Return(LoopFlow(loop), 0, mirrored=negative is None, alike=True)
+    span, sizes = positive if negative is None else positive + negative, sizes[: layout.state_count]
+    trial = problem.shoot(instant_in(problem.flow, number, states[PARTS // 2]), span, sizes)
     if trial is None or not trial.miss <= CLOSE:
         return None
-    shot = solve(problem, trial.mode, trial.state, trial.span)
-    return None if shot is None else orbit_of(loop, *shortest(problem, shot), None)
+    shot = closed(problem, trial.course.begin, trial.duration, sizes)
+    return None if shot is None else orbit_of_loop(*shortest(problem, shot))

@@ -12,14 +12,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.hybrid import advance
+from trimmer.hybrid.variation import propagator
+from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.integration import followed
-from trimmer.orbits.describe import orbit_of
-from trimmer.orbits.distinct import same, shortest
+from trimmer.motion.part import mirrored as mirrored_statuses
+from trimmer.orbits.describe import orbit_of_loop
+from trimmer.orbits.distinct import closed, same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
-from trimmer.orbits.return_map import flow
 from trimmer.orbits.search import OrbitSearch, SimulationSearch
-from trimmer.orbits.shooting import Return, Shot, solve
 from trimmer.progress import progress_bar
+from trimmer.response.shooting import Patience, Return, Shot
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -40,7 +42,7 @@ CLOSER = 10.0
 """A return counts that is at most so many times worse than the best one; the latest of them is the period."""
 ARRIVED = 1e-8
 """Difference below which the motion is on the orbit, to rounding."""
-ITERATIONS = 12
+PATIENCE = Patience(iterations=12, halvings=8, followed=0)
 """Of Newton's method, which needs about five from so near; a spiral into a point would use up any number."""
 PROGRESS = 0.2
 """Share of the best difference so far that is worth another attempt."""
@@ -151,28 +153,31 @@ def _settles(loop: ClosedLoop, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
     if found is None or _collapsed(found[1], turn):
         return False
     problem, shot = found
-    orbit = orbit_of(loop, *shortest(problem, shot), None)
+    orbit = orbit_of_loop(*shortest(problem, shot))
     if not any(same(orbit, other) for other in orbits):
         orbits.append(orbit)
-    change = float((abs(shot.state - turn.state) / turn.sizes).max())
-    near = max(change, abs(shot.span / turn.span - 1.0)) < NEAR
+    state = shot.course.begin.state
+    change = float((abs(state - turn.state[: len(state)]) / turn.sizes[: len(state)]).max())
+    near = max(change, abs(shot.duration / turn.span - 1.0)) < NEAR
     return turn.miss < ARRIVED or (orbit.stable and near)
 
 
 def _collapsed(shot: Shot, turn: Turn) -> bool:
     """Tell whether Newton's method has ended where nothing moves, or nothing happens."""
-    swing = np.ptp(np.vstack([shot.log.state, shot.state]), axis=0) / turn.sizes
-    return len(shot.log.start) < 2 or float(swing.max()) < COLLAPSED
+    course, count = shot.course, len(shot.course.begin.state)
+    swing = np.ptp(np.vstack([course.log.state[:, :count], course.begin.state]), axis=0)
+    return len(course.log.start) < 2 or float((swing / turn.sizes[:count]).max()) < COLLAPSED
 
 
 def _polished(loop: ClosedLoop, turn: Turn) -> tuple[Return, Shot] | None:
     """Find the orbit near a turn by Newton's method; with the symmetry if it seems to have it."""
-    symmetric = Return(loop.modes, mirrored=True, driven=False, sizes=turn.sizes)
+    symmetric = Return(LoopFlow(loop), 0, mirrored=True, alike=True)
+    sizes = turn.sizes[: symmetric.flow.size]
     trials = [(symmetric, turn.span)] if turn.mirrored else []
     whole = 2.0 * turn.span if turn.mirrored else turn.span
     trials.append((replace(symmetric, mirrored=False), whole))
     for problem, span in trials:
-        shot = solve(problem, turn.mode, turn.state, span, ITERATIONS)
+        shot = closed(problem, instant_in(problem.flow, turn.mode, turn.state), span, sizes, PATIENCE)
         if shot is not None:
             return problem, shot
     return None
@@ -188,12 +193,13 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
     recent = log.state[lasting[-RECENT:]]
     sizes = abs(recent).max(axis=0)
     sizes[sizes == 0.0] = 1.0
-    problem = Return(loop.modes, mirrored=True, driven=False, sizes=sizes)
-    state, mode = log.state[last], int(log.mode[last])
+    flow, state, mode = LoopFlow(loop), log.state[last], int(log.mode[last])
+    image = np.append(flow.mirrored_states * state[: flow.size], state[flow.size :])
+    opposite = loop.modes.number(mirrored_statuses(flow.parts, loop.modes[mode].statuses))
     returns = []
     for mirrored in (True, False):
-        back = earlier[log.mode[earlier] == (problem.final(mode) if mirrored else mode)]
-        target = problem.signs * state if mirrored else state
+        back = earlier[log.mode[earlier] == (opposite if mirrored else mode)]
+        target = image if mirrored else state
         misses = (abs(log.state[back] - target) / sizes)[:, free].max(axis=1, initial=0.0)
         returns += [(float(miss), int(place), mirrored) for miss, place in zip(misses, back, strict=True)]
     if not returns:
@@ -215,4 +221,5 @@ def _quiet_state(loop: ClosedLoop, log: Log, end: float) -> tuple[int, Reals]:
     stops = np.append(log.start[1:], end)
     last = int(np.flatnonzero(stops > log.start)[-1])
     mode = int(log.mode[last])
-    return mode, flow(loop.modes, mode, 0.5 * float(stops[last] - log.start[last])) @ log.state[last]
+    half = 0.5 * float(stops[last] - log.start[last])
+    return mode, propagator(loop.modes, mode, half) @ log.state[last]

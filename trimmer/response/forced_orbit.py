@@ -23,7 +23,9 @@ SETTLING = (8, 64, 512)
 
 
 @overload
-def forced_orbit(loop: Loop, settling: int | None = None) -> PeriodicOrbit: ...
+def forced_orbit(
+    loop: Loop, settling: int | None = None, *, periods: int = 1, guess: Start = None
+) -> PeriodicOrbit: ...
 @overload
 def forced_orbit(
     loop: Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
@@ -33,17 +35,16 @@ def forced_orbit(
 ) -> PeriodicOrbit | Orbit:
     """Find a motion that repeats with the drive.
 
-    Of a loop it is the motion with the period of the drive, found from rest. Of a mechanism it is an exact
-    motion, stable or not, that returns after a number of drive periods; without a drive, one that returns
-    after a period of its own. Newton's method begins at the guess; without one, at the motion from rest after
-    8, 64 and 512 drive periods, or after ``settling``.
+    It is an exact motion, stable or not, that returns after a number of drive periods; of a mechanism without
+    a drive, one that returns after a period of its own. Newton's method begins at the guess; without one, at
+    the motion from rest after 8, 64 and 512 drive periods, or after ``settling``.
 
     Args:
         loop: A loop with a drive, or a mechanism.
         settling: Periods of the drive to follow before Newton's method.
-        periods: Of a mechanism: number of drive periods after which the motion returns.
-        guess: Of a mechanism: where the motion begins, near the one that is sought, at the start of a drive
-            period: displacement, m, and velocity, m/s, by body; or all states, shape (n,).
+        periods: Number of drive periods after which the motion returns.
+        guess: Where the motion begins, near the one that is sought, at the start of a drive period:
+            displacement, m, and velocity, m/s, by body, or states of a loop by name; or all states, (n,).
 
     Returns:
         The orbit. That of a mechanism says itself whether it was found (``success``, ``message``), and
@@ -53,14 +54,14 @@ def forced_orbit(
         ValueError: if a loop has no drive, or a number is out of range.
         OrbitNotFoundError: if Newton's method finds none for a loop; if the motion of a mechanism cannot be
             followed, or comes to rest or repeats nowhere without a drive.
-        MechanismError: if the guess does not fit the mechanism.
+        MechanismError, LoopError: if the guess does not fit.
         UnsupportedMotionError: if a mechanism never repeats, because a pin goes on for ever and pulls.
     """
     if isinstance(loop, Mechanism):
         return exact_orbit(loop, periods, guess, settling)
     from trimmer.orbits.forced_orbit import loop_orbit
 
-    return loop_orbit(loop, settling)
+    return loop_orbit(loop, settling, periods, guess)
 
 
 def exact_orbit(

@@ -28,7 +28,8 @@ MISPLACED = 4.0
 
 def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:
     """Return the eigenvalues of the derivative of a return, by falling modulus, and their rounding."""
-    matrix = shot.monodromy * shot.sizes / shot.sizes[:, None]
+    felt = shot.course.modes.system.layout.independent
+    matrix = (shot.monodromy * shot.sizes / shot.sizes[:, None])[np.ix_(felt, felt)]
     if not np.isfinite(matrix).all():
         raise np.linalg.LinAlgError("the derivative of the return is not finite")
     values = np.linalg.eigvals(matrix).astype(complex)

@@ -272,6 +272,8 @@ def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> Orbit:
     count = _smallest(flow, shot, periods) if success else max(periods, 1)
     seen, course = flow.travelling(shot.course) if success else (flow, shot.course)
     kind = _kind_of(flow)
+    if kind is not MechanismOrbit:  # A double multiplier is exact to the root of rounding.
+        margins = np.maximum(margins, 1e-6)
     return kind(seen, periods, count, course, shot.sizes, multipliers, shot.miss, about, margins)
 
 

@@ -7,7 +7,7 @@ return keeps to what is held.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,7 @@ import numpy as np
 
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.motion.part import mirrored
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -46,16 +47,19 @@ class Shot:
         course: The motion.
         sizes: Scale of each state, for comparing them, (n,).
         calm: The same motion from amid a long segment, where it was solved; None if it begins there.
+        signs: What the end is multiplied by, (n,), if it is to be the mirror image of the start; else None.
     """
 
     course: Course
     sizes: Reals
     calm: Shot | None = None
+    signs: Reals | None = None
 
     @cached_property
     def monodromy(self) -> Reals:
         """Derivative of the end by the start, (n, n)."""
-        return self.course.monodromy
+        monodromy = self.course.monodromy
+        return monodromy if self.signs is None else self.signs[:, None] * monodromy
 
     @cached_property
     def gap(self) -> Reals:
@@ -64,7 +68,10 @@ class Shot:
         course, end = self.course, self.course.end
         extended = np.concatenate([end.state, course.modes.system.layout.forcing_at(end.phase)])
         held = course.modes[course.modes.number(end.statuses)].hold @ extended
-        difference: Reals = (held[: len(end.state)] - course.begin.state) / self.sizes
+        reached = held[: len(end.state)]
+        if self.signs is not None:
+            reached = self.signs * reached
+        difference: Reals = (reached - course.begin.state) / self.sizes
         return difference
 
     @property
@@ -84,9 +91,10 @@ class Shot:
         """Rates of the states at the start and at the end, each (n,)."""
         course = self.course
         layout = course.modes.system.layout
-        return tuple(  # type: ignore[return-value]
+        begin, end = (
             _rate(course, instant, layout.forcing_at(instant.phase)) for instant in (course.begin, course.end)
         )
+        return begin, end if self.signs is None else self.signs * end
 
 
 def _rate(course: Course, instant: Instant, forcing: Reals) -> Reals:
@@ -113,11 +121,15 @@ class Return:
         flow: What moves.
         periods: Number of drive periods after which it returns; 0 without a drive.
         most_steps: Steps of one integration.
+        mirrored: Whether the state returns as its mirror image, after half of an unknown period.
+        alike: Whether only motions count that end with the statuses that they began with.
     """
 
     flow: Flow
     periods: int
     most_steps: int = 200_000
+    mirrored: bool = False
+    alike: bool = False
 
     def shoot(self, instant: Instant, duration: float = 0.0, sizes: Reals | None = None) -> Shot | None:
         """Follow the motion; None if it ends before its time.
@@ -133,7 +145,20 @@ class Return:
             course = self.flow.timed(instant, duration, self.most_steps)
         if course.ending is not Ending.REACHED_END or not np.isfinite(course.end.state).all():
             return None
-        return Shot(course, sizes_of(course) if sizes is None else sizes)
+        if self.alike and self.returned(course.end).statuses != course.begin.statuses:
+            return None
+        signs = self.flow.mirrored_states if self.mirrored else None
+        return Shot(course, sizes_of(course) if sizes is None else sizes, signs=signs)
+
+    def returned(self, end: Instant) -> Instant:
+        """Return an end as the beginning of the next return."""
+        if not self.mirrored:
+            return end
+        return replace(
+            end,
+            state=self.flow.mirrored_states * end.state,
+            statuses=mirrored(self.flow.parts, end.statuses),
+        )
 
     def step(self, shot: Shot) -> tuple[Reals, float]:
         """Return Newton's correction of the state, (n,), and of the duration, s.
@@ -158,12 +183,9 @@ class Return:
         duration = shot.duration + share * longer
         if not self.periods and not 0 < duration <= LONGEST * shot.duration:
             return None
-        return self.shoot(_like_end(self.flow, shot.course, share * by), duration, shot.sizes)
-
-
-def _like_end(flow: Flow, course: Course, correction: Reals) -> Instant:
-    end, begin = course.end, course.begin
-    return flow.at(begin.state + correction, begin.phase, like=end)
+        begin, end = shot.course.begin, self.returned(shot.course.end)
+        start = self.flow.at(begin.state + share * by, begin.phase, like=end)
+        return self.shoot(start, duration, shot.sizes)
 
 
 def sizes_of(course: Course) -> Reals:
@@ -194,7 +216,11 @@ class Patience:
 
 
 def solve(
-    problem: Return, instant: Instant, duration: float = 0.0, patience: Patience | None = None
+    problem: Return,
+    instant: Instant,
+    duration: float = 0.0,
+    patience: Patience | None = None,
+    sizes: Reals | None = None,
 ) -> Shot | None:
     """Solve a return by Newton's method from a guess.
 
@@ -203,12 +229,13 @@ def solve(
         instant: Guess of the start.
         duration: Guess of an unknown period, s.
         patience: How long it is looked for.
+        sizes: Scale of each state, (n,); that of the first motion if not given.
 
     Returns:
         The motion that came closest, which may be far from returning; None if none ran to its end.
     """
     patience = patience or Patience()
-    first = problem.shoot(instant, duration)
+    first = problem.shoot(instant, duration, sizes)
     if first is None or not problem.periods:
         return _settled(problem, first, patience)
     found, shot = [first], first
