@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from trimmer.arrays import Reals
-    from trimmer.hybrid.system import EventFunction
+    from trimmer.hybrid.system import EventFunction, Mode
     from trimmer.hybrid.tables import Modes
     from trimmer.hybrid.work import Log
 
@@ -139,7 +139,7 @@ def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
         return
     found = list(changes(modes, log, first, last, int(log.function[events[0]])))
     resets = [modes.system.reset(modes[before], function) for before, function, _ in found]
-    follows = _reset_of_those_that_follow(modes, log, events, [function for _, function, _ in found])
+    follows = _reset_of_those_that_follow(modes, log, events, found)
     if follows is not None:
         resets[-1] = follows if resets[-1] is None else follows @ resets[-1]
     jumping = any(each is not None for each in resets)
@@ -160,18 +160,23 @@ def _before(modes: Modes[Any], log: Log, row: int) -> Reals:
 
 
 def _reset_of_those_that_follow(
-    modes: Modes[Any], log: Log, events: Sequence[int], falling: Sequence[EventFunction]
+    modes: Modes[Any], log: Log, events: Sequence[int], found: Sequence[tuple[int, EventFunction, int]]
 ) -> Reals | None:
     """Return the resets, (N, N), of what happens at an instant beside what falls to zero; None for none."""
     total = None
-    known = {_identity(function) for function in falling}
+    known = {_at_status(modes[before], function) for before, function, _ in found}
     for row in events[1:]:
         mode = modes[int(log.mode[row - 1])]
         function = mode.functions[int(log.function[row])]
-        reset = None if _identity(function) in known else modes.system.reset(mode, function)
+        reset = None if _at_status(mode, function) in known else modes.system.reset(mode, function)
         if reset is not None:
             total = reset if total is None else reset @ total
     return total
+
+
+def _at_status(mode: Mode, function: EventFunction) -> tuple[int, int, int]:
+    """Return what tells an event function of a part: what it means, and in which status of the part."""
+    return function.owner, function.action, mode.statuses[function.owner]
 
 
 def changes(
