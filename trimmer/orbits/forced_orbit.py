@@ -10,6 +10,7 @@ from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.loops import require_loop
 from trimmer.orbits.realization import restated
 from trimmer.response.forced_orbit import SETTLING, exact_orbit
+from trimmer.response.shooting import sizes_of
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import Drive, Loop
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 RESONANT = 1e-7
 """Distance of a pole from a multiple of the drive's frequency, as a share: a double one is known to that."""
+NEARLY = 1e-6
+"""Miss, as a share of the sizes of the orbit itself, that is more than what rounding leaves."""
 SINGULAR = 1e-12
 """Singular value of Newton's matrix, as a share of the largest one or of 1, that is rounding."""
 TOLD_APART = 1e-10 / float(np.finfo(float).eps)
@@ -40,7 +43,7 @@ def loop_orbit(
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
     known = restated(loop)
     orbit = cast("PeriodicOrbit", exact_orbit(known.loop, periods, guess, settling))
-    if orbit.success and not _gone_away(orbit):
+    if orbit.success and _returns(orbit) and not _gone_away(orbit):
         return known.told(orbit)
     followed = SETTLING[-1] if settling is None else settling
     time = f"{periods} periods" if periods > 1 else "the period"
@@ -48,6 +51,13 @@ def loop_orbit(
         f"no motion with {time} of the drive, {periods * drive.period:.6g} s, was found after {followed} "
         f"periods; {_reason(loop, drive)}"
     )
+
+
+def _returns(orbit: PeriodicOrbit) -> bool:
+    """Say whether it returns beside its own sizes too, and not only those of a start that had grown."""
+    course = orbit.course
+    missed = abs(course.end.state - course.begin.state) / sizes_of(course)
+    return bool(missed.max(initial=0.0) <= NEARLY)
 
 
 def _gone_away(orbit: PeriodicOrbit) -> bool:
