@@ -21,6 +21,8 @@ from tests.digits import rests_on_digits
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
+    from xdist.remote import Producer
+    from xdist.scheduler import LoadFileScheduling
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None, max_examples=60)
@@ -34,6 +36,8 @@ providers.is_local_module_file = lambda _: False
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
+SHARING = ("tests/report/figures/", "tests/trimmer/drawing/")
+"""Folders whose tests look at the same pictures, each drawn once in a process."""
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 POPPLER = ("pdftotext", "pdfinfo", "pdftoppm")
 OCTAVE = ("octave-cli", "octave")
@@ -78,6 +82,20 @@ def pytest_collection() -> Iterator[None]:
         gc.freeze()
         gc.set_threshold(20_000, 20, 20)
         gc.enable()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFileScheduling | None:
+    """Give the tests of a file, or of a folder of SHARING, to one process, as ``--dist loadfile`` does."""
+    if config.getvalue("dist") != "loadfile":
+        return None
+    from xdist.scheduler import LoadFileScheduling
+
+    class LoadSharing(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return next(filter(nodeid.startswith, SHARING), nodeid.partition("::")[0])
+
+    return LoadSharing(config, log)
 
 
 @pytest.hookimpl(tryfirst=True)

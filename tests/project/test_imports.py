@@ -59,7 +59,7 @@ FOLDERS = ("benchmarks", "derivations", "report", "scripts", "tests", "trimmer")
 
 @dataclass(frozen=True)
 class Names:
-    """What a source binds at any depth, and what it imports from the project's folders."""
+    """What the statements of a source bind at any depth, and what it imports from the project's folders."""
 
     bound: set[str]
     imported: list[tuple[str, str]]
@@ -68,10 +68,12 @@ class Names:
     def of(cls, source: str) -> Names:
         """Read a source, types that only a checker sees among it."""
         names = cls({"__doc__"}, [])
-        for node in ast.walk(ast.parse(source)):
+        for node in statements(ast.parse(source)):
             match node:
-                case ast.Name(id=name, ctx=ast.Store()):
-                    names.bound.add(name)
+                case ast.Assign() | ast.AnnAssign():
+                    targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+                    inside = [each for target in targets for each in ast.walk(target)]
+                    names.bound.update(each.id for each in inside if isinstance(each, ast.Name))
                 case ast.ClassDef(name=name) | ast.FunctionDef(name=name):
                     names.bound.add(name)
                 case ast.Import(names=aliases) | ast.ImportFrom(names=aliases):
@@ -79,6 +81,15 @@ class Names:
             if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] in FOLDERS:
                 names.imported.extend((node.module or "", alias.name) for alias in node.names)
         return names
+
+
+def statements(tree: ast.Module) -> Iterator[ast.AST]:
+    """Yield the statements of a source at any depth; the expressions in them are most of it."""
+    todo: list[ast.AST] = [tree]
+    while todo:
+        yield (node := todo.pop())
+        for part in ("body", "orelse", "finalbody", "handlers", "cases"):
+            todo += getattr(node, part, ())
 
 
 @cache

@@ -53,19 +53,20 @@ def test_a_waveform_that_is_not_odd_is_refused():
 
 
 @pytest.mark.parametrize(
-    ("waveform", "ratio"),
+    ("made", "ratio"),
     [
-        (relay_waveform(LEVEL), None),
-        (coulomb_waveform(), None),
-        (viscous_waveform(), None),
-        (friction_waveform(), None),
-        (inertia_waveform(), inertia_contact_ratio()),
+        (lambda: relay_waveform(LEVEL), None),
+        (coulomb_waveform, None),
+        (viscous_waveform, None),
+        (friction_waveform, None),
+        (inertia_waveform, inertia_contact_ratio()),
     ],
     ids=["relay", "coulomb", "viscous", "friction", "inertia"],
 )
-@pytest.mark.parametrize("harmonic", [1, 3, 7])
-def test_sympys_own_integration_gives_the_same(waveform, ratio, harmonic):
+@pytest.mark.parametrize("harmonic", [1, 3])
+def test_sympys_own_integration_gives_the_same(made, ratio, harmonic):
     """The same coefficients over the whole period, by SymPy's integrate and two real integrals."""
+    waveform = made()
     values = {A: 1.3, GAP: 0.9, FORCE: 0.4, LEVEL: 0.7, DAMPING: 0.2, omega: 3.0}
     if ratio is not None:
         values |= {CONTACT: 1.9, GAP: float(1.3 * ratio.subs(CONTACT, 1.9))}

@@ -16,10 +16,7 @@ BEGINNINGS = {"svg": b"<?xml", "PNG": b"\x89PNG", "pdf": b"%PDF-"}
 MOTION = ["simulate", TWIN, "--duration", "0.02"]
 PICTURES = {
     **{f"a.{ending}": MOTION for ending in BEGINNINGS},
-    "linear.svg": ["linear"],
-    "loop.svg": ["limit-cycles", "--element", "viscous", "--gap", "4e-5", "--time-constant", "1e-3"],
     "starts.svg": ["respond", TWIN, "--starts", "2"],
-    "map.svg": ["map", TWIN, "--vary", "plays.bridge.gap=40um:60um:2", "--periods", "20", "--jobs", "1"],
 }
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from matplotlib import pyplot
 
 from tests.json_document import documented
 from tests.trimmer.command_line.alike import alike
@@ -44,7 +45,9 @@ def test_calls_answer_as_they_did(name: str, inputs: Path, tmp_path: Path) -> No
     calls = read(FOLDER / f"{name}.txt")
     folder = tmp_path / "folder"
     shutil.copytree(inputs, folder, symlinks=True)
+    open_before = pyplot.get_fignums()
     answers = list(made(calls, folder))
+    assert pyplot.get_fignums() == open_before
     unlike = [pair for pair in zip(calls, answers, strict=True) if not pair[0].alike(pair[1])]
     if unlike:
         pytest.fail("\n\n".join(_difference(*pair) for pair in unlike), pytrace=False)

@@ -4,7 +4,8 @@
 In a file of them a line ``$ ...`` is a call, and below it, with four blanks, what it prints on standard
 output, with ``! `` what it prints on standard error, and with ``= `` its exit code, if that is not 0.
 ``# ...`` is said of what follows. ``$ trimmer ... < FILE`` reads standard input from a file, ``$ head FILE``
-shows how a text begins, ``$ ls`` lists what was written. The calls of a file are made in turn, in one folder.
+shows how a text begins, and of a picture panels and words, ``$ ls`` lists what was written. The calls of a
+file are made in turn, in one folder.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import re
 import shlex
 import shutil
 import sys
@@ -141,6 +143,10 @@ def _files() -> set[str]:
 
 def _beginning(path: Path) -> str:
     lines = path.read_text("utf-8").splitlines()
+    if path.suffix == ".svg":
+        panels, told = (re.findall(each, "\n".join(lines)) for each in (r'id="axes_\d+"', "<!-- (.*?) -->"))
+        words = [each for each in dict.fromkeys(told) if re.search(r"(?<!\\)\b[^\W\d_]{2}", each)]
+        return "\n".join([f"{len(panels)} panels", *words])
     more = [f"... {len(lines)} lines"] if len(lines) > BEGINNING else []
     return "\n".join([*lines[:BEGINNING], *more])
 

@@ -34,7 +34,7 @@ def test_the_motion_is_stable_within_its_margin_and_not_beyond(
     assert 0.35 < reach < 0.5
     state, stable = trimmer_motion.state, []
     # Step by step, since another orbit of the same period is near.
-    for force in (*np.linspace(0.5, reach * 1.002, 24)[1:], reach * 0.998):
+    for force in (*np.linspace(0.5, reach * 1.002, 12)[1:], reach * 0.998):
         orbit = forced_orbit(mechanism.with_value(near.place, float(force)), guess=state)
         assert orbit.success
         state = orbit.instant.state

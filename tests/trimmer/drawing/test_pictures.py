@@ -1,4 +1,4 @@
-"""All results draw what they did, into axes that are given, and into the files of ``--plot``."""
+"""All results draw what they did, into axes that are given; transcripts of commands tell of ``--plot``."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ import trimmer
 from tests.public_names import public_names
 from tests.trimmer import results
 from tests.trimmer.command_line.alike import NUMBER
-from tests.trimmer.drawing.pictures import FIGURES, PLOTS, SAMPLED, in_words, kept, new_axes, pictures
-from trimmer.command_line.main import main
+from tests.trimmer.drawing.pictures import FIGURES, PLOTS, in_words, kept, new_axes, pictures
 from trimmer.errors import WrongTypeError
 
 ROUNDING = 3e-4
@@ -113,51 +112,6 @@ def test_new_axes_are_of_pyplot_and_are_not_shown(monkeypatch: pytest.MonkeyPatc
     assert axes.figure is pyplot.gcf()
     assert axes.figure.get_layout_engine().__class__.__name__ == "ConstrainedLayoutEngine"
     assert dict(matplotlib.rcParams) == settings
-
-
-TWIN = "examples/thesis-play.toml"
-LOOP = ("--element", "viscous", "--gap", "4e-5", "--time-constant", "1e-3")
-BALANCE = ["real part", "imaginary part", "G(jω)"]
-MOTION = ["time, ms", "displacement, mm", "stroke", "bridge, contact", "blade, stick"]
-PLANE = ["stroke, mm", "rate of stroke, m/s"]
-FILES: dict[str, tuple[int, list[str], tuple[str, ...]]] = {
-    "linear": (2, ["From the pin to q2-q4", "magnitude, dB", "phase, degrees"], ()),
-    "limit-cycles": (2, [*BALANCE, "all of G(jω)", "around the limit cycles"], LOOP),
-    "identify": (1, ["M/D of the load, s"], ("--gap", "4e-5", "--frequency", "740")),
-    "orbits": (1, ["input of the element, µm"], ("--gap", "4e-5", "--element", "friction")),
-    "simulate": (2, ["Trimmer of the thesis, with play", *MOTION, *PLANE], (TWIN, "--duration", "0.02")),
-    "respond": (3, [*MOTION, *PLANE, "phase plane"], (TWIN, "--set", "frictions.blade.force=1")),
-    "map": (
-        1,
-        ["plays.bridge.gap, µm", "stroke, peak to peak, mm", "period 1"],
-        (TWIN, "--vary", "plays.bridge.gap=40um:60um:2", "--jobs", "1", "--set", "frictions.blade.force=1"),
-    ),
-    "sample": (4, ["peak to peak of x, m", "samples"], ("stop.toml", "--count", "4", "--jobs", "1")),
-    "spectrum": (1, ["amplitude, m", "110", "unexplained"], ("stroke.csv", "--column", "stroke")),
-    "overlay": (
-        2,
-        ["measured lines", "simulated, shifted", "displacement about its mean, mm"],
-        ("stroke.csv", "--against", TWIN),
-    ),
-}
-
-
-@pytest.mark.parametrize("command", FILES)
-def test_a_file_has_all_panels_and_names(
-    command: str, project_folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
-) -> None:
-    count, names, words = FILES[command]
-    (tmp_path / "examples").symlink_to(project_folder / "examples")
-    (tmp_path / "stop.toml").write_text(SAMPLED, "utf-8")
-    monkeypatch.chdir(tmp_path)
-    if "stroke.csv" in words:
-        main(["simulate", TWIN, "--duration", "0.4", "--csv", "stroke.csv"])
-    assert main([command, *words, "--plot", "a.svg"]) == 0, capsys.readouterr().err
-    drawn = Path("a.svg").read_text("utf-8")
-    assert len(re.findall(r'id="axes_\d+"', drawn)) == count
-    texts = re.findall("<!-- (.*?) -->", drawn)
-    assert not set(names) - set(texts), texts
-    assert not pyplot.get_fignums()
 
 
 def test_lines_are_told_apart_without_their_colours(tmp_path: Path) -> None:
