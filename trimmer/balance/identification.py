@@ -21,12 +21,12 @@ from trimmer.balance.loop import LoopEquation, inverse_response
 from trimmer.balance.search import Problem, find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Record, Shown, Tabular
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     import control
-    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.balance.inverse_response import InverseResponse
@@ -96,8 +96,10 @@ class TimeConstantInterval(Record):
 
 
 @dataclass(frozen=True, repr=False)
-class Identification(Tabular):
+class Identification(Tabular, Drawn):
     """What a measured frequency tells of the load.
+
+    ``plot`` draws M/D over the frequency of the limit cycle, with what was measured and what it gives.
 
     Attributes:
         frequency: Measured frequency, Hz.
@@ -131,19 +133,6 @@ class Identification(Tabular):
         curve = ElementCurve(ViscousBacklash(self.gap, time_constant))
         found = solve_bounded(self._response, curve, None).result
         return limit_cycles_at(LoopEquation(self._response, curve), found.u, found.x)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw M/D over the frequency of the limit cycle, with what was measured and what it gives.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.identification import draw_identification
-
-        return draw_identification(self, ax)
 
     def _told(self) -> str:
         return f"{self.frequency:.9g} Hz; {self.message}"

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Record, Shown, Tabular, counted
 from trimmer.showing.table import Table, attributes
 
@@ -198,7 +199,7 @@ CYCLE_COLUMNS = attributes(
 
 
 @dataclass(frozen=True, repr=False)
-class HarmonicBalance(Tabular):
+class HarmonicBalance(Tabular, Drawn):
     """All limit cycles of a loop, and the certificate.
 
     Attributes:
@@ -242,9 +243,7 @@ class HarmonicBalance(Tabular):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             ValueError: if the result has no loop.
         """
-        from trimmer.drawing.locus import draw_balance
-
-        return draw_balance(self, ax, near=near)
+        return drawn(self, ax, near=near)
 
     def _told(self) -> str:
         return self.message

@@ -14,12 +14,11 @@ from trimmer.orbits.measures import harmonics
 from trimmer.orbits.orbit_measures import ImpactEvent, harmonics_by_quadrature, impacts, stroke
 from trimmer.orbits.return_map import arcs
 from trimmer.orbits.shooting import CLOSED
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, arrays, attributes
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.displacement import Displacement
@@ -44,8 +43,10 @@ ORBIT_COLUMNS = attributes(
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PeriodicOrbit(Tabular):
+class PeriodicOrbit(Tabular, Drawn):
     """A periodic solution of a closed or driven loop, exact to rounding.
+
+    ``plot`` draws it in the phase plane of the element's input: its rate, m/s, over itself, m.
 
     Attributes:
         period: Period, s.
@@ -206,19 +207,6 @@ class PeriodicOrbit(Tabular):
     def impact_speeds(self) -> Reals:
         """Speeds of the impacts of a period, m/s, in order of time."""
         return np.array([impact.speed for impact in self.impacts])
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the orbit in the phase plane of the element's input: its rate, m/s, over itself, m.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.orbit import draw_orbit
-
-        return draw_orbit(self, ax)
 
     def _told(self) -> str:
         return f"amplitude {self.amplitude:.6g} m, {self.frequency:.6g} Hz, {self.steadiness}"

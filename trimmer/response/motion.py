@@ -20,13 +20,13 @@ from trimmer.messages import listed, near_match
 from trimmer.response.energy import MechanismEnergy, energy_of
 from trimmer.response.friction_forces import dry_forces, undetermined
 from trimmer.response.motion_signals import Signal, along, contact_force, output_rows, steady
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
 
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
@@ -70,8 +70,10 @@ class MechanismEvent:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MechanismMotion(Tabular):
+class MechanismMotion(Tabular, Drawn):
     """A simulated motion of a mechanism, exact between and at its events.
+
+    ``plot`` draws the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
 
     Attributes:
         flow: The motion of the mechanism.
@@ -208,19 +210,6 @@ class MechanismMotion(Tabular):
         So it is where several hold the same bodies; see ``friction_force``.
         """
         return undetermined(self.course)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.mechanisms.motions import draw_motion
-
-        return draw_motion(self.flow, self.course, ax)
 
     def _told(self) -> str:
         title, events = self.mechanism.title, counted(len(self.events), "event")

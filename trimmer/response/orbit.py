@@ -11,12 +11,11 @@ import numpy as np
 from trimmer.one_orbit import SAME
 from trimmer.response.multipliers import multipliers_of, with_place
 from trimmer.response.shooting import CLOSED, Shot
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from trimmer.arrays import Complexes, Integers, Reals
     from trimmer.contact.flow import Course, ExactFlow
     from trimmer.hybrid.advance import Instant
@@ -35,8 +34,11 @@ RETURNS = 64
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MechanismOrbit(Tabular):
+class MechanismOrbit(Tabular, Drawn):
     """A motion that repeats, or repeats up to an advance along which no force changes.
+
+    ``plot`` draws the first output in the phase plane: its rate, m/s, over itself, m. A dot marks the start
+    of each drive period. Without outputs it is the first body that is drawn.
 
     Attributes:
         flow: The motion of the mechanism, in the frame that advances evenly with the motion, if it does.
@@ -184,21 +186,6 @@ class MechanismOrbit(Tabular):
         from trimmer.response.measures import Measures
 
         return Measures(self.course, self.flow, max(self.period_count, 1), self.periods or 1)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the first output in the phase plane: its rate, m/s, over itself, m.
-
-        A dot marks the start of each drive period. Without outputs it is the first body that is drawn.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.mechanisms.motions import draw_phase_plane
-
-        return draw_phase_plane(self.flow, self.course, ax)
 
     def _told(self) -> str:
         return f"{self.mechanism.title}, {self.message}"

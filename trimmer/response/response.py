@@ -11,13 +11,12 @@ import numpy as np
 from trimmer.choices import Choice
 from trimmer.response.estimate import Estimate
 from trimmer.response.measures import HARMONICS
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, Tabular
 from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
-
-    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
@@ -193,8 +192,11 @@ class SettledMotion(Shown):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Response(Tabular):
+class Response(Tabular, Drawn):
     """What a mechanism settles to.
+
+    ``plot`` draws the motion of the first start over time, with contact and stick marked; of one that does
+    not repeat some periods.
 
     Attributes:
         mechanism: The mechanism.
@@ -234,22 +236,6 @@ class Response(Tabular):
     def message(self) -> str:
         """What the first start settles to, and how many motions were found."""
         return " ".join([self.motion.message, *self._others()])
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the motion of the first start over time, with contact and stick marked.
-
-        Of a motion that does not repeat some periods are drawn.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-            ValueError: if nothing was found that could be drawn.
-        """
-        from trimmer.drawing.mechanisms.response import draw_settled
-
-        return draw_settled(self.motion, ax)
 
     def _told(self) -> str:
         return f"{self.mechanism.title}: {self.message}"

@@ -11,13 +11,13 @@ import numpy as np
 
 from trimmer.arguments import real_number, require_instance, require_instances, whole_number
 from trimmer.errors import TrimmerError
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.quantity import Quantity, in_si, quantity_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -33,8 +33,10 @@ class SignalError(TrimmerError, ValueError):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Signal(Tabular):
+class Signal(Tabular, Drawn):
     """A signal sampled at equal distances in time.
+
+    ``plot`` draws the samples over time, s.
 
     Attributes:
         values: Samples, shape (n,), n >= 1, finite, in ``unit``; a copy of what was given, not writable.
@@ -102,19 +104,6 @@ class Signal(Tabular):
     def duration(self) -> float:
         """Number of samples over sample rate, s: each sample stands for one sampling interval."""
         return self.values.size / self.sample_rate
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the samples over time, s.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.samples import draw_signal
-
-        return draw_signal(self, ax)
 
     def _told(self) -> str:
         samples = counted(self.values.size, "sample")

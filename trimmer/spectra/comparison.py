@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.arrays import Complexes, Reals
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.quantity import Quantity
@@ -21,7 +22,6 @@ from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
 NEAR = 0.03
@@ -65,8 +65,10 @@ class SimulatedLines(Shown):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison(Tabular):
+class Comparison(Tabular, Drawn):
     """A measured and a simulated motion, line by line.
+
+    ``plot`` draws the measured spectrum, its lines and the simulated ones over frequency, Hz.
 
     Attributes:
         signal: The measured motion, SI.
@@ -125,19 +127,6 @@ class Comparison(Tabular):
     def opposite(self) -> bool:
         """Whether the opposite sign of the measurement would fit clearly better."""
         return self.inverted_residual < _BETTER * self.residual
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the measured spectrum, its lines and the simulated ones over frequency, Hz.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.comparison import draw_comparison
-
-        return draw_comparison(self, ax)
 
     def _told(self) -> str:
         lines = counted(self.measured.size, "line")

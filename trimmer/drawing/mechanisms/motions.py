@@ -8,11 +8,14 @@ import numpy as np
 
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.statuses import STICK
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
+from trimmer.response.motion import MechanismMotion
 from trimmer.response.motion_signals import output_rows, while_status
+from trimmer.response.orbit import MechanismOrbit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -33,9 +36,20 @@ def signals_of(flow: ExactFlow) -> Mapping[str, Reals]:
     return output_rows(flow.mechanism, layout) or bodies
 
 
-def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes:
-    """Draw outputs, m, over time, s, with contact and stick marked; see ``MechanismMotion.plot``."""
-    axes = axes_for(ax)
+@draw.register(MechanismMotion)
+def draw_simulated(motion: MechanismMotion, axes: Axes) -> None:
+    """Draw a simulated motion over time."""
+    draw_motion(motion.flow, motion.course, axes)
+
+
+@draw.register(MechanismOrbit)
+def draw_orbit(orbit: MechanismOrbit, axes: Axes) -> None:
+    """Draw an orbit in the phase plane."""
+    draw_phase_plane(orbit.flow, orbit.course, axes)
+
+
+def draw_motion(flow: ExactFlow, course: Course, axes: Axes) -> None:
+    """Draw outputs, m, over time, s, with contact and stick marked."""
     times = np.linspace(0.0, course.duration, POINTS)
     states = course.states(times)
     for number, (name, row) in enumerate(signals_of(flow).items()):
@@ -46,7 +60,6 @@ def draw_motion(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes
     axes.grid(alpha=0.3)
     draw_strips(axes, strips_of(flow, course))
     add_legend(axes)
-    return axes
 
 
 def strips_of(flow: ExactFlow, course: Course) -> list[Strip]:
@@ -60,9 +73,8 @@ def strips_of(flow: ExactFlow, course: Course) -> list[Strip]:
     ]
 
 
-def draw_phase_plane(flow: ExactFlow, course: Course, ax: Axes | None = None) -> Axes:
+def draw_phase_plane(flow: ExactFlow, course: Course, axes: Axes) -> None:
     """Draw the rate of the first output, m/s, over itself, m; dots mark the starts of drive periods."""
-    axes = axes_for(ax)
     (name, row), *_ = signals_of(flow).items()
     rate = row @ flow.modes.system.machine.base
     states = course.states(np.linspace(0.0, course.duration, POINTS))
@@ -74,7 +86,6 @@ def draw_phase_plane(flow: ExactFlow, course: Course, ax: Axes | None = None) ->
         )
     _name_plane(axes, name)
     add_legend(axes)
-    return axes
 
 
 def draw_section(axes: Axes, flow: ExactFlow, states: Reals, label: str, number: int = 0) -> None:
