@@ -9,7 +9,8 @@ import numpy as np
 
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainTable
-from trimmer.balance.search import Problem, Searched, find_all
+from trimmer.balance.equation_in_box import EquationInBox
+from trimmer.balance.search import Searched, find_all
 from trimmer.balance.vanishing import empty_intervals, poles_on_axis
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def solve_bounded(
     empty = tuple(filter(None, next_to_poles))
     table = GainTable.of(curve, _cut(breaks, empty) if empty else breaks)
     smallest_gain = _smallest_gain(next_to_poles, table)
-    result = find_all(Problem(response, curve, table, smallest_gain, empty))
+    result = find_all(EquationInBox(response, curve, table, smallest_gain, empty))
     omegas = omega_range or _range_with_all(result, roots)
     return Searched(_METHOD, result, omegas, omega_range is None, smallest_gain)
 

@@ -14,11 +14,12 @@ from scipy.optimize import minimize_scalar
 from trimmer.arguments import positive_number, real_number
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.element_curve import ElementCurve, GainTable
+from trimmer.balance.equation_in_box import EquationInBox
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
 from trimmer.balance.inverse_response import ConstantResponse
 from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop import LoopEquation, inverse_response
-from trimmer.balance.search import Problem, find_all
+from trimmer.balance.search import find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.showing.drawn import Drawn
@@ -283,7 +284,7 @@ def _time_constants(
     # With a time constant of 1 s, x = ln omega of the element is ln gamma.
     curve = ElementCurve(ViscousBacklash(gap, 1.0))
     table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _LIMITS))
-    result = find_all(Problem(ConstantResponse(inverse), curve, table, 0.0))
+    result = find_all(EquationInBox(ConstantResponse(inverse), curve, table, 0.0))
     found = [
         _identified(response, gap, math.exp(x) / omega, u, omega)
         for u, x in zip(result.u.tolist(), result.x.tolist(), strict=True)

@@ -22,14 +22,8 @@ from trimmer.ensembles.responses import responses_of
 from trimmer.errors import UndecidedWarning
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.messages import listed, near_match
-from trimmer.parameters import (
-    Parameter,
-    ParameterError,
-    ParameterKind,
-    TrimmerParameters,
-    parameter_table,
-    reason_against,
-)
+from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
+from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.ties import levels

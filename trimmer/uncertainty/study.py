@@ -15,15 +15,10 @@ from trimmer.design.trial import Asked, TrialWork, all_measures
 from trimmer.harmonics.balance import require_balanceable
 from trimmer.uncertainty.balance import Balanced, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
-from trimmer.uncertainty.kept import NOWHERE, Keeping
 from trimmer.uncertainty.points import Plan
-from trimmer.uncertainty.samples import (
-    Samples,
-    SampleSettings,
-    inputs_at,
-    sample_mechanism,
-    trials_of,
-)
+from trimmer.uncertainty.sample_inputs import SampleSettings, inputs_at
+from trimmer.uncertainty.sample_records import NOWHERE, Keeping
+from trimmer.uncertainty.samples import Samples, sample_mechanism, trials_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals

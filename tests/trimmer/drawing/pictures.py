@@ -31,7 +31,8 @@ from trimmer.drawing.signals.comparison import comparison_figure
 from trimmer.drawing.signals.fit import fit_figure
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty.sample_file import sample_file_of_text
-from trimmer.uncertainty.samples import Samples, SampleSettings, sample_mechanism
+from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.samples import Samples, sample_mechanism
 
 KEPT = Path(__file__).with_suffix(".txt")
 FEW = 8

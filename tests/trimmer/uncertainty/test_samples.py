@@ -17,10 +17,11 @@ from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
-from trimmer.uncertainty.kept import Keeping
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.sample_file import sample_file_of_text
-from trimmer.uncertainty.samples import SampleSettings, sample_mechanism
+from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.sample_records import Keeping
+from trimmer.uncertainty.samples import sample_mechanism
 from trimmer.uncertainty.study import study_samples
 
 TEXT = """

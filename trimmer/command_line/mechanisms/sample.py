@@ -27,7 +27,7 @@ from trimmer.files import SAMPLES
 
 if TYPE_CHECKING:
     from trimmer.uncertainty.sample_file import SampleFile
-    from trimmer.uncertainty.samples import SampleSettings
+    from trimmer.uncertainty.sample_inputs import SampleSettings
     from trimmer.uncertainty.study import Study
 
 COUNT = 512
@@ -146,7 +146,7 @@ def _check(arguments: Namespace) -> None:
 
 
 def _study(arguments: Namespace, file: SampleFile) -> Study:
-    from trimmer.uncertainty.kept import Keeping
+    from trimmer.uncertainty.sample_records import Keeping
     from trimmer.uncertainty.study import study_samples
 
     return study_samples(
@@ -162,7 +162,7 @@ def _study(arguments: Namespace, file: SampleFile) -> Study:
 
 def _settings(arguments: Namespace) -> SampleSettings:
     from trimmer.uncertainty.points import Plan
-    from trimmer.uncertainty.samples import SampleSettings
+    from trimmer.uncertainty.sample_inputs import SampleSettings
 
     plan = Plan.chosen(arguments.plan, "plan")
     return SampleSettings(arguments.count, plan, arguments.seed, arguments.periods)

@@ -25,7 +25,7 @@ from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import Records, appended, cut
 
 if TYPE_CHECKING:
-    from trimmer.uncertainty.samples import SampleInputs
+    from trimmer.uncertainty.sample_inputs import SampleInputs
 
 FORMAT = 1
 _SAMPLES = Records(
