@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState
     from trimmer.design.paths import NumberPath
-    from trimmer.design.spectrum import Line
+    from trimmer.design.spectrum import OutputLine
 
 MEASURES = 4
 """Measures whose influences are drawn."""
@@ -163,7 +163,7 @@ def _words(asked: Asked) -> str:
     return measure_words(asked.measure, asked.part)
 
 
-def _amplitude(line: Line) -> float:
+def _amplitude(line: OutputLine) -> float:
     return line.amplitude
 
 

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from trimmer.design.design import Design
     from trimmer.design.linear import LinearState
     from trimmer.design.paths import NumberPath, Side
-    from trimmer.design.spectrum import Line, OutputSpectrum
+    from trimmer.design.spectrum import OutputLine, OutputSpectrum
 
 Rows = list[list[str]]
 DASH = "—"
@@ -218,7 +218,7 @@ def line_rows(spectrum: OutputSpectrum) -> Rows:
     ]
 
 
-def _explained(line: Line) -> str:
+def _explained(line: OutputLine) -> str:
     ratio = f"{line.numerator}/{line.denominator}"
     parity, periods = "odd" if line.numerator % 2 else "even", count(line.denominator, "drive period")
     what = {

@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainTable
 from trimmer.balance.equation_in_box import EquationInBox
-from trimmer.balance.search import Searched, find_all
+from trimmer.balance.search import SearchedRegion, find_all
 from trimmer.balance.vanishing import empty_intervals, poles_on_axis
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequenc
 
 def solve_bounded(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Searched:
+) -> SearchedRegion:
     """Find all solutions where N is bounded; ``omega_range`` in rad/s, all frequencies if None."""
     roots = _range_of_roots(response)
     if omega_range is None:
@@ -58,7 +58,7 @@ def solve_bounded(
     smallest_gain = _smallest_gain(next_to_poles, table)
     result = find_all(EquationInBox(response, curve, table, smallest_gain, empty))
     omegas = omega_range or _range_with_all(result, roots)
-    return Searched(_METHOD, result, omegas, omega_range is None, smallest_gain)
+    return SearchedRegion(_METHOD, result, omegas, omega_range is None, smallest_gain)
 
 
 def _range_with_all(result: SearchResult, roots: tuple[float, float]) -> tuple[float, float]:

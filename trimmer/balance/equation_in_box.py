@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, final
 
 if TYPE_CHECKING:
     from trimmer.balance.element_curve import ElementCurve, GainTable
-    from trimmer.balance.inverse_response import Response
+    from trimmer.balance.inverse_response import InverseGain
     from trimmer.balance.vanishing import EmptyInterval
 
 
@@ -24,7 +24,7 @@ class EquationInBox:
         empty: Intervals of x, each between two breaks of the table, that are proven to hold no solution.
     """
 
-    response: Response
+    response: InverseGain
     curve: ElementCurve
     table: GainTable
     smallest_gain: float

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Places, Reals
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.equation_in_box import EquationInBox
-    from trimmer.balance.inverse_response import Response
+    from trimmer.balance.inverse_response import InverseGain
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class EnclosedCells:
     enclosure: Enclosure
 
     @classmethod
-    def of(cls, response: Response, curve: ElementCurve, cells: Cells) -> EnclosedCells:
+    def of(cls, response: InverseGain, curve: ElementCurve, cells: Cells) -> EnclosedCells:
         """Enclose N and 1/G on boxes."""
         return cls(cells, curve.disks(cells), response.enclose(cells.x_lower, cells.x_upper))
 

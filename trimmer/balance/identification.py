@@ -23,7 +23,7 @@ from trimmer.balance.search import find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.shown import Record, Shown, Tabular
+from trimmer.showing.shown import Shown, ShownFields, Tabular
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ class IdentifiedTimeConstant(Shown):
 
 
 @dataclass(frozen=True)
-class TimeConstantInterval(Record):
+class TimeConstantInterval(ShownFields):
     """The time constants that give a limit cycle within a range of frequencies.
 
     Attributes:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from trimmer.showing.drawn import Drawn, drawn
-from trimmer.showing.shown import Record, Shown, Tabular, counted
+from trimmer.showing.shown import Shown, ShownFields, Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ NEAR_TANGENCY = math.radians(5.0)
 
 
 @dataclass(frozen=True)
-class LimitCycle(Record):
+class LimitCycle(ShownFields):
     """A solution of 1 + N(A, omega) G(j omega) = 0 (equation 2.25 of the thesis).
 
     Attributes:
@@ -62,7 +62,7 @@ class LimitCycle(Record):
 
 
 @dataclass(frozen=True)
-class UndecidedRegion(Record):
+class UndecidedRegion(ShownFields):
     """Amplitudes and frequencies about which nothing is proven: a tangency, or a continuum of solutions.
 
     Attributes:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.balance.cells import Cells
-from trimmer.balance.search import Searched, SearchResult
+from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.balance.uniqueness import cross, newton_step
 from trimmer.elements.control_element import ControlElement
 from trimmer.elements.element_at_frequency import ElementAtFrequency
@@ -85,7 +85,7 @@ class _Grid:
 
 def solve_sampled(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Searched:
+) -> SearchedRegion:
     """Search solutions; ``omega_range`` in rad/s, chosen from the roots of G if None."""
     x_range = _range_of_roots(response)
     if omega_range is not None:
@@ -100,10 +100,10 @@ def solve_sampled(
             cells = cells.take(_may_hold(_corners(response, curve, cells)))
         u, x = _solutions(response, curve, cells, x_range)
     result = SearchResult(u, x, Cells.none(), examined)
-    return Searched(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)
+    return SearchedRegion(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)
 
 
-def unproven(curve: ElementCurve, outcome: Searched) -> tuple[str, ...]:
+def unproven(curve: ElementCurve, outcome: SearchedRegion) -> tuple[str, ...]:
     """Say what is not proven, in sentences without a full stop; nothing where the element has bounds."""
     element = curve.element
     if element.has_bounds:

@@ -128,7 +128,7 @@ def _settled(equation: EquationInBox, cells: Cells, found: _Solutions) -> tuple[
 
 
 @dataclass(frozen=True)
-class Searched:
+class SearchedRegion:
     """Solutions in u and x, and where they were looked for.
 
     Attributes:

@@ -16,7 +16,7 @@ SAME = 1e-12
 
 
 @dataclass(frozen=True)
-class Change:
+class ChangedNumber:
     """A number that differs.
 
     Attributes:
@@ -58,7 +58,7 @@ class Difference:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class DesignComparison:
     """Two designs.
 
     Attributes:
@@ -70,23 +70,23 @@ class Comparison:
 
     before: Design
     after: Design
-    changes: tuple[Change, ...]
+    changes: tuple[ChangedNumber, ...]
     others: tuple[str, ...]
     differences: tuple[Difference, ...]
 
 
-def compared(before: Design, after: Design) -> Comparison:
+def compared(before: Design, after: Design) -> DesignComparison:
     """Compare two designs."""
     first, second = before.file.mechanism, after.file.mechanism
     asked = dict.fromkeys((*all_measures(first), *all_measures(second)))
     differences = tuple(Difference(each, _value(before, each), _value(after, each)) for each in asked)
-    return Comparison(before, after, _changes(first, second), _others(first, second), differences)
+    return DesignComparison(before, after, _changes(first, second), _others(first, second), differences)
 
 
-def _changes(first: Mechanism, second: Mechanism) -> tuple[Change, ...]:
+def _changes(first: Mechanism, second: Mechanism) -> tuple[ChangedNumber, ...]:
     units = {**first.places, **second.places}
     pairs = [(place, unit, _number(first, place), _number(second, place)) for place, unit in units.items()]
-    return tuple(Change(*each) for each in pairs if _differ(*each[2:]))
+    return tuple(ChangedNumber(*each) for each in pairs if _differ(*each[2:]))
 
 
 def _number(mechanism: Mechanism, place: str) -> float | None:

@@ -19,7 +19,7 @@ from trimmer.design.remedies import Remedies, remedies
 from trimmer.design.sensitivity import Sensitivities, sensitivities
 from trimmer.design.spectrum import OutputSpectrum, spectra
 from trimmer.design.varied_places import Varied, varied_places
-from trimmer.design.verdict import Verdict, verdict_on
+from trimmer.design.verdict import DesignVerdict, verdict_on
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -80,7 +80,7 @@ class Design:
     sensitivities: Sensitivities | None
     ranges: RangeStudy | None
     questions: tuple[Question, ...]
-    verdict: Verdict
+    verdict: DesignVerdict
     remedies: Remedies | None
 
     @property
@@ -192,7 +192,7 @@ class Study:
         depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
         return self._made(Stage.RANGES, (), depends, make)
 
-    def remedies(self, verdict: Verdict, of: Sensitivities | None) -> Remedies | None:
+    def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
         file = self.file
         if not verdict.missed or file.mechanism.frequency is None:

@@ -41,7 +41,7 @@ Spans = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Signals:
+class MotionSignals:
     """A motion over time.
 
     Attributes:
@@ -100,7 +100,7 @@ class FoundMotion:
     frictions: Mapping[str, FrictionMeasures]
     hand_arm: Mapping[str, HandArm]
     events: float
-    signals: Signals
+    signals: MotionSignals
 
     @property
     def repeats(self) -> bool:
@@ -202,14 +202,14 @@ def _hand_arm(
     return hand_arm_of_samples(course, rms, SAMPLES * periods / course.duration)
 
 
-def _signals(flow: ExactFlow, course: Course, share: float) -> Signals:
+def _signals(flow: ExactFlow, course: Course, share: float) -> MotionSignals:
     layout, log = flow.modes.system.layout, course.log
     end = share * course.duration
     times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])
     states = course.states(times)
     rows = np.searchsorted(log.start, times, side="right") - 1
     contacts = len(layout.contacts)
-    return Signals(
+    return MotionSignals(
         times,
         {name: states @ row for name, row in output_rows(flow.mechanism, layout).items()},
         {

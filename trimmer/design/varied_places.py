@@ -24,7 +24,7 @@ SLACK = 0.2
 """Range of a gap that is zero in the file, as a share of the largest stroke."""
 
 
-class Role(Enum):
+class NumberRole(Enum):
     """What a number is to the designer."""
 
     GAP = "gap"
@@ -46,7 +46,7 @@ class Varied:
         bounded: Whether a bound of its own cuts the range, as the static force does that of the kinetic one.
     """
 
-    role: Role
+    role: NumberRole
     place: str
     part: str
     unit: str
@@ -61,7 +61,7 @@ class Varied:
         Args:
             cells: A multiple of 24, or fewer for a coarse map.
         """
-        if self.role is Role.SPEED:
+        if self.role is NumberRole.SPEED:
             first, last = 0, cells - 1
         else:
             first, last = 1, cells
@@ -98,13 +98,13 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
     lowest, highest = (part.gap - reach, part.gap + 3 * reach) if part.gap else (0.0, reach)
     if section == "plays":
         lowest = max(lowest, 0.0)
-    yield Varied(Role.GAP, place_text((section, name, "gap")), name, "m", part.gap, lowest, highest)
+    yield Varied(NumberRole.GAP, place_text((section, name, "gap")), name, "m", part.gap, lowest, highest)
 
 
 def _speed(mechanism: Mechanism) -> Iterator[Varied]:
     if mechanism.frequency is not None:
         low, high = (share * mechanism.frequency for share in SPEEDS)
-        yield Varied(Role.SPEED, "frequency", "", "Hz", mechanism.frequency, low, high)
+        yield Varied(NumberRole.SPEED, "frequency", "", "Hz", mechanism.frequency, low, high)
 
 
 def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
@@ -123,4 +123,4 @@ def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Vari
         highest, bounded = friction.force, True
     else:
         highest, bounded = 4 * friction.force, False
-    yield Varied(Role.FRICTION, place, name, "N", friction.force, 0.0, highest, bounded)
+    yield Varied(NumberRole.FRICTION, place, name, "N", friction.force, 0.0, highest, bounded)

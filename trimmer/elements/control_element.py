@@ -13,7 +13,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.elements.element import Element
-from trimmer.elements.quadrature import Estimate
+from trimmer.elements.quadrature import QuadratureEstimate
 from trimmer.elements.unbounded import EVEN, UnboundedElement
 from trimmer.errors import UnsupportedElementError
 
@@ -166,10 +166,10 @@ class ControlElement(UnboundedElement):
         exists = own is None or not np.isnan(own)
         return bool(exists and np.abs(first + second).max() > EVEN * np.abs(first).max())
 
-    def _estimate(self, amplitude: float, omega: float, harmonic: int) -> Estimate:
+    def _estimate(self, amplitude: float, omega: float, harmonic: int) -> QuadratureEstimate:
         own = self._own(amplitude)
         if own is not None and np.isnan(own):
-            return Estimate(own, math.nan, math.nan)
+            return QuadratureEstimate(own, math.nan, math.nan)
         return super()._estimate(amplitude, omega, harmonic)
 
 

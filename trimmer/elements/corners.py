@@ -20,7 +20,7 @@ from trimmer.arguments import positive_number
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
 from trimmer.elements.bounds import range_shape, unlimited_domain
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 from trimmer.elements.small_arguments import argument_less_sine, sine_less_cosine_part
 
 if TYPE_CHECKING:
@@ -74,18 +74,18 @@ class CornerElement(Element):
         """Return infinity: any amplitude will do."""
         return unlimited_domain(self._omegas(omega))
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return (4/π) slope cos α at the lowest u, as |dN/du| falls with u; and 0 for |dN/d(ln omega)|."""
         shape = range_shape(u_range, omega_range)
         by_u = ROUNDED_UP * _STEEPEST * self.slope * _cosine(u_range[0])
-        return Sensitivity(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        return GainSensitivity(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the change of (4/π) slope cos α between the ends of u, as it is monotonic; and 0."""
         shape = range_shape(u_range, omega_range)
         change = _cosine(u_range[0]) - _cosine(u_range[1]) + _ROUNDING
         by_u = ROUNDED_UP * _STEEPEST * self.slope * change
-        return Variation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        return GainVariation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
     @property
     @abstractmethod

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element_at_frequency import ElementAtFrequency
-    from trimmer.elements.expansion import Sensitivity, Variation
+    from trimmer.elements.expansion import GainSensitivity, GainVariation
     from trimmer.elements.scaled_element import ScaledElement
     from trimmer.elements.small_gains import SmallGains
     from trimmer.elements.sum_of_elements import SumOfElements
@@ -173,7 +173,7 @@ class Element(Drawn, ABC):
         """
 
     @abstractmethod
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Bound the derivatives of N on boxes of u and omega, as far as they lie in the domain.
 
         Args:
@@ -190,7 +190,7 @@ class Element(Drawn, ABC):
         """
 
     @abstractmethod
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Bound how much the derivatives of N change on boxes of u and omega, inside the domain.
 
         With it Newton's method and the uniqueness of a solution can be proven. Arguments and errors are those

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, final
 from trimmer.arguments import real_number
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -64,15 +64,15 @@ class ScaledElement(Element):
         """Return the supremum of u of the element, which the factor leaves alone."""
         return self.element.domain(omega)
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.sensitivity(u_range, omega_range)
-        return Sensitivity(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+        return GainSensitivity(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.variation(u_range, omega_range)
-        return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+        return GainVariation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
 
     def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
         """Return the bound of the element times the modulus of the factor."""

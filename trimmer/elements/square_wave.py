@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
-    from trimmer.elements.expansion import Sensitivity, Variation
+    from trimmer.elements.expansion import GainSensitivity, GainVariation
 
 
 FUNDAMENTAL = 4.0 / np.pi
@@ -51,11 +51,11 @@ class SquareWaveElement(Element):
         """Return infinity: any amplitude will do."""
         return unlimited_domain(self._omegas(omega))
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is linear in u."""
         return constant_sensitivity(FUNDAMENTAL, 0.0, u_range, omega_range)
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return zeros: N is linear in u."""
         return no_variation(u_range, omega_range)
 

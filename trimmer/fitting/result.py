@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.fitting.judgement import Judgement
     from trimmer.fitting.measured import MeasuredLines
-    from trimmer.fitting.search import Searched
+    from trimmer.fitting.search import FitSearch
     from trimmer.fitting.weak import WeakDirection
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.orbit import MechanismOrbit
@@ -84,7 +84,7 @@ class Fit(Tabular, Drawn):
     simulated: Complexes
     shift: float
     orbit: MechanismOrbit
-    searched: Searched
+    searched: FitSearch
     judgement: Judgement
     weak: tuple[WeakDirection, ...]
     notes: tuple[str, ...]

@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Harmonics, Pieces, piecewise, with_moving_ends
-from trimmer.harmonics.waveform import Decay, Waveform
+from trimmer.harmonics.waveform import Decay, PeriodicWaveform
 from trimmer.mechanism.parts import ContactLaw, Play, Stop
 
 SKIPPED = 1e-5
@@ -19,7 +19,7 @@ MOST_CONTACTS = 400
 
 
 @dataclass(frozen=True, eq=False)
-class Contact:
+class HarmonicContact:
     """A play or stop, with its distance s between the ends.
 
     Attributes:
@@ -28,7 +28,7 @@ class Contact:
     """
 
     part: Play | Stop
-    distance: Waveform
+    distance: PeriodicWaveform
 
     @property
     def offsets(self) -> dict[int, float]:
@@ -41,10 +41,10 @@ class Contact:
         """The law; without damping all are one."""
         return self.part.law if self.part.damping > 0.0 else ContactLaw.PULLING
 
-    def force(self, side: int) -> Waveform:
+    def force(self, side: int) -> PeriodicWaveform:
         """Return the force in contact on a side, N; positive if it pulls the ends together."""
         factors = self.part.stiffness + self.part.damping * self.distance.turning
-        unshifted = Waveform(factors * self.distance.coefficients, self.distance.omega)
+        unshifted = PeriodicWaveform(factors * self.distance.coefficients, self.distance.omega)
         return unshifted.shifted(-self.part.stiffness * self.offsets[side])
 
     def harmonics(self) -> Harmonics:
@@ -122,7 +122,7 @@ class Contact:
         period = self.distance.period
         found = []
         for side, offset in self.offsets.items():
-            gap = Waveform(self.distance.coefficients, self.distance.omega, decay).shifted(-offset)
+            gap = PeriodicWaveform(self.distance.coefficients, self.distance.omega, decay).shifted(-offset)
             skipped = SKIPPED * period if side == released else 0.0
             for begin, end in ((time + skipped, time + period), (time + period, time + 2.0 * period)):
                 moments = crossings(gap, begin, end)

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arguments import positive_number, real_array, real_number, real_values
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.shown import Record, Tabular
+from trimmer.showing.shown import ShownFields, Tabular
 from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def _numbered(name: str, values: Reals) -> dict[str, Reals]:
 
 
 @dataclass(frozen=True)
-class SteadyState(Record):
+class SteadyState(ShownFields):
     """The output amplitude * sin(omega t + phase) that is left in the end when the input is a sine.
 
     Attributes:

@@ -22,10 +22,10 @@ from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.maps.measures import Measures
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.response import MotionKind
-from trimmer.runners.record_file import Records, appended, cut
+from trimmer.runners.record_file import RecordFile, appended, cut
 from trimmer.sizes import LARGEST
 
-_MAPS = Records(
+_MAPS = RecordFile(
     kind=MAP,
     key="trimmer map",
     version=FORMAT,
@@ -43,7 +43,7 @@ _MAPS = Records(
 
 
 def begin(path: Path, inputs: MapInputs, *, overwrite: bool = False) -> None:
-    """Write a file with the header alone; errors are those of ``Records.begin``."""
+    """Write a file with the header alone; errors are those of ``RecordFile.begin``."""
     _MAPS.begin(path, inputs.header, overwrite=overwrite)
 
 

@@ -16,7 +16,7 @@ from trimmer.motion.relay_component import HELD, RelayComponent
 from trimmer.motion.switched_component import EventKind
 from trimmer.motion.system import KINDS
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.shown import ShownFields, Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ EVENT_COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Event(Record):
+class Event(ShownFields):
     """A change of mode.
 
     Attributes:

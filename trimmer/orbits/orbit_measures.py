@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.motion.backlash_component import LOWER, UPPER, BacklashComponent
 from trimmer.orbits.measures import HARMONICS, extremes_of
 from trimmer.orbits.return_map import arcs, flow
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -25,7 +25,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(48)
 
 @final
 @dataclass(frozen=True)
-class ImpactEvent(Record):
+class ImpactEvent(ShownFields):
     """A meeting of the pin with a side of its gap.
 
     Attributes:

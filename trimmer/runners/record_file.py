@@ -21,7 +21,7 @@ from trimmer.runners.runner import Result
 
 
 @dataclass(frozen=True)
-class Records:
+class RecordFile:
     """What a kind of file keeps.
 
     Attributes:

@@ -15,7 +15,7 @@ from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
-from trimmer.signals.quantity import Quantity, in_si, quantity_of
+from trimmer.signals.quantity import MotionQuantity, in_si, quantity_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -121,7 +121,7 @@ class Signal(Tabular, Drawn):
         return scale * float((self.values / scale).std())
 
     @property
-    def quantity(self) -> Quantity:
+    def quantity(self) -> MotionQuantity:
         """What it is, by its unit."""
         return quantity_of(self.unit)
 

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arguments import require_instances, whole_number
 from trimmer.arrays import Reals
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.shown import ShownFields, Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import Signal, SignalError
@@ -33,7 +33,7 @@ _SMALLEST_SQUARED, _LARGEST_SQUARED = 1e-140, 1e140
 
 
 @dataclass(frozen=True)
-class AveragedLine(Record):
+class AveragedLine(ShownFields):
     """A line of an averaged spectrum.
 
     Attributes:

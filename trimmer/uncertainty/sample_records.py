@@ -22,13 +22,13 @@ from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
 from trimmer.messages import shown_value
 from trimmer.response.response import MotionKind
-from trimmer.runners.record_file import Records, appended, cut
+from trimmer.runners.record_file import RecordFile, appended, cut
 
 if TYPE_CHECKING:
     from trimmer.uncertainty.sample_inputs import SampleInputs
 
 FORMAT = 1
-_SAMPLES = Records(
+_SAMPLES = RecordFile(
     kind=SAMPLES,
     key="trimmer sample",
     version=FORMAT,
@@ -85,7 +85,7 @@ def header(inputs: SampleInputs) -> dict[str, object]:
 
 
 def begin(path: Path, inputs: SampleInputs, *, overwrite: bool = False) -> None:
-    """Write a file with the header alone; errors are those of ``Records.begin``."""
+    """Write a file with the header alone; errors are those of ``RecordFile.begin``."""
     _SAMPLES.begin(path, header(inputs), overwrite=overwrite)
 
 

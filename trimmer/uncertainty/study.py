@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Quantity:
+class QuantityOfInterest:
     """What indices are of.
 
     Attributes:
@@ -40,7 +40,7 @@ class Quantity:
 
 
 @dataclass(frozen=True, eq=False)
-class Study:
+class SampleStudy:
     """Samples, and what else was asked of them.
 
     Attributes:
@@ -51,7 +51,7 @@ class Study:
     """
 
     samples: Samples
-    indices: Mapping[Quantity, Indices]
+    indices: Mapping[QuantityOfInterest, Indices]
     balanced: Balanced | None
     per_second: float
 
@@ -65,7 +65,7 @@ def study_samples(
     runner: Runner | None = None,
     keeping: Keeping = NOWHERE,
     quiet: bool = False,
-) -> Study:
+) -> SampleStudy:
     """Draw samples and look at them. Errors are those of ``sample_mechanism``.
 
     Args:
@@ -91,7 +91,7 @@ def study_samples(
     seconds = time.perf_counter() - begin
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
     beside = balanced_samples(samples, balanced) if balanced else None
-    return Study(samples, found, beside, rate)
+    return SampleStudy(samples, found, beside, rate)
 
 
 def warm_up(file: SampleFile) -> None:
@@ -105,7 +105,7 @@ def _with_indices(
     runner: Runner | None,
     keeping: Keeping,
     quiet: bool,
-) -> tuple[Samples, dict[Quantity, Indices]]:
+) -> tuple[Samples, dict[QuantityOfInterest, Indices]]:
     require_independent(file.uncertainty)
     places = file.uncertainty.places
     blocks = Plan.SOBOL.count(settings.count)
@@ -121,15 +121,15 @@ def _with_indices(
     return samples, found
 
 
-def _quantities(samples: Samples) -> list[tuple[Quantity, Reals]]:
+def _quantities(samples: Samples) -> list[tuple[QuantityOfInterest, Reals]]:
     """Return what is so, as 0 and 1, and then the size of each measure, where it exists."""
     repeats = np.array([trial.period_count == 1 for trial in samples.trials], dtype=float)
-    found = [(Quantity("whether the motion repeats with the drive"), repeats)]
+    found = [(QuantityOfInterest("whether the motion repeats with the drive"), repeats)]
     if samples.targets:
-        found.append((Quantity("whether all targets are met"), samples.met.astype(float)))
+        found.append((QuantityOfInterest("whether all targets are met"), samples.met.astype(float)))
     for asked in samples.asked:
         if asked.measure is not Measure.PERIOD:
-            found.append((Quantity(name_of(asked), asked), samples.measured(asked)))
+            found.append((QuantityOfInterest(name_of(asked), asked), samples.measured(asked)))
     return found
 
 

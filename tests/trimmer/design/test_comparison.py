@@ -10,7 +10,7 @@ import pytest
 
 from tests.trimmer.design.made import contact, motion, oscillator, output
 from trimmer import Mechanism
-from trimmer.design.comparison import Change, Difference, compared
+from trimmer.design.comparison import ChangedNumber, Difference, compared
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked
@@ -63,9 +63,9 @@ def test_numbers_and_ends_that_differ_are_listed() -> None:
     )
     found = compared(design(before, None), design(after, None))
     assert found.changes == (
-        Change("links.spring.stiffness", "N/m", 9e3, 1e4),
-        Change("stops.wall.stiffness", "N/m", None, 500.0),
-        Change("stops.wall.gap", "m", None, 4e-5),
+        ChangedNumber("links.spring.stiffness", "N/m", 9e3, 1e4),
+        ChangedNumber("stops.wall.stiffness", "N/m", None, 500.0),
+        ChangedNumber("stops.wall.gap", "m", None, 4e-5),
     )
     assert found.others == ()
     back = compared(design(after, None), design(before, None)).changes
@@ -88,7 +88,7 @@ def test_a_frequency_that_only_one_has_is_a_change() -> None:
     driven = oscillator()
     free = replace(driven, frequency=None, forces={})
     changes = {each.place: each for each in compared(design(free, None), design(driven, None)).changes}
-    assert changes["frequency"] == Change("frequency", "Hz", None, 20.0)
+    assert changes["frequency"] == ChangedNumber("frequency", "Hz", None, 20.0)
 
 
 def test_measures_stand_beside_each_other_as_far_as_there_are_any() -> None:

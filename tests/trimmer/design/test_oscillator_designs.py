@@ -22,7 +22,7 @@ from trimmer.design.sensitivity import Elasticity, Sensitivities, Sensitivity, d
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import Asked
-from trimmer.design.varied_places import Role, Varied, varied_places
+from trimmer.design.varied_places import NumberRole, Varied, varied_places
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 
 ENDS = ("ground", "block")
@@ -142,8 +142,8 @@ def test_starts_are_counted_and_neighbours_are_looked_at_around_two_numbers() ->
     assert [each.starts for each in alone.found] == [3]
     assert alone.message and alone.neighbours is None
     speed, drive = (
-        Varied(Role.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0),
-        Varied(Role.FRICTION, "forces.shaker.amplitude", "", "N", 7.0, 0.0, 7.0, True),
+        Varied(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0),
+        Varied(NumberRole.FRICTION, "forces.shaker.amplitude", "", "N", 7.0, 0.0, 7.0, True),
     )
     runner = SerialRunner()
     assert with_neighbours(oscillator(), alone, (speed,), FEW, runner) is alone
@@ -222,7 +222,7 @@ def test_what_does_not_repeat_or_is_not_driven_has_fewer_stages() -> None:
     def motions(first: FoundMotion, failed: bool = False) -> Motions:
         return Motions((first,), 2, 5, 0, "", failed)
 
-    speed = (Varied(Role.SPEED, "frequency", "", "Hz", 20.0, 19.0, 21.0),)
+    speed = (Varied(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 19.0, 21.0),)
     repeating, chaos = motion(state=np.zeros(2)), motion(kind=MotionKind.CHAOTIC)
     made, _ = study(oscillator())
     for bad in (motions(repeating, failed=True), motions(chaos)):

@@ -9,7 +9,7 @@ from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.special import SpecialKind
 from trimmer.design.paths import Side, Special, path_through
-from trimmer.design.varied_places import Role, Varied
+from trimmer.design.varied_places import NumberRole, Varied
 
 
 def special(kind: SpecialKind, value: float) -> Special:
@@ -63,7 +63,7 @@ def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
 
 
 def over_frequency(lowest: float, highest: float) -> Varied:
-    return Varied(Role.SPEED, "frequency", "", "Hz", 20.0, lowest, highest)
+    return Varied(NumberRole.SPEED, "frequency", "", "Hz", 20.0, lowest, highest)
 
 
 def test_the_orbits_of_an_oscillator_are_those_of_its_formula() -> None:

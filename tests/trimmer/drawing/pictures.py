@@ -185,7 +185,7 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "SpectrumAnalysis, dying": lambda ax=None: dying().plot(ax),
     "Spectrum": lambda ax=None: results.analysis().spectrum.plot(ax),
     "AveragedSpectrum": lambda ax=None: results.averaged().plot(ax),
-    "Comparison": lambda ax=None: results.comparison().plot(ax),
+    "MotionComparison": lambda ax=None: results.comparison().plot(ax),
     "HarmonicFit": lambda ax=None: results.analysis().harmonics.plot(ax),
     "Fit": lambda ax=None: results.fit().plot(ax),
 }

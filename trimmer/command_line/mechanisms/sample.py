@@ -28,7 +28,7 @@ from trimmer.files import SAMPLES
 if TYPE_CHECKING:
     from trimmer.uncertainty.sample_file import SampleFile
     from trimmer.uncertainty.sample_inputs import SampleSettings
-    from trimmer.uncertainty.study import Study
+    from trimmer.uncertainty.study import SampleStudy
 
 COUNT = 512
 CHANNELS = ("both", "displacement")
@@ -145,7 +145,7 @@ def _check(arguments: Namespace) -> None:
     check_targets(arguments, targets, {"file": "the file of the mechanism"})
 
 
-def _study(arguments: Namespace, file: SampleFile) -> Study:
+def _study(arguments: Namespace, file: SampleFile) -> SampleStudy:
     from trimmer.uncertainty.sample_records import Keeping
     from trimmer.uncertainty.study import study_samples
 

@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from trimmer.uncertainty.balance import Balanced
     from trimmer.uncertainty.indices import Index, Indices
     from trimmer.uncertainty.samples import Samples
-    from trimmer.uncertainty.study import Study
+    from trimmer.uncertainty.study import SampleStudy
 
 MOST_LINES = 8
 """Numbers that the text lists for each quantity."""
 
 
-def as_text(study: Study) -> str:
+def as_text(study: SampleStudy) -> str:
     """Return what samples tell, for people."""
     samples = study.samples
     lines = [*_yield_lines(samples), "what it settles to"]
@@ -111,7 +111,7 @@ def _balanced_lines(balanced: Balanced) -> Iterator[str]:
     )
 
 
-def as_json(study: Study) -> str:
+def as_json(study: SampleStudy) -> str:
     """Return what samples tell, for programs; see docs/json.md."""
     samples = study.samples
     total = len(samples.trials)

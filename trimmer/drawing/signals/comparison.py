@@ -12,7 +12,7 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.signals.spectrum import outline
 from trimmer.drawing.units import name_axis
-from trimmer.spectra.comparison import Comparison
+from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.spectrum import amplitude_spectrum
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ SAMPLES = 2000
 MEASURED, SIMULATED = "0.45", COLOURS[1]
 
 
-def comparison_figure(comparison: Comparison) -> Figure:
+def comparison_figure(comparison: MotionComparison) -> Figure:
     """Draw spectra over each other, and waveforms aligned in time."""
     figure = new_figure(*SIZE)
     above, below = figure.subplots(2)
@@ -35,8 +35,8 @@ def comparison_figure(comparison: Comparison) -> Figure:
     return figure
 
 
-@draw.register(Comparison)
-def draw_comparison(comparison: Comparison, axes: Axes) -> None:
+@draw.register(MotionComparison)
+def draw_comparison(comparison: MotionComparison, axes: Axes) -> None:
     """Draw the measured spectrum and the lines of both."""
     signal = comparison.signal
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate)
@@ -53,7 +53,7 @@ def draw_comparison(comparison: Comparison, axes: Axes) -> None:
     add_legend(axes)
 
 
-def draw_waveforms(comparison: Comparison, axes: Axes) -> None:
+def draw_waveforms(comparison: MotionComparison, axes: Axes) -> None:
     """Draw samples, and the lines of both added up, over a period of the simulation."""
     signal = comparison.signal
     times, measured, simulated = comparison.waveforms()
