@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from report.design.report import Equations
     from trimmer.design.design import Design
     from trimmer.design.linear import LinearState
-    from trimmer.design.paths import NumberPath, Side
+    from trimmer.design.paths import NumberPath, PathSide
     from trimmer.design.spectrum import OutputLine, OutputSpectrum
 
 Rows = list[list[str]]
@@ -253,7 +253,7 @@ def margin_rows(design: Design) -> Rows:
     return rows
 
 
-def _reach(side: Side | None, unit: str) -> str:
+def _reach(side: PathSide | None, unit: str) -> str:
     if side is None:
         return "not looked at"
     if side.reaches is None:

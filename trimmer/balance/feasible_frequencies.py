@@ -112,7 +112,7 @@ def feasible_bands(
 
 @dataclass(frozen=True)
 class _BandInputs:
-    """What bands depend on, and ``solvable`` of ``feasible_bands``."""
+    """A loop with a gap, and the frequencies at which some M/D gives a limit cycle."""
 
     given: ComparedSystem
     gap: float

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trimmer.design.trial import Asked, all_measures
+from trimmer.design.trial import MeasureOfPart, all_measures
 
 if TYPE_CHECKING:
     from trimmer.design.design import Design
@@ -17,7 +17,7 @@ SAME = 1e-12
 
 @dataclass(frozen=True)
 class ChangedNumber:
-    """A number that differs.
+    """A number that differs between two designs.
 
     Attributes:
         place: Its dotted place.
@@ -32,15 +32,15 @@ class ChangedNumber:
 
 
 @dataclass(frozen=True)
-class Difference:
-    """A measure before and after.
+class MeasureDifference:
+    """A measure of both designs.
 
     Attributes:
         asked: The measure.
         before, after: Its values, SI units; None where there is no such thing or no motion.
     """
 
-    asked: Asked
+    asked: MeasureOfPart
     before: float | None
     after: float | None
 
@@ -59,7 +59,7 @@ class Difference:
 
 @dataclass(frozen=True)
 class DesignComparison:
-    """Two designs.
+    """What differs between two designs.
 
     Attributes:
         before, after: The designs; looked at as far as a comparison needs.
@@ -72,14 +72,14 @@ class DesignComparison:
     after: Design
     changes: tuple[ChangedNumber, ...]
     others: tuple[str, ...]
-    differences: tuple[Difference, ...]
+    differences: tuple[MeasureDifference, ...]
 
 
 def compared(before: Design, after: Design) -> DesignComparison:
     """Compare two designs."""
     first, second = before.file.mechanism, after.file.mechanism
     asked = dict.fromkeys((*all_measures(first), *all_measures(second)))
-    differences = tuple(Difference(each, _value(before, each), _value(after, each)) for each in asked)
+    differences = tuple(MeasureDifference(each, _value(before, each), _value(after, each)) for each in asked)
     return DesignComparison(before, after, _changes(first, second), _others(first, second), differences)
 
 
@@ -116,7 +116,7 @@ def _form(part: object) -> tuple[object, ...]:
     return tuple(getattr(part, key, None) for key in ("between", "on", "law"))
 
 
-def _value(design: Design, asked: Asked) -> float | None:
+def _value(design: Design, asked: MeasureOfPart) -> float | None:
     motion = design.motion
     if motion is None or asked not in all_measures(design.file.mechanism):
         return None

@@ -42,7 +42,7 @@ Spans = tuple[tuple[float, float], ...]
 
 @dataclass(frozen=True, eq=False)
 class MotionSignals:
-    """A motion over time.
+    """Outputs, contact forces, contact and stick of a motion over time.
 
     Attributes:
         times: s, (n,).

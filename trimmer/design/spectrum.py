@@ -23,7 +23,7 @@ BESIDE = 0.03
 
 
 class LineKind(Enum):
-    """What a line is."""
+    """The origin of a line of a spectrum."""
 
     DRIVE = "the drive"
     HARMONIC = "a harmonic"

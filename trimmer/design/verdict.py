@@ -29,7 +29,7 @@ class DesignOutcome(Enum):
 
 
 class Sureness(Enum):
-    """How sure it is, within the model."""
+    """How sure a verdict is, within the model."""
 
     SURE = "sure"
     LIKELY = "likely"
@@ -38,7 +38,7 @@ class Sureness(Enum):
 
 @dataclass(frozen=True)
 class JudgedTarget:
-    """A target and what was found.
+    """A target, and the measure that was found.
 
     Attributes:
         target: The target.
@@ -66,7 +66,7 @@ class JudgedTarget:
 
 @dataclass(frozen=True)
 class DesignVerdict:
-    """The verdict.
+    """Whether the targets are met, and how sure that is.
 
     Attributes:
         outcome: On all targets together.

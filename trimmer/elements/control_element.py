@@ -78,7 +78,7 @@ class ControlElement(UnboundedElement):
         return float(amplitudes[1 + int(np.argmax(bend))]) if bend.max() > 1e-6 else 1.0
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return that of an element without memory; NaN for one with memory."""
+        """Return the gain for the mean of the input; NaN for an element with memory."""
         if self.nonlinearity._isstatic():
             return self._mean_slope(amplitude)
         return super().mean_gain(amplitude)

@@ -60,7 +60,7 @@ class ElementAtFrequency(Element):
 
     @property
     def constant_from(self) -> float:
-        """That of the element."""
+        """The u from which on N of the element does not change any more."""
         return self.element.constant_from
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:

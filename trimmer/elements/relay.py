@@ -70,14 +70,14 @@ class Relay(SquareWaveElement):
 
     @property
     def thresholds(self) -> Thresholds | None:
-        """Where it switches; None for the ideal relay."""
+        """The inputs at which it switches; None for the ideal relay."""
         if self.hysteresis == 0 == self.dead_zone:
             return None
         return Thresholds(self.level, self.dead_zone, self.hysteresis)
 
     @property
     def amplitude_scale(self) -> float:
-        """The amplitude from which on it switches; the level, of which only the number counts, if any."""
+        """The amplitude from which on it switches; of the ideal relay the number of the level."""
         return self.dead_zone + self.hysteresis or self.level
 
     @property

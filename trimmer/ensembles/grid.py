@@ -55,7 +55,7 @@ def grid_at(responses: Responses, omega: Reals) -> FrequencyGrid:
 
 
 def merged(first: FrequencyGrid, second: FrequencyGrid) -> FrequencyGrid:
-    """Return the points of both in rising order."""
+    """Return the points of two grids in rising order."""
     both = [np.concatenate(pair, axis=1) for pair in zip(first, second, strict=True)]
     order = np.argsort(both[0], axis=1)
     return FrequencyGrid(*(np.take_along_axis(each, order, axis=1) for each in both))

@@ -40,7 +40,7 @@ class Solutions(NamedTuple):
     found: Flags
 
     def part(self, rows: Flags) -> Solutions:
-        """Return some of them."""
+        """Return some of the solutions."""
         return Solutions(
             self.omega[rows],
             self.u[rows],

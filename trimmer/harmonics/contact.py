@@ -38,7 +38,7 @@ class HarmonicContact:
 
     @property
     def law(self) -> ContactLaw:
-        """The law; without damping all are one."""
+        """The law of contact; without damping all give the same force."""
         return self.part.law if self.part.damping > 0.0 else ContactLaw.PULLING
 
     def force(self, side: int) -> PeriodicWaveform:
@@ -64,7 +64,7 @@ class HarmonicContact:
         return total
 
     def _with_onsets(self, fixed: Harmonics, side: int, pieces: Pieces) -> Harmonics:
-        """Heed that the ends of contact move, where the damper makes the force jump."""
+        """Add what changes because the ends of contact move, where the damper makes the force jump."""
         force, weights = self.force(side), np.ones(len(self.distance.coefficients), dtype=complex)
         moments = np.concatenate([pieces.begin, pieces.end])
         jumps = np.concatenate([force.at(pieces.begin), -force.at(pieces.end)])

@@ -26,7 +26,7 @@ class Range(Enum):
 
 @dataclass(frozen=True)
 class NumberField:
-    """A number of a part.
+    """A field of a part that is a number.
 
     Attributes:
         unit: SI unit as text, such as ``N/m``.

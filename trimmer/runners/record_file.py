@@ -22,7 +22,7 @@ from trimmer.runners.runner import Result
 
 @dataclass(frozen=True)
 class RecordFile:
-    """What a kind of file keeps.
+    """A kind of file of results: its header, and what its lines are called.
 
     Attributes:
         kind: How such a file begins.

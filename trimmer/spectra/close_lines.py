@@ -1,4 +1,4 @@
-"""Lines closer than a window parts them: whether one sine explains what is around it, or how many do.
+"""Lines too close for the window: whether one sine explains the bins around it, or how many do.
 
 The best fit of one sine is held against those of more: each that lowers the sum of squares, in units of the
 noise, by more than noise would is accepted (the likelihood ratio). What no few steady sines explain, such as
@@ -43,7 +43,7 @@ APART = 1.0
 
 @dataclass(frozen=True)
 class SpectralLine:
-    """A line as it is shown.
+    """A line of a spectrum with its standard deviations.
 
     Attributes:
         place: In bins.

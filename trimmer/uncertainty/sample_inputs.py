@@ -23,7 +23,7 @@ MOST_SAMPLES = 1_000_000
 
 @dataclass(frozen=True)
 class SampleSettings:
-    """How samples are drawn and looked at.
+    """How many samples are drawn, how they are spread, and how long each may take to settle.
 
     Attributes:
         count: How many; of Sobol points the next power of two.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.design.targets import Target
-from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
+from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
 from trimmer.progress import progress_bar
 from trimmer.runners.processes import ProcessRunner
@@ -32,7 +32,7 @@ FEW = 12
 
 @dataclass(frozen=True)
 class SampleWork:
-    """What is done with a sample: its number and its values."""
+    """The work of a sample, given by its number and its values."""
 
     trial: TrialWork
 
@@ -54,7 +54,7 @@ class Samples:
 
     inputs: SampleInputs
     targets: tuple[Target, ...]
-    asked: tuple[Asked, ...]
+    asked: tuple[MeasureOfPart, ...]
     trials: tuple[Trial, ...]
 
     @property
@@ -67,7 +67,7 @@ class Samples:
         """How many motions could not be followed to their end."""
         return sum(trial.kind is None for trial in self.trials)
 
-    def measured(self, asked: Asked) -> Reals:
+    def measured(self, asked: MeasureOfPart) -> Reals:
         """Return a measure of each trial, shape (trials,); not a number where the motion failed."""
         return np.array([trial.value(asked.measure, asked.part) for trial in self.trials], dtype=float)
 
@@ -161,7 +161,7 @@ def trials_of(
 
 def _computed(
     inputs: SampleInputs,
-    asked: tuple[Asked, ...],
+    asked: tuple[MeasureOfPart, ...],
     done: dict[int, Trial],
     runner: Runner | None,
     path: Path | None,

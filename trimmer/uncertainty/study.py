@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, TrialWork, all_measures
+from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
 from trimmer.harmonics.balance import require_balanceable
-from trimmer.uncertainty.balance import Balanced, balanced_samples
+from trimmer.uncertainty.balance import BalancedSamples, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.sample_inputs import SampleSettings, inputs_at
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class QuantityOfInterest:
-    """What indices are of.
+    """A result whose scatter is divided among the numbers.
 
     Attributes:
         name: What it is, in words.
@@ -36,7 +36,7 @@ class QuantityOfInterest:
     """
 
     name: str
-    asked: Asked | None = None
+    asked: MeasureOfPart | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class SampleStudy:
 
     samples: Samples
     indices: Mapping[QuantityOfInterest, Indices]
-    balanced: Balanced | None
+    balanced: BalancedSamples | None
     per_second: float
 
 
@@ -66,7 +66,7 @@ def study_samples(
     keeping: Keeping = NOWHERE,
     quiet: bool = False,
 ) -> SampleStudy:
-    """Draw samples and look at them. Errors are those of ``sample_mechanism``.
+    """Draw samples, with Sobol indices and harmonic balance if wanted; errors as of ``sample_mechanism``.
 
     Args:
         file: The mechanism, its targets, and what scatters.
@@ -142,6 +142,6 @@ _NAMES = {
 }
 
 
-def name_of(asked: Asked) -> str:
+def name_of(asked: MeasureOfPart) -> str:
     """Return what is measured, in words."""
     return _NAMES[asked.measure].format(asked.part)

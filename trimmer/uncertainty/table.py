@@ -28,7 +28,7 @@ FORMS = '{ normal = "5 um" }, { normal = "5 %" } or { uniform = ["20 um", "60 um
 
 
 class Numbers(Protocol):
-    """What has numbers at places, such as a mechanism."""
+    """Anything with numbers at dotted places, such as a mechanism."""
 
     @property
     def places(self) -> Mapping[str, str]:

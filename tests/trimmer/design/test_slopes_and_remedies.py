@@ -12,10 +12,10 @@ from trimmer.design.found_motion import FoundMotion
 from trimmer.design.paths import path_through
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked
+from trimmer.design.trial import MeasureOfPart
 from trimmer.design.varied_places import NumberRole, varied_places
 
-STROKE = Asked(Measure.STROKE, "stroke")
+STROKE = MeasureOfPart(Measure.STROKE, "stroke")
 QUICK = DesignSettings(starts=2, cell_periods=200)
 
 

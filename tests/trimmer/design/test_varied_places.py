@@ -6,7 +6,7 @@ import pytest
 
 from tests.trimmer.design.made import contact, friction, motion, output
 from trimmer import Mechanism
-from trimmer.design.varied_places import NumberRole, Varied, varied_places
+from trimmer.design.varied_places import NumberRole, VariedNumber, varied_places
 from trimmer.mechanism import Body, ContactLaw, Friction, Link, Pin, Play, Stop
 
 ENDS = ("ground", "block")
@@ -21,7 +21,7 @@ def play(gap: float = 4e-5, stiffness: float = 3e4, damping: float = 0.0) -> Pla
     return Play(ENDS, stiffness, damping, gap)
 
 
-def only(role: NumberRole, found: tuple[Varied, ...]) -> Varied:
+def only(role: NumberRole, found: tuple[VariedNumber, ...]) -> VariedNumber:
     (each,) = (each for each in found if each.role is role)
     return each
 
@@ -102,11 +102,11 @@ def test_a_static_force_bounds_the_kinetic_one(static: float | None, highest: fl
 
 
 def test_a_side_of_a_map_holds_the_number_of_the_file() -> None:
-    gap = Varied(NumberRole.GAP, "plays.bridge.gap", "bridge", "m", 4e-5, 0.0, 1.6e-4)
+    gap = VariedNumber(NumberRole.GAP, "plays.bridge.gap", "bridge", "m", 4e-5, 0.0, 1.6e-4)
     assert gap.values(4) == pytest.approx([4e-5, 8e-5, 1.2e-4, 1.6e-4])
     assert gap.values(24)[5] == pytest.approx(4e-5)
-    shifted = Varied(NumberRole.FRICTION, "f", "f", "N", 1.0, 1.0, 3.0)
+    shifted = VariedNumber(NumberRole.FRICTION, "f", "f", "N", 1.0, 1.0, 3.0)
     assert shifted.values(4) == pytest.approx([1.5, 2.0, 2.5, 3.0])
-    speed = Varied(NumberRole.SPEED, "frequency", "", "Hz", 110.0, 55.0, 165.0)
+    speed = VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 110.0, 55.0, 165.0)
     assert speed.values(4) == pytest.approx([55.0, 82.5, 110.0, 137.5])
     assert speed.values(24)[12] == pytest.approx(110.0)

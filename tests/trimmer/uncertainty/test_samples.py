@@ -12,7 +12,7 @@ import pytest
 from trimmer import MotionKind, respond
 from trimmer.command_line.main import main
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, Trial
+from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.runners.processes import ProcessRunner
@@ -44,7 +44,7 @@ stroke_at_least = 0.9
 """
 FILE = sample_file_of_text(TEXT, "stop.toml")
 SETTINGS = SampleSettings(count=10, seed=4, most_periods=60)
-STROKE = Asked(Measure.STROKE, "x")
+STROKE = MeasureOfPart(Measure.STROKE, "x")
 
 
 @pytest.fixture(scope="module")

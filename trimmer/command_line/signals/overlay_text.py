@@ -24,7 +24,7 @@ _SMALLEST = 1e-4
 
 @dataclass(frozen=True)
 class Compared:
-    """What is shown of a comparison.
+    """A comparison with what its text and JSON say of the two motions.
 
     Attributes:
         file: File of the measurement.
