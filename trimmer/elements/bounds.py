@@ -1,4 +1,4 @@
-"""Domains and bounds that do not depend on amplitude and frequency, in the shape of the arguments."""
+"""Bounds that do not depend on amplitude and frequency, in the shape of the arguments."""
 
 from __future__ import annotations
 
@@ -9,13 +9,7 @@ import numpy as np
 from trimmer.elements.expansion import GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Reals
     from trimmer.elements.element import Range
-
-
-def unlimited_domain(omega: Reals) -> Reals:
-    """Return infinity in the shape of omega: the element has a describing function at any amplitude."""
-    return np.full(omega.shape, np.inf)[()]
 
 
 def constant_sensitivity(

@@ -18,7 +18,7 @@ import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
-from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 from trimmer.elements.small_arguments import argument_less_sine, sine_less_cosine_part
@@ -56,11 +56,6 @@ class CornerElement(Element):
         positive_number("slope", self.slope, "output per input")
 
     @property
-    def depends_on_frequency(self) -> bool:
-        """False: the output follows the input without memory."""
-        return False
-
-    @property
     def amplitude_scale(self) -> float:
         """The threshold, in the unit of the input: N depends on threshold/amplitude alone."""
         return self.threshold
@@ -69,10 +64,6 @@ class CornerElement(Element):
     def constant_from(self) -> float:
         """1: an amplitude below the threshold never reaches a corner."""
         return 1.0
-
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: any amplitude will do."""
-        return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return (4/π) slope cos α at the lowest u, as |dN/du| falls with u; and 0 for |dN/d(ln omega)|."""

@@ -53,9 +53,9 @@ class Element(Drawn, ABC):
     """
 
     @property
-    @abstractmethod
     def depends_on_frequency(self) -> bool:
         """Whether N depends on omega; if so, omega must be given."""
+        return False
 
     @property
     @abstractmethod
@@ -158,7 +158,6 @@ class Element(Drawn, ABC):
                 part[missing.ravel()] = np.nan
         return Expansion(*(_scalar_if_0d(part.reshape(amplitudes.shape)) for part in parts))
 
-    @abstractmethod
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u = amplitude_scale / amplitude at each omega; N is NaN from there on.
 
@@ -171,6 +170,7 @@ class Element(Drawn, ABC):
         Raises:
             ValueError: as for ``describing_function``.
         """
+        return np.full(self._omegas(omega).shape, np.inf)[()]
 
     @abstractmethod
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:

@@ -44,11 +44,6 @@ class ElementAtFrequency(Element):
         positive_number("omega", self.omega, "rad/s")
 
     @property
-    def depends_on_frequency(self) -> bool:
-        """False: the frozen omega takes the place of any other."""
-        return False
-
-    @property
     def amplitude_scale(self) -> float:
         """The scale of the element, in the unit of the input."""
         return self.element.amplitude_scale

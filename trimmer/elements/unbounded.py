@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.elements.arguments import harmonic_number, positive_amplitudes
-from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 from trimmer.elements.quadrature import QuadratureEstimate, harmonic_by_quadrature
@@ -34,11 +34,6 @@ class UnboundedElement(Element):
     Its harmonics are integrated, its derivatives are difference quotients, and its bounds are infinite:
     harmonic balance searches a grid, and says that nothing is proven.
     """
-
-    @property
-    def depends_on_frequency(self) -> bool:
-        """False, unless a subclass says otherwise."""
-        return False
 
     @property
     def has_bounds(self) -> bool:
@@ -83,10 +78,6 @@ class UnboundedElement(Element):
             )
         estimate = self._estimate(float(amplitudes), float(omegas), number if number % 2 else 1)
         return estimate if number % 2 or np.isnan(estimate.value) else estimate._replace(value=0j)
-
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: where there is no steady output is not known."""
-        return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return infinity: no bound is known."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.elements.arguments import positive_amplitudes
-from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
@@ -46,10 +46,6 @@ class ViscousFriction(Element):
     def amplitude_scale(self) -> float:
         """1: a linear element has no amplitude of its own."""
         return 1.0
-
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: any amplitude will do."""
-        return unlimited_domain(self._omegas(omega))
 
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return 0 for |dN/du|, and the damping times the upper omega for |dN/d(ln omega)|, N/m."""

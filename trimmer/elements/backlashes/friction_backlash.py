@@ -45,11 +45,6 @@ class FrictionBacklash(Backlash):
         ValueError: if the gap is not positive and finite.
     """
 
-    @property
-    def depends_on_frequency(self) -> bool:
-        """False: without inertia the load has no time constant."""
-        return False
-
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return 2, in the shape of ``omega``: the load moves if the amplitude exceeds half of the gap."""
         return np.full(self._omegas(omega).shape, 2.0)[()]
