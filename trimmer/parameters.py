@@ -1,56 +1,31 @@
-"""The thirteen parameters of the linear trimmer: values, meanings, units and validation."""
+"""The thirteen parameters of the linear trimmer: values, meanings, and the TOML files that hold them."""
 
 from __future__ import annotations
 
-import math
+from collections.abc import Iterator
 from dataclasses import Field, dataclass, field, fields
-from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
-from trimmer.sizes import reason_against_size
+from trimmer.messages import in_lines, near_match, shown_value
+from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
+from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
 if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
+SCATTER = "uncertainty"
+"""The table of a parameter file that only ``trimmer sample`` reads."""
+_TEMPLATE_HEAD = """\
+# Parameters of a hair trimmer, in SI units.
+# Every key is needed. Masses are positive; stiffness and damping are zero or positive.
+"""
+
 
 class ParameterError(TrimmerError, ValueError):
     """One or more parameters are unusable; the message names each with its value and the reason."""
-
-
-class ParameterKind(Enum):
-    """What a parameter measures; the value is its SI unit."""
-
-    MASS = "kg"
-    STIFFNESS = "N/m"
-    DAMPING = "N s/m"
-
-    @property
-    def unit(self) -> str:
-        """SI unit as plain text, such as ``N/m``."""
-        return self.value
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """Description of one parameter.
-
-    Attributes:
-        symbol: Name of the field of ``TrimmerParameters``, such as ``m1``.
-        meaning: What it is, in words.
-        quantity: What it measures, which determines its unit and its sign.
-    """
-
-    symbol: str
-    meaning: str
-    quantity: ParameterKind
-
-    @property
-    def unit(self) -> str:
-        """SI unit of the parameter as plain text, such as ``N/m``."""
-        return self.quantity.unit
 
 
 def _mass(meaning: str) -> Any:
@@ -120,18 +95,21 @@ class TrimmerParameters:
             ParameterError: if the file cannot be read or is not TOML, or for unknown keys, missing keys and
                 unusable values. Every problem is named, with the file, the key, the value and the reason.
         """
-        from trimmer.parameter_files import read_parameters
-
         return read_parameters(file_path("path", path))
 
     def to_toml(self) -> str:
         """Return the parameters as TOML text, each with its meaning and unit; it reads back equal."""
-        from trimmer.parameter_files import parameters_as_toml
-
-        return parameters_as_toml(self)
+        lines, kind = [_TEMPLATE_HEAD], ParameterKind.MASS
+        for parameter in parameter_table():
+            if parameter.quantity is not kind:
+                lines.append("\n")
+            kind = parameter.quantity
+            assignment = f"{parameter.symbol} = {getattr(self, parameter.symbol)!r}"
+            lines.append(f"{assignment:<20} # {parameter.unit}, {parameter.meaning}\n")
+        return "".join(lines)
 
     def to_mechanism(self, amplitude: float, frequency: float) -> Mechanism:
-        """Return the trimmer as a mechanism whose bridge is a link to the pin on the motor.
+        """Return the trimmer (figure 2.1b) as a mechanism whose bridge is a link to the pin on the motor.
 
         Its parts carry the symbols of the thesis, and its output is the stroke, y = q2 - q4.
 
@@ -142,9 +120,28 @@ class TrimmerParameters:
         Raises:
             MechanismError: if amplitude or frequency is no such number.
         """
-        from trimmer.mechanism.thesis import linear_mechanism
+        from trimmer.mechanism.mechanism import Mechanism
+        from trimmer.mechanism.parts import GROUND, Body, Link, Output, Pin
 
-        return linear_mechanism(self, amplitude, frequency)
+        return Mechanism(
+            title="Linear trimmer",
+            frequency=frequency,
+            bodies={
+                "motor": Body(self.m1, "m_1"),
+                "cutter": Body(self.m2, "m_2"),
+                "housing": Body(self.m3, "m_3"),
+                "guard": Body(self.m4, "m_4"),
+            },
+            pins={"pin": Pin("motor", amplitude, symbol="u")},
+            links={
+                "motor mount": Link((GROUND, "motor"), self.k1, self.c1, "k_1"),
+                "bridge": Link(("pin", "cutter"), self.k2, self.c2, "k_2"),
+                "housing mount": Link((GROUND, "housing"), self.k3, self.c3, "k_3"),
+                "guard spring": Link(("housing", "guard"), self.k4, self.c4, "k_4"),
+                "coil spring": Link(("housing", "cutter"), self.k5, symbol="k_5"),
+            },
+            outputs={"stroke": Output({"cutter": 1.0, "guard": -1.0})},
+        )
 
     def values(self) -> tuple[float, ...]:
         """Return the thirteen values, SI units, as the generated functions take them: m1-m4, k1-k5, c1-c4."""
@@ -170,25 +167,59 @@ def _described(entry: Field[Any]) -> Parameter:
     return Parameter(entry.name, entry.metadata["meaning"], entry.metadata["quantity"])
 
 
-def reason_against(value: object, quantity: ParameterKind) -> str:
-    """Return why a value cannot be used as such a quantity, as a piece of a message; empty if it can.
+def read_parameters(path: Path) -> TrimmerParameters:
+    """Read parameters as ``TrimmerParameters.from_toml`` does, from a path or from ``-``."""
+    content = _parsed(path)
+    problems = [*_unknown_keys(content), *_missing_keys(content), *_unusable_values(content)]
+    if problems:
+        raise ParameterError(f"{path}: {_count(len(problems))} in the parameters:{in_lines(problems)}")
+    return TrimmerParameters(**{key: value for key, value in content.items() if key != SCATTER})
 
-    NumPy's real scalars count as numbers; truth values, text and complex numbers do not.
-    """
-    if isinstance(value, bool) or not hasattr(value, "__float__") or isinstance(value, complex):
-        return f"give a number in {quantity.unit}"
-    try:
-        number = float(value)
-    except OverflowError:
-        return "too large for a floating-point number"
-    except (TypeError, ValueError):
-        return f"give a number in {quantity.unit}"
-    if not math.isfinite(number):
-        return "must be finite"
-    if reason := reason_against_size(number):
-        return reason
-    if quantity is ParameterKind.MASS and number <= 0:
-        return "a mass must be greater than zero"
-    if number < 0:
-        return f"{quantity.name.lower()} must not be negative"
-    return ""
+
+def _parsed(path: Path) -> dict[str, Any]:
+    text = read_text(path, ParameterError, "'trimmer parameters --output FILE' writes one to start from")
+    content = parsed(text, str(path), ParameterError, "write one 'key = number' per line, as in 'm1 = 0.035'")
+    if is_mechanism_file(content):
+        raise ParameterError(
+            f"{path}: this is a mechanism, for 'trimmer respond FILE' and 'trimmer simulate FILE'; "
+            "'trimmer parameters --output FILE' writes a parameter file to start from"
+        )
+    return content
+
+
+def _unknown_keys(content: dict[str, Any]) -> Iterator[str]:
+    known = [parameter.symbol for parameter in parameter_table()]
+    for key, value in content.items():
+        if key in known or (key == SCATTER and isinstance(value, dict)):
+            continue
+        if isinstance(value, dict):
+            yield f"[{key}]: tables are not used; write the keys without a heading"
+            continue
+        advice = near_match(key, known) or f"known keys: {', '.join(known)}"
+        yield f"{key} = {shown_value(value)}: unknown key; {advice}"
+
+
+def _missing_keys(content: dict[str, Any]) -> Iterator[str]:
+    for parameter in parameter_table():
+        if parameter.symbol not in content:
+            yield (
+                f"{parameter.symbol}: missing; add '{parameter.symbol} = NUMBER' "
+                f"({parameter.unit}, {parameter.meaning})"
+            )
+
+
+def _unusable_values(content: dict[str, Any]) -> Iterator[str]:
+    for parameter in parameter_table():
+        if parameter.symbol not in content:
+            continue
+        value = content[parameter.symbol]
+        reason = reason_against(value, parameter.quantity)
+        if not reason:
+            continue
+        if isinstance(value, str):
+            reason += ", without quotation marks; text is not evaluated"
+        yield f"{parameter.symbol} = {shown_value(value)}: {reason}"
+
+
+def _count(problems: int) -> str:
+    return "1 problem" if problems == 1 else f"{problems} problems"

@@ -1,4 +1,4 @@
-"""What is told on standard error to who waits: progress bars, and whether anything is told at all."""
+"""Progress bars on standard error, and whether anything is told there at all."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,7 +11,9 @@ from typing import Any
 from trimmer.errors import TrimmerError
 from trimmer.files import read_content
 from trimmer.messages import near_file
-from trimmer.parameters import parameter_table
+
+PARAMETER = re.compile("m[1-4]|k[1-5]|c[1-4]")
+"""Symbols of the parameters of the thesis's trimmer, which are the keys of its files."""
 
 
 def read_text(path: Path, error: type[TrimmerError], advice: str) -> str:
@@ -71,7 +74,7 @@ def parsed(text: str, name: str, error: type[TrimmerError], advice: str) -> dict
 
 def is_parameter_file(content: Mapping[str, object]) -> bool:
     """Say whether the content of a file holds parameters of the thesis's trimmer, and no bodies."""
-    return "bodies" not in content and any(parameter.symbol in content for parameter in parameter_table())
+    return "bodies" not in content and any(map(PARAMETER.fullmatch, content))
 
 
 def is_mechanism_file(content: Mapping[str, object]) -> bool:

@@ -23,7 +23,7 @@ from trimmer.command_line.parser import OptionError
 from trimmer.files import STANDARD_INPUT, write_atomically
 
 if TYPE_CHECKING:
-    from trimmer.design.comparison import Comparison
+    from trimmer.design.comparison import DesignComparison
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -68,7 +68,7 @@ def _names(before: Path, after: Path) -> tuple[str, str]:
 
 
 def _contents(
-    comparison: Comparison, names: tuple[str, str], formats: frozenset[Format], paper: Paper, date: str
+    comparison: DesignComparison, names: tuple[str, str], formats: frozenset[Format], paper: Paper, date: str
 ) -> dict[Format, str | bytes]:
     from report.design.comparison import ComparisonReport, spectra_overlaid
     from report.design.markdown import comparison_to_markdown

@@ -23,7 +23,7 @@ from report.design.words import (
 )
 from report.document.figure import Figure
 from report.rendering.escaping import Markdown, code, markdown
-from trimmer.design.comparison import Comparison
+from trimmer.design.comparison import DesignComparison
 from trimmer.design.targets import Measure
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class ComparisonReport:
     """
 
     title: str
-    comparison: Comparison
+    comparison: DesignComparison
     names: tuple[str, str]
     figures: dict[str, Figure]
     origin: Origin
@@ -56,7 +56,7 @@ class ComparisonReport:
         return self.origin.line
 
 
-def spectra_overlaid(comparison: Comparison, names: tuple[str, str]) -> dict[str, Figure]:
+def spectra_overlaid(comparison: DesignComparison, names: tuple[str, str]) -> dict[str, Figure]:
     """Draw the lines of each output that both designs have, one over the other."""
     found = {}
     both = [name for name in comparison.before.spectra if name in comparison.after.spectra]
@@ -75,7 +75,7 @@ def spectra_overlaid(comparison: Comparison, names: tuple[str, str]) -> dict[str
     return found
 
 
-def verdict_rows(comparison: Comparison) -> list[list[str]]:
+def verdict_rows(comparison: DesignComparison) -> list[list[str]]:
     """Return verdict and motion of both."""
     pair = (comparison.before, comparison.after)
     return [
@@ -91,7 +91,7 @@ def _kind(design: Design) -> str:
     return kind_words(design.motion) if design.motion is not None else "nothing that could be measured"
 
 
-def change_rows(comparison: Comparison) -> list[list[str]]:
+def change_rows(comparison: DesignComparison) -> list[list[str]]:
     """Return the numbers of the file that differ."""
     rows = [["Number", "Before", "After", "Change"]]
     for each in comparison.changes:
@@ -112,7 +112,7 @@ def _number(value: float | None, unit: str) -> str:
     return NEITHER if value is None else shown(value, unit, 6)
 
 
-def difference_rows(comparison: Comparison) -> list[list[str]]:
+def difference_rows(comparison: DesignComparison) -> list[list[str]]:
     """Return the measures side by side."""
     rows = [["Measure", "Before", "After", "Change"]]
     for each in comparison.differences:
@@ -130,7 +130,7 @@ def _signed(share: float) -> str:
     return "no change" if abs(share) < 5e-7 else f"{'+' if share > 0 else '−'}{percent(abs(share), 3)}"
 
 
-def comparison_sentence(comparison: Comparison, names: tuple[str, str]) -> Markdown:
+def comparison_sentence(comparison: DesignComparison, names: tuple[str, str]) -> Markdown:
     """Return what the change did to the verdict, in one sentence."""
     pair = (comparison.before, comparison.after)
     if not any(each.file.targets for each in pair):

@@ -20,7 +20,7 @@ from report.design.quantities import percent, place_words, shown
 from report.design.words import capital, measure_words
 from trimmer.design.linear import driving
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked
+from trimmer.design.trial import MeasureOfPart
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState
     from trimmer.design.paths import NumberPath
-    from trimmer.design.spectrum import Line
+    from trimmer.design.spectrum import OutputLine
 
 MEASURES = 4
 """Measures whose influences are drawn."""
@@ -141,7 +141,7 @@ def _ranges(design: Design) -> Iterator[Figure]:
         return
     first = study.narrowings[0].range
     named = [(each, _words(each)) for each in asked]
-    bounds = {Asked(each.measure, each.part): each.bound for each in design.file.targets}
+    bounds = {MeasureOfPart(each.measure, each.part): each.bound for each in design.file.targets}
     others = (
         " The other numbers that nobody knows are anywhere in their ranges." if len(study.ranges) > 1 else ""
     )
@@ -159,11 +159,11 @@ def _ranges(design: Design) -> Iterator[Figure]:
     )
 
 
-def _words(asked: Asked) -> str:
+def _words(asked: MeasureOfPart) -> str:
     return measure_words(asked.measure, asked.part)
 
 
-def _amplitude(line: Line) -> float:
+def _amplitude(line: OutputLine) -> float:
     return line.amplitude
 
 
@@ -226,24 +226,28 @@ def _influences(design: Design) -> Iterator[Figure]:
         )
 
 
-def important(design: Design) -> list[Asked]:
+def important(design: Design) -> list[MeasureOfPart]:
     """Return the measures to look at first: those of targets, then stroke, held body, impact, wear."""
     motion, mechanism = design.motion, design.file.mechanism
     if motion is None:
         return []
     found = [
-        Asked(each.measure, each.part) for each in design.file.targets if each.measure is not Measure.PERIOD
+        MeasureOfPart(each.measure, each.part)
+        for each in design.file.targets
+        if each.measure is not Measure.PERIOD
     ]
     if mechanism.outputs:
-        found.append(Asked(Measure.STROKE, next(iter(mechanism.outputs))))
+        found.append(MeasureOfPart(Measure.STROKE, next(iter(mechanism.outputs))))
     shaken = design.file.held or max(motion.rms_acceleration, key=lambda name: motion.rms_acceleration[name])
-    found.append(Asked(Measure.RMS_ACCELERATION, shaken))
+    found.append(MeasureOfPart(Measure.RMS_ACCELERATION, shaken))
     hit = [name for name, each in motion.contacts.items() if each.impact_speed > 0]
     if hit:
         found.append(
-            Asked(Measure.IMPACT_SPEED, max(hit, key=lambda name: motion.contacts[name].impact_speed))
+            MeasureOfPart(Measure.IMPACT_SPEED, max(hit, key=lambda name: motion.contacts[name].impact_speed))
         )
     worn = [name for name, each in motion.frictions.items() if each.power > 0]
     if worn:
-        found.append(Asked(Measure.WEAR_POWER, max(worn, key=lambda name: motion.frictions[name].power)))
+        found.append(
+            MeasureOfPart(Measure.WEAR_POWER, max(worn, key=lambda name: motion.frictions[name].power))
+        )
     return list(dict.fromkeys(found))

@@ -22,9 +22,9 @@ from trimmer.response.response import MotionKind
 if TYPE_CHECKING:
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
-    from trimmer.design.paths import NumberPath, Side
+    from trimmer.design.paths import NumberPath, PathSide
     from trimmer.design.sensitivity import Sensitivity
-    from trimmer.design.trial import Asked
+    from trimmer.design.trial import MeasureOfPart
 
 
 def map_sentences(drawn: DesignMap) -> str:
@@ -99,7 +99,7 @@ def margin_sentences(design: Design) -> str:
     return told + " Beyond each value the mechanism takes another motion, which may still meet the targets."
 
 
-def _ended(side: Side) -> str:
+def _ended(side: PathSide) -> str:
     if side.losing is not None:
         return SPECIAL[side.losing]
     if side.reason is BranchEnd.TORN:
@@ -154,7 +154,7 @@ def first_changes(design: Design) -> Markdown:
     return Markdown("\n").join(told)
 
 
-def _is_smooth(sensitivity: Sensitivity, asked: Asked) -> bool:
+def _is_smooth(sensitivity: Sensitivity, asked: MeasureOfPart) -> bool:
     found = sensitivity.of(asked)
     return found is not None and found.smooth
 

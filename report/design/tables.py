@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from report.design.report import Equations
     from trimmer.design.design import Design
     from trimmer.design.linear import LinearState
-    from trimmer.design.paths import NumberPath, Side
-    from trimmer.design.spectrum import Line, OutputSpectrum
+    from trimmer.design.paths import NumberPath, PathSide
+    from trimmer.design.spectrum import OutputLine, OutputSpectrum
 
 Rows = list[list[str]]
 DASH = "—"
@@ -219,7 +219,7 @@ def line_rows(spectrum: OutputSpectrum) -> Rows:
     ]
 
 
-def _explained(line: Line) -> str:
+def _explained(line: OutputLine) -> str:
     ratio = f"{line.numerator}/{line.denominator}"
     parity, periods = "odd" if line.numerator % 2 else "even", count(line.denominator, "drive period")
     what = {
@@ -254,7 +254,7 @@ def margin_rows(design: Design) -> Rows:
     return rows
 
 
-def _reach(side: Side | None, unit: str) -> str:
+def _reach(side: PathSide | None, unit: str) -> str:
     if side is None:
         return "not looked at"
     if side.reaches is None:

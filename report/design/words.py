@@ -9,7 +9,7 @@ from report.design.quantities import percent, place_words, shown, written
 from report.rendering.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
 from trimmer.design.targets import Measure
-from trimmer.design.verdict import NEAR, Outcome, Sureness
+from trimmer.design.verdict import NEAR, DesignOutcome, Sureness
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from trimmer.design.found_motion import FoundMotion
     from trimmer.design.remedies import Remedy
     from trimmer.design.targets import Target
-    from trimmer.design.verdict import Judged
+    from trimmer.design.verdict import JudgedTarget
 
 COUNTS = (
     "no",
@@ -46,11 +46,11 @@ SPECIAL = {
     SpecialKind.SYMMETRY_BREAKING: "the motion to one side becomes unlike that to the other",
 }
 OUTCOMES = {
-    Outcome.NO_TARGETS: "No targets",
-    Outcome.MET: "Met",
-    Outcome.MISSED: "Missed",
-    Outcome.DEPENDS: "It depends",
-    Outcome.OPEN: "Open",
+    DesignOutcome.NO_TARGETS: "No targets",
+    DesignOutcome.MET: "Met",
+    DesignOutcome.MISSED: "Missed",
+    DesignOutcome.DEPENDS: "It depends",
+    DesignOutcome.OPEN: "Open",
 }
 
 
@@ -128,13 +128,13 @@ def verdict_sentence(design: Design) -> Markdown:
     """Return the verdict in one sentence, as Markdown."""
     verdict, motion = design.verdict, design.motion
     match verdict.outcome:
-        case Outcome.NO_TARGETS:
+        case DesignOutcome.NO_TARGETS:
             return _without_targets(design)
-        case Outcome.OPEN:
+        case DesignOutcome.OPEN:
             return markdown("**Nothing can be said about the targets**: {}", _lowered(design.motions.message))
-        case Outcome.MET:
+        case DesignOutcome.MET:
             return _met(design)
-        case Outcome.MISSED:
+        case DesignOutcome.MISSED:
             return _missed(design)
     assert motion is not None
     return _depends(design)
@@ -185,7 +185,7 @@ def _met(design: Design) -> Markdown:
     )
 
 
-def _margin(judged: Judged) -> float:
+def _margin(judged: JudgedTarget) -> float:
     return judged.margin
 
 
@@ -209,7 +209,7 @@ def _missed(design: Design) -> Markdown:
     return markdown("**{}**: {}{}.", many, told, rest)
 
 
-def _miss(judged: Judged) -> str:
+def _miss(judged: JudgedTarget) -> str:
     which = measure_words(judged.target.measure, judged.target.part)
     if judged.target.measure is Measure.PERIOD and math.isinf(judged.value):
         return f"the motion does not repeat, and {bound_words(judged.target)} is wanted as its period"
@@ -259,7 +259,7 @@ def sureness_sentences(design: Design) -> str:
         Sureness.LIKELY: "Within the model this is likely, not sure",
         Sureness.UNSURE: "This is unsure",
     }[design.verdict.sureness]
-    if design.verdict.outcome is Outcome.NO_TARGETS:
+    if design.verdict.outcome is DesignOutcome.NO_TARGETS:
         level = "How that was found"
     exact = "All other numbers" if design.ranges is not None else "Numbers"
     return f"{level}: {'; '.join(_grounds(design, motion))}. {exact} of the file are taken as exact."

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
 
-    from trimmer.drawing.marks import Place
+    from trimmer.drawing.marks import PlanePoint
 
 
-def beside(axes: Axes, text: str, place: Place, offset: tuple[float, float], **keywords: Any) -> None:
+def beside(axes: Axes, text: str, place: PlanePoint, offset: tuple[float, float], **keywords: Any) -> None:
     """Write a text beside a place; the offset is in points."""
     axes.annotate(text, as_pair(place), offset, textcoords="offset points", **keywords)
 

@@ -12,6 +12,7 @@ TITLES = {
     BASICS: "Parameters, files, errors",
     "balance": "Harmonic balance",
     "branches": "Branches",
+    "design": "Designs",
     "elements": "Elements",
     "ensembles": "Many loops at once",
     "linear": "Linear model",
@@ -24,6 +25,7 @@ TITLES = {
     "signals": "Signals",
     "spectra": "Spectra",
     "thesis": "The trimmer of the thesis",
+    "uncertainty": "Numbers that scatter",
 }
 """Titles of rooms whose name does not say enough."""
 MODULES = ("choices", "errors", "files")

@@ -80,7 +80,7 @@ def averaged() -> trimmer.spectra.AveragedSpectrum:
 
 
 @cache
-def comparison() -> trimmer.spectra.Comparison:
+def comparison() -> trimmer.spectra.MotionComparison:
     return trimmer.spectra.compare_motions(
         signal(), trimmer.spectra.SimulatedLines(np.array([1e-3, 2e-6]), 110.0)
     )

@@ -15,7 +15,7 @@ from trimmer import ClosedLoop, Mechanism, Relay, SerialRunner, basin, motion_ma
 from trimmer.command_line.main import main
 from trimmer.design.motions import motions_from_starts, with_neighbours
 from trimmer.design.settings import DesignSettings
-from trimmer.design.varied_places import Role, Varied
+from trimmer.design.varied_places import NumberRole, VariedNumber
 from trimmer.mechanism import Body, Output, Pin, Play
 
 OMEGA = 7.5
@@ -40,8 +40,8 @@ def test_a_design_finds_the_other_motion_whatever_is_measured(outputs: dict[str,
     settings = DesignSettings(starts=1, neighbours=3, most_periods=300, cell_periods=300)
     found = motions_from_starts(machine, settings)
     varied = (
-        Varied(Role.SPEED, "frequency", "", "Hz", machine.value("frequency"), 0.5, 3.0),
-        Varied(Role.GAP, "stops.wall.gap", "wall", "m", 10.0, 1.0, 30.0),
+        VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", machine.value("frequency"), 0.5, 3.0),
+        VariedNumber(NumberRole.GAP, "stops.wall.gap", "wall", "m", 10.0, 1.0, 30.0),
     )
     assert len(found.found) == 1
     assert len(with_neighbours(machine, found, varied, settings, SerialRunner()).found) == 2

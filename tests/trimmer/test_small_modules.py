@@ -11,6 +11,7 @@ import pytest
 from trimmer import examples
 from trimmer.choices import Choice, ChoiceError
 from trimmer.errors import MechanismError
+from trimmer.parameters import parameter_table
 from trimmer.progress import is_silenced, silenced
 from trimmer.toml_files import is_mechanism_file, is_parameter_file, parsed, read_text
 
@@ -39,6 +40,8 @@ def test_files_are_told_apart_by_what_they_hold() -> None:
         ({"m1": 1, "bodies": {}}, False, True),
     ):
         assert (is_parameter_file(content), is_mechanism_file(content)) == (parameters, mechanism)
+    assert all(is_parameter_file({parameter.symbol: 1}) for parameter in parameter_table())
+    assert not any(is_parameter_file({symbol: 1}) for symbol in ("m5", "k6", "c5", "m11", "xm1"))
 
 
 def test_what_is_wrong_with_a_file_is_told_in_its_own_error(tmp_path: Path) -> None:

@@ -19,9 +19,10 @@ from trimmer.command_line.main import main
 from trimmer.files import write_atomically
 from trimmer.runners.runner import SerialRunner
 from trimmer.signals import write_wav
-from trimmer.uncertainty.kept import Keeping
 from trimmer.uncertainty.sample_file import read_sample_file
-from trimmer.uncertainty.samples import SampleSettings, sample_mechanism
+from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.sample_records import Keeping
+from trimmer.uncertainty.samples import sample_mechanism
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")

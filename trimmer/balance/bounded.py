@@ -9,7 +9,9 @@ import numpy as np
 
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainTable
-from trimmer.balance.search import Problem, Searched, find_all
+from trimmer.balance.equation_in_box import EquationInBox
+from trimmer.balance.loop import range_of_roots
+from trimmer.balance.search import SearchedRegion, find_all
 from trimmer.balance.vanishing import empty_intervals, poles_on_axis
 
 if TYPE_CHECKING:
@@ -44,9 +46,9 @@ _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequenc
 
 def solve_bounded(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Searched:
+) -> SearchedRegion:
     """Find all solutions where N is bounded; ``omega_range`` in rad/s, all frequencies if None."""
-    roots = _range_of_roots(response)
+    roots = range_of_roots(response, _BESIDE_ROOTS)
     if omega_range is None:
         breaks = np.concatenate([roots[0] - _GROWING[::-1], response.breaks(*roots), roots[1] + _GROWING])
     else:
@@ -55,9 +57,9 @@ def solve_bounded(
     empty = tuple(filter(None, next_to_poles))
     table = GainTable.of(curve, _cut(breaks, empty) if empty else breaks)
     smallest_gain = _smallest_gain(next_to_poles, table)
-    result = find_all(Problem(response, curve, table, smallest_gain, empty))
+    result = find_all(EquationInBox(response, curve, table, smallest_gain, empty))
     omegas = omega_range or _range_with_all(result, roots)
-    return Searched(_METHOD, result, omegas, omega_range is None, smallest_gain)
+    return SearchedRegion(_METHOD, result, omegas, omega_range is None, smallest_gain)
 
 
 def _range_with_all(result: SearchResult, roots: tuple[float, float]) -> tuple[float, float]:
@@ -66,13 +68,6 @@ def _range_with_all(result: SearchResult, roots: tuple[float, float]) -> tuple[f
     lowest = min(roots[0], float(found.min(initial=math.inf)) - _BESIDE_SOLUTIONS)
     highest = max(roots[1], float(found.max(initial=-math.inf)) + _BESIDE_SOLUTIONS)
     return math.exp(lowest), math.exp(highest)
-
-
-def _range_of_roots(response: InverseResponse) -> tuple[float, float]:
-    """Smallest and largest x of the roots of G, widened by ``_BESIDE_ROOTS`` on either side."""
-    sizes = np.abs(response.roots[response.roots != 0]) * response.reference
-    lowest, highest = sizes.min(initial=response.reference), sizes.max(initial=response.reference)
-    return math.log(lowest) - _BESIDE_ROOTS, math.log(highest) + _BESIDE_ROOTS
 
 
 def _next_to_poles(

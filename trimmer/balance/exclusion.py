@@ -18,8 +18,8 @@ from trimmer.balance.inverse_response import Enclosure
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Places, Reals
     from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import Response
-    from trimmer.balance.search import Problem
+    from trimmer.balance.equation_in_box import EquationInBox
+    from trimmer.balance.inverse_response import InverseGain
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class EnclosedCells:
     enclosure: Enclosure
 
     @classmethod
-    def of(cls, response: Response, curve: ElementCurve, cells: Cells) -> EnclosedCells:
+    def of(cls, response: InverseGain, curve: ElementCurve, cells: Cells) -> EnclosedCells:
         """Enclose N and 1/G on boxes."""
         return cls(cells, curve.disks(cells), response.enclose(cells.x_lower, cells.x_upper))
 
@@ -103,51 +103,51 @@ class _Columns:
         return parts.astype(int)
 
 
-def first_grid(problem: Problem) -> tuple[EnclosedCells, int]:
+def first_grid(equation: EquationInBox) -> tuple[EnclosedCells, int]:
     """Return the boxes of the grid that may hold a solution, and the number of boxes that were compared."""
-    breaks = problem.table.x_breaks
-    blocks = _blocks(problem)
-    columns = _columns(problem, breaks[blocks], breaks[blocks + 1], blocks)
+    breaks = equation.table.x_breaks
+    blocks = _blocks(equation)
+    columns = _columns(equation, breaks[blocks], breaks[blocks + 1], blocks)
     size = 0
     while True:
-        possible = _possible(problem, columns)
+        possible = _possible(equation, columns)
         size += possible.size
         parts = np.where(possible.any(axis=0), columns.parts, 0)
         if (parts <= 1).all():
             break
-        columns = _cut(problem, columns, parts)
-    boxes = _boxes(problem, columns, possible)
-    if problem.curve.depends_on_x:
-        boxes = boxes.refined(problem.curve).open(problem.smallest_gain)
+        columns = _cut(equation, columns, parts)
+    boxes = _boxes(equation, columns, possible)
+    if equation.curve.depends_on_x:
+        boxes = boxes.refined(equation.curve).open(equation.smallest_gain)
     return boxes, size
 
 
-def _blocks(problem: Problem) -> Places:
+def _blocks(equation: EquationInBox) -> Places:
     """Blocks of the table that do not lie in an interval without a solution."""
-    lower, upper = problem.table.x_breaks[:-1], problem.table.x_breaks[1:]
+    lower, upper = equation.table.x_breaks[:-1], equation.table.x_breaks[1:]
     left = np.ones(lower.size, dtype=bool)
-    for interval in problem.empty:
+    for interval in equation.empty:
         left &= (lower < interval.lower) | (upper > interval.upper)
     return np.flatnonzero(left)
 
 
-def _columns(problem: Problem, lower: Reals, upper: Reals, block: Places) -> _Columns:
+def _columns(equation: EquationInBox, lower: Reals, upper: Reals, block: Places) -> _Columns:
     """Enclose 1/G on columns, and keep those on which it is of the size of N."""
-    enclosure = problem.response.enclose(lower, upper)
-    smallest = max(problem.smallest_gain, problem.table.smallest_gain)
-    which = np.flatnonzero(sizes_meet(enclosure, smallest, problem.table.largest_gain))
+    enclosure = equation.response.enclose(lower, upper)
+    smallest = max(equation.smallest_gain, equation.table.smallest_gain)
+    which = np.flatnonzero(sizes_meet(enclosure, smallest, equation.table.largest_gain))
     return _Columns(lower[which], upper[which], enclosure.take(which), block[which])
 
 
-def _possible(problem: Problem, columns: _Columns) -> Flags:
+def _possible(equation: EquationInBox, columns: _Columns) -> Flags:
     """Whether each row (first axis) of each column may hold a solution."""
-    return disks_meet(problem.table.rows_at(columns.block), columns.enclosure)
+    return disks_meet(equation.table.rows_at(columns.block), columns.enclosure)
 
 
-def _boxes(problem: Problem, columns: _Columns, which: Flags) -> EnclosedCells:
+def _boxes(equation: EquationInBox, columns: _Columns, which: Flags) -> EnclosedCells:
     """Boxes on some rows of some columns."""
     row, column = np.nonzero(which)
-    table = problem.table
+    table = equation.table
     return EnclosedCells(
         table.cells(row, columns.lower[column], columns.upper[column]),
         table.disks_at(row, columns.block[column]),
@@ -155,9 +155,9 @@ def _boxes(problem: Problem, columns: _Columns, which: Flags) -> EnclosedCells:
     )
 
 
-def _cut(problem: Problem, columns: _Columns, parts: Places) -> _Columns:
+def _cut(equation: EquationInBox, columns: _Columns, parts: Places) -> _Columns:
     """Cut each column into a number of equal parts; none are left of those with 0."""
     width = np.repeat(columns.upper - columns.lower, parts) / np.repeat(parts, parts)
     place = np.arange(width.size) - np.repeat(np.cumsum(parts) - parts, parts)
     lower = np.repeat(columns.lower, parts) + place * width
-    return _columns(problem, lower, lower + width, np.repeat(columns.block, parts))
+    return _columns(equation, lower, lower + width, np.repeat(columns.block, parts))

@@ -101,7 +101,7 @@ def feasible_bands(
     Warns:
         UndecidedWarning: see ``trimmer.balance.solve.limit_cycles``.
     """
-    loop = _Loop(ComparedSystem.of(G), float(gap), solvable)
+    loop = _BandInputs(ComparedSystem.of(G), float(gap), solvable)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error", UndecidedWarning)
@@ -111,15 +111,15 @@ def feasible_bands(
 
 
 @dataclass(frozen=True)
-class _Loop:
-    """What bands depend on, and ``solvable`` of ``feasible_bands``."""
+class _BandInputs:
+    """A loop with a gap, and the frequencies at which some M/D gives a limit cycle."""
 
     given: ComparedSystem
     gap: float
     solvable: Callable[[float], bool] = field(compare=False)
 
 
-def _bands(loop: _Loop) -> tuple[FeasibleBand, ...]:
+def _bands(loop: _BandInputs) -> tuple[FeasibleBand, ...]:
     G, gap, solvable = loop.given.system, loop.gap, loop.solvable
     ends = sorted([*_limits(G, gap), *_touching(G)], key=lambda end: end.frequency)
     low, high = BandEnd(0.0, math.nan), BandEnd(math.inf, math.nan)

@@ -14,19 +14,20 @@ from scipy.optimize import minimize_scalar
 from trimmer.arguments import positive_number, real_number
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.element_curve import ElementCurve, GainTable
+from trimmer.balance.equation_in_box import EquationInBox
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
 from trimmer.balance.inverse_response import ConstantResponse
 from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop import LoopEquation, inverse_response
-from trimmer.balance.search import Problem, find_all
+from trimmer.balance.search import find_all
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.showing.shown import Record, Shown, Tabular
+from trimmer.showing.drawn import Drawn
+from trimmer.showing.shown import Shown, ShownFields, Tabular
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     import control
-    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.balance.inverse_response import InverseResponse
@@ -81,7 +82,7 @@ class IdentifiedTimeConstant(Shown):
 
 
 @dataclass(frozen=True)
-class TimeConstantInterval(Record):
+class TimeConstantInterval(ShownFields):
     """The time constants that give a limit cycle within a range of frequencies.
 
     Attributes:
@@ -96,8 +97,10 @@ class TimeConstantInterval(Record):
 
 
 @dataclass(frozen=True, repr=False)
-class Identification(Tabular):
+class Identification(Tabular, Drawn):
     """What a measured frequency tells of the load.
+
+    ``plot`` draws M/D over the frequency of the limit cycle, with what was measured and what it gives.
 
     Attributes:
         frequency: Measured frequency, Hz.
@@ -131,19 +134,6 @@ class Identification(Tabular):
         curve = ElementCurve(ViscousBacklash(self.gap, time_constant))
         found = solve_bounded(self._response, curve, None).result
         return limit_cycles_at(LoopEquation(self._response, curve), found.u, found.x)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw M/D over the frequency of the limit cycle, with what was measured and what it gives.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.identification import draw_identification
-
-        return draw_identification(self, ax)
 
     def _told(self) -> str:
         return f"{self.frequency:.9g} Hz; {self.message}"
@@ -294,7 +284,7 @@ def _time_constants(
     # With a time constant of 1 s, x = ln omega of the element is ln gamma.
     curve = ElementCurve(ViscousBacklash(gap, 1.0))
     table = GainTable.of(curve, np.linspace(math.log(GAMMA_RANGE[0]), math.log(GAMMA_RANGE[1]), _LIMITS))
-    result = find_all(Problem(ConstantResponse(inverse), curve, table, 0.0))
+    result = find_all(EquationInBox(ConstantResponse(inverse), curve, table, 0.0))
     found = [
         _identified(response, gap, math.exp(x) / omega, u, omega)
         for u, x in zip(result.u.tolist(), result.x.tolist(), strict=True)

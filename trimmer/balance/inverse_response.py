@@ -55,7 +55,7 @@ class Enclosure:
         )
 
 
-class Response(Protocol):
+class InverseGain(Protocol):
     """A complex function of x that takes the place of 1/G in N + 1/G = 0."""
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:

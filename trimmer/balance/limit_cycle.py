@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from trimmer.showing.shown import Record, Shown, Tabular, counted
+from trimmer.showing.drawn import Drawn, drawn
+from trimmer.showing.shown import Shown, ShownFields, Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ NEAR_TANGENCY = math.radians(5.0)
 
 
 @dataclass(frozen=True)
-class LimitCycle(Record):
+class LimitCycle(ShownFields):
     """A solution of 1 + N(A, omega) G(j omega) = 0 (equation 2.25 of the thesis).
 
     Attributes:
@@ -61,7 +62,7 @@ class LimitCycle(Record):
 
 
 @dataclass(frozen=True)
-class UndecidedRegion(Record):
+class UndecidedRegion(ShownFields):
     """Amplitudes and frequencies about which nothing is proven: a tangency, or a continuum of solutions.
 
     Attributes:
@@ -198,7 +199,7 @@ CYCLE_COLUMNS = attributes(
 
 
 @dataclass(frozen=True, repr=False)
-class HarmonicBalance(Tabular):
+class HarmonicBalance(Tabular, Drawn):
     """All limit cycles of a loop, and the certificate.
 
     Attributes:
@@ -242,9 +243,7 @@ class HarmonicBalance(Tabular):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             ValueError: if the result has no loop.
         """
-        from trimmer.drawing.locus import draw_balance
-
-        return draw_balance(self, ax, near=near)
+        return drawn(self, ax, near=near)
 
     def _told(self) -> str:
         return self.message

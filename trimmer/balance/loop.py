@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Self
@@ -108,6 +109,13 @@ def inverse_response(G: control.lti.LTI) -> InverseResponse:
     """
     require_siso(G)
     return _inverse_response(ComparedSystem.of(G))
+
+
+def range_of_roots(response: InverseResponse, beyond: float) -> tuple[float, float]:
+    """Return the smallest and the largest x of the roots of G, widened on either side."""
+    sizes = np.abs(response.roots[response.roots != 0]) * response.reference
+    lowest, highest = sizes.min(initial=response.reference), sizes.max(initial=response.reference)
+    return math.log(lowest) - beyond, math.log(highest) + beyond
 
 
 @dataclass(frozen=True)

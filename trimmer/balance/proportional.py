@@ -14,7 +14,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from trimmer.balance.cells import Cells
-from trimmer.balance.search import Searched, SearchResult
+from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.errors import LinearElementError, UnsupportedElementError
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ FALLBACK_REACH = 1e6
 
 def solve_proportional(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Searched:
+) -> SearchedRegion:
     """Find all solutions where N is proportional to u.
 
     Args:
@@ -63,7 +63,7 @@ def solve_proportional(
     if omega_range is not None:
         lowest, highest = omega_range
     result = _real_and_negative(response, coefficient, (math.log(lowest), math.log(highest)))
-    return Searched(_METHOD, result, (lowest, highest), omega_range is None and proven, 0.0)
+    return SearchedRegion(_METHOD, result, (lowest, highest), omega_range is None and proven, 0.0)
 
 
 def _coefficient(curve: ElementCurve) -> complex:

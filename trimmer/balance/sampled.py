@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.balance.cells import Cells
-from trimmer.balance.search import Searched, SearchResult
+from trimmer.balance.loop import range_of_roots
+from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.balance.uniqueness import cross, newton_step
 from trimmer.elements.control_element import ControlElement
 from trimmer.elements.element_at_frequency import ElementAtFrequency
@@ -85,9 +86,9 @@ class _Grid:
 
 def solve_sampled(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
-) -> Searched:
+) -> SearchedRegion:
     """Search solutions; ``omega_range`` in rad/s, chosen from the roots of G if None."""
-    x_range = _range_of_roots(response)
+    x_range = range_of_roots(response, _BEYOND_ROOTS)
     if omega_range is not None:
         x_range = math.log(omega_range[0]), math.log(omega_range[1])
     with np.errstate(all="ignore"):
@@ -100,10 +101,10 @@ def solve_sampled(
             cells = cells.take(_may_hold(_corners(response, curve, cells)))
         u, x = _solutions(response, curve, cells, x_range)
     result = SearchResult(u, x, Cells.none(), examined)
-    return Searched(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)
+    return SearchedRegion(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)
 
 
-def unproven(curve: ElementCurve, outcome: Searched) -> tuple[str, ...]:
+def unproven(curve: ElementCurve, outcome: SearchedRegion) -> tuple[str, ...]:
     """Say what is not proven, in sentences without a full stop; nothing where the element has bounds."""
     element = curve.element
     if element.has_bounds:
@@ -138,12 +139,6 @@ def _doubts(element: Element, amplitudes: Reals) -> Iterator[str]:
     if isinstance(element, ControlElement):
         for amplitude in amplitudes:
             yield from element.doubts_at(float(amplitude))
-
-
-def _range_of_roots(response: InverseResponse) -> tuple[float, float]:
-    sizes = np.abs(response.roots[response.roots != 0]) * response.reference
-    lowest, highest = sizes.min(initial=response.reference), sizes.max(initial=response.reference)
-    return math.log(lowest) - _BEYOND_ROOTS, math.log(highest) + _BEYOND_ROOTS
 
 
 def _first_cells(

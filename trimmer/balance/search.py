@@ -18,28 +18,7 @@ from trimmer.balance.uniqueness import examine, solve_in
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
-    from trimmer.balance.element_curve import ElementCurve, GainTable
-    from trimmer.balance.inverse_response import Response
-    from trimmer.balance.vanishing import EmptyInterval
-
-
-@dataclass(frozen=True)
-class Problem:
-    """N(u, x) + 1/G(x) = 0 on the box of a table of N.
-
-    Attributes:
-        response: 1/G, or the function that takes its place.
-        curve: N.
-        table: N on a coarse grid.
-        smallest_gain: Solutions with |N| below this are not looked for.
-        empty: Intervals of x, each between two breaks of the table, that are proven to hold no solution.
-    """
-
-    response: Response
-    curve: ElementCurve
-    table: GainTable
-    smallest_gain: float
-    empty: tuple[EmptyInterval, ...] = ()
+    from trimmer.balance.equation_in_box import EquationInBox
 
 
 _PARTS = 3
@@ -87,30 +66,30 @@ class _Solutions:
     regions: Cells
 
 
-def find_all(problem: Problem) -> SearchResult:
-    """Find all solutions in the box that the table of a problem covers."""
+def find_all(equation: EquationInBox) -> SearchResult:
+    """Find all solutions in the box that the table of an equation covers."""
     found = _Solutions(np.empty(0), np.empty(0), Cells.none())
     undecided = [Cells.none()]
     # Bounds that overflow, or are no number, exclude nothing.
     with np.errstate(all="ignore"):
-        boxes, examined = first_grid(problem)
+        boxes, examined = first_grid(equation)
         while len(boxes):
-            found, settled = _settled(problem, boxes.cells, found)
-            given_up = ~settled & _hopeless(problem, boxes)
+            found, settled = _settled(equation, boxes.cells, found)
+            given_up = ~settled & _hopeless(equation, boxes)
             undecided.append(boxes.cells.take(given_up))
             left = ~(settled | given_up)
             if not left.any():
                 break
             cells = boxes.cells.take(left).split(_along_u(boxes)[left], _PARTS)
             examined += len(cells)
-            boxes = EnclosedCells.of(problem.response, problem.curve, cells).open(problem.smallest_gain)
+            boxes = EnclosedCells.of(equation.response, equation.curve, cells).open(equation.smallest_gain)
     return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
 
 
-def _hopeless(problem: Problem, boxes: EnclosedCells) -> Flags:
+def _hopeless(equation: EquationInBox, boxes: EnclosedCells) -> Flags:
     """Whether boxes are too small, or too many, to be cut."""
-    regions = boxes.cells.inflated(_MARGIN, problem.table.box)
-    resolution = np.where(problem.curve.inside(regions), _RESOLUTION, _RESOLUTION_AT_EDGE)
+    regions = boxes.cells.inflated(_MARGIN, equation.table.box)
+    resolution = np.where(equation.curve.inside(regions), _RESOLUTION, _RESOLUTION_AT_EDGE)
     sizes = np.maximum(np.abs(boxes.disks.centre), np.abs(boxes.enclosure.centre))
     radius = boxes.disks.radius + boxes.enclosure.radius
     narrow = (boxes.cells.x_half <= NARROWEST) & ~_along_u(boxes)
@@ -125,16 +104,16 @@ def _along_u(boxes: EnclosedCells) -> Flags:
     return np.asarray(u_share >= boxes.disks.radius - u_share + boxes.enclosure.radius)
 
 
-def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Solutions, Flags]:
+def _settled(equation: EquationInBox, cells: Cells, found: _Solutions) -> tuple[_Solutions, Flags]:
     """Find the solutions of cells that hold at most one; flag the cells that are decided."""
-    regions = cells.inflated(_MARGIN, problem.table.box)
-    test = examine(problem.response, problem.curve, cells, regions)
+    regions = cells.inflated(_MARGIN, equation.table.box)
+    test = examine(equation.response, equation.curve, cells, regions)
     settled = test.empty | cells.lie_within(found.regions)
     tried = np.flatnonzero(~settled & test.single)
     if tried.size == 0:
         return found, settled
     tried_regions = regions.take(tried)
-    u, x, converged = solve_in(problem.response, problem.curve, tried_regions, test.u[tried], test.x[tried])
+    u, x, converged = solve_in(equation.response, equation.curve, tried_regions, test.u[tried], test.x[tried])
     # What lies in the region of a solution is that solution.
     place = np.arange(tried.size)
     again = tried_regions.hold(u, x) & converged[:, None] & (place[:, None] < place)
@@ -149,7 +128,7 @@ def _settled(problem: Problem, cells: Cells, found: _Solutions) -> tuple[_Soluti
 
 
 @dataclass(frozen=True)
-class Searched:
+class SearchedRegion:
     """Solutions in u and x, and where they were looked for.
 
     Attributes:

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from trimmer.balance.element_curve import ElementCurve
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import LoopEquation
-    from trimmer.balance.search import Searched
+    from trimmer.balance.search import SearchedRegion
 
 CALLER = 3
 """Level of the stack on which a warning of a function that takes a loop names its caller's line."""
@@ -143,7 +143,7 @@ class _Check(NamedTuple):
     unproven: tuple[str, ...] = ()
 
 
-def _check(system: LTI, equation: LoopEquation, outcome: Searched, is_everywhere: bool) -> _Check:
+def _check(system: LTI, equation: LoopEquation, outcome: SearchedRegion, is_everywhere: bool) -> _Check:
     """Count the solutions, in a range that does not come from the search if none was given."""
     if not equation.curve.element.has_bounds:
         return _Check(None, None)
@@ -169,7 +169,7 @@ def _check(system: LTI, equation: LoopEquation, outcome: Searched, is_everywhere
     return _Check(turns, wide)
 
 
-def _unproven(equation: LoopEquation, outcome: Searched) -> tuple[str, ...]:
+def _unproven(equation: LoopEquation, outcome: SearchedRegion) -> tuple[str, ...]:
     return (*unproven(equation.curve, outcome), *equation.unproven)
 
 
@@ -180,7 +180,7 @@ def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) ->
 
 def _solve(
     loop: ClosedLoop, omega_range: tuple[float, float] | None, frozen_omega: float | None
-) -> tuple[LoopEquation, Searched]:
+) -> tuple[LoopEquation, SearchedRegion]:
     given = None if omega_range is None else _checked_range(omega_range)
     element = loop.element
     if frozen_omega is not None:

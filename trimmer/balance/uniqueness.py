@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
     from trimmer.balance.cells import Cells
     from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import Response
+    from trimmer.balance.inverse_response import InverseGain
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class CellTest:
     x: Reals
 
 
-def examine(response: Response, curve: ElementCurve, cells: Cells, regions: Cells) -> CellTest:
+def examine(response: InverseGain, curve: ElementCurve, cells: Cells, regions: Cells) -> CellTest:
     """Test boxes for emptiness, and a wider region around each for at most one solution.
 
     Args:
@@ -86,7 +86,7 @@ _CONVERGED = 5e-8
 
 
 def solve_in(
-    response: Response, curve: ElementCurve, boxes: Cells, u: Reals, x: Reals
+    response: InverseGain, curve: ElementCurve, boxes: Cells, u: Reals, x: Reals
 ) -> tuple[Reals, Reals, Flags]:
     """Solve N + 1/G = 0 by Newton's method from a start in each box.
 
@@ -117,7 +117,7 @@ def solve_in(
     return u, x, solved & np.isfinite(gain)
 
 
-def newton_step(response: Response, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:
+def newton_step(response: InverseGain, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:
     """Return the step in u and in x of Newton's method for the real and imaginary part of N + 1/G."""
     inverse, slope = response.value_and_slope(x)
     gain, by_u, gain_by_x = curve.expansion(u, x)

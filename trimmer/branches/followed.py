@@ -22,6 +22,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text, unit_of
 from trimmer.response.flows import flow_of
 from trimmer.response.orbit import with_shifts
+from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
 
@@ -127,7 +128,7 @@ class FollowedOrbit(Shown):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class FollowedBranch(Tabular):
+class FollowedBranch(Tabular, Drawn):
     """A branch of exact periodic motions of a mechanism over one of its numbers.
 
     Attributes:
@@ -187,9 +188,7 @@ class FollowedBranch(Tabular):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             MechanismError: if the mechanism has no such output, or none at all.
         """
-        from trimmer.drawing.mechanisms.branch import draw_branch
-
-        return draw_branch(self, ax, output)
+        return drawn(self, ax, output=output)
 
     def _told(self) -> str:
         others = len(list(self.all())) - 1

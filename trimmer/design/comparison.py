@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trimmer.design.trial import Asked, all_measures
+from trimmer.design.trial import MeasureOfPart, all_measures
 
 if TYPE_CHECKING:
     from trimmer.design.design import Design
@@ -16,8 +16,8 @@ SAME = 1e-12
 
 
 @dataclass(frozen=True)
-class Change:
-    """A number that differs.
+class ChangedNumber:
+    """A number that differs between two designs.
 
     Attributes:
         place: Its dotted place.
@@ -32,15 +32,15 @@ class Change:
 
 
 @dataclass(frozen=True)
-class Difference:
-    """A measure before and after.
+class MeasureDifference:
+    """A measure of both designs.
 
     Attributes:
         asked: The measure.
         before, after: Its values, SI units; None where there is no such thing or no motion.
     """
 
-    asked: Asked
+    asked: MeasureOfPart
     before: float | None
     after: float | None
 
@@ -58,8 +58,8 @@ class Difference:
 
 
 @dataclass(frozen=True)
-class Comparison:
-    """Two designs.
+class DesignComparison:
+    """What differs between two designs.
 
     Attributes:
         before, after: The designs; looked at as far as a comparison needs.
@@ -70,23 +70,23 @@ class Comparison:
 
     before: Design
     after: Design
-    changes: tuple[Change, ...]
+    changes: tuple[ChangedNumber, ...]
     others: tuple[str, ...]
-    differences: tuple[Difference, ...]
+    differences: tuple[MeasureDifference, ...]
 
 
-def compared(before: Design, after: Design) -> Comparison:
+def compared(before: Design, after: Design) -> DesignComparison:
     """Compare two designs."""
     first, second = before.file.mechanism, after.file.mechanism
     asked = dict.fromkeys((*all_measures(first), *all_measures(second)))
-    differences = tuple(Difference(each, _value(before, each), _value(after, each)) for each in asked)
-    return Comparison(before, after, _changes(first, second), _others(first, second), differences)
+    differences = tuple(MeasureDifference(each, _value(before, each), _value(after, each)) for each in asked)
+    return DesignComparison(before, after, _changes(first, second), _others(first, second), differences)
 
 
-def _changes(first: Mechanism, second: Mechanism) -> tuple[Change, ...]:
+def _changes(first: Mechanism, second: Mechanism) -> tuple[ChangedNumber, ...]:
     units = {**first.places, **second.places}
     pairs = [(place, unit, _number(first, place), _number(second, place)) for place, unit in units.items()]
-    return tuple(Change(*each) for each in pairs if _differ(*each[2:]))
+    return tuple(ChangedNumber(*each) for each in pairs if _differ(*each[2:]))
 
 
 def _number(mechanism: Mechanism, place: str) -> float | None:
@@ -116,7 +116,7 @@ def _form(part: object) -> tuple[object, ...]:
     return tuple(getattr(part, key, None) for key in ("between", "on", "law"))
 
 
-def _value(design: Design, asked: Asked) -> float | None:
+def _value(design: Design, asked: MeasureOfPart) -> float | None:
     motion = design.motion
     if motion is None or asked not in all_measures(design.file.mechanism):
         return None

@@ -1,14 +1,14 @@
-"""A design looked at: everything that its report shows, computed stage by stage and kept."""
+"""All that a report on a design shows, computed stage by stage; each stage may be kept."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
 from trimmer.choices import Choice
-from trimmer.design.keeping import Keeper
+from trimmer.design.keeping import NOT_KEPT, Keeper
 from trimmer.design.kept_map import DesignMap, design_map
 from trimmer.design.linear import LinearState, linear_states
 from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
@@ -17,23 +17,24 @@ from trimmer.design.plausible import Question, questions
 from trimmer.design.ranges import RangeStudy, study_ranges
 from trimmer.design.remedies import Remedies, remedies
 from trimmer.design.sensitivity import Sensitivities, sensitivities
+from trimmer.design.settings import USUAL, DesignSettings
 from trimmer.design.spectrum import OutputSpectrum, spectra
-from trimmer.design.varied_places import Varied, varied_places
-from trimmer.design.verdict import Verdict, verdict_on
+from trimmer.design.varied_places import VariedNumber, varied_places
+from trimmer.design.verdict import DesignVerdict, verdict_on
+from trimmer.runners.processes import ProcessRunner
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.design.design_file import DesignFile
     from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.settings import DesignSettings
     from trimmer.runners.runner import Runner
 
 Result = TypeVar("Result")
 
 
 class Stage(Choice):
-    """A step of the work, told to who waits."""
+    """A stage of the work, whose words are shown while it goes on."""
 
     LINEAR = "modes and transfer functions"
     MOTIONS = "motions from several starts"
@@ -46,7 +47,11 @@ class Stage(Choice):
 
 
 Told = Callable[[Stage, tuple[str, ...], int, int], None]
-"""Is told a stage, the places that it is over, and how much of it is done."""
+"""Is told a stage, the places that it is over, how much of it is done, and of how much."""
+
+
+def tell_nobody(stage: Stage, over: tuple[str, ...], done: int, whole: int) -> None:
+    """Take what is told, and tell it nobody."""
 
 
 @dataclass(frozen=True)
@@ -73,14 +78,14 @@ class Design:
     settings: DesignSettings
     linear: tuple[LinearState, ...]
     motions: Motions
-    varied: tuple[Varied, ...]
+    varied: tuple[VariedNumber, ...]
     spectra: Mapping[str, OutputSpectrum]
     maps: tuple[DesignMap, ...]
     paths: tuple[NumberPath, ...]
     sensitivities: Sensitivities | None
     ranges: RangeStudy | None
     questions: tuple[Question, ...]
-    verdict: Verdict
+    verdict: DesignVerdict
     remedies: Remedies | None
 
     @property
@@ -91,24 +96,24 @@ class Design:
 
 @dataclass(frozen=True)
 class Study:
-    """Looks at a design.
+    """The work on a design, stage by stage.
 
     Attributes:
         file: The file.
-        settings: How closely.
-        runner: Who does the work.
-        keeper: Keeps what is done.
-        told: Is told of each step.
+        settings: How closely it is looked at.
+        runner: Who computes the cells of maps and trials; processes on all cores by default.
+        keeper: Keeps what is done; nothing by default.
+        told: Is told of each stage.
     """
 
     file: DesignFile
-    settings: DesignSettings
-    runner: Runner
-    keeper: Keeper
-    told: Told
+    settings: DesignSettings = USUAL
+    runner: Runner = field(default_factory=ProcessRunner)
+    keeper: Keeper = NOT_KEPT
+    told: Told = tell_nobody
 
     def whole(self) -> Design:
-        """Return everything."""
+        """Compute everything."""
         motions, linear = self.motions(), self.linear()
         varied = self.varied(motions)
         of, ranges = self.sensitivities(motions), self.ranges()
@@ -130,7 +135,7 @@ class Study:
         )
 
     def short(self) -> Design:
-        """Return verdict, motions and spectra alone, for a comparison."""
+        """Compute verdict, motions and spectra alone, as for a comparison."""
         motions, linear = self.motions(), self.linear()
         ranges = self.ranges()
         verdict = verdict_on(self.file.targets, motions, ranges)
@@ -168,7 +173,7 @@ class Study:
         more = partial(with_neighbours, mechanism, found, near, settings, self.runner)
         return self._made(Stage.NEIGHBOURS, (), settings.without_cells, more)
 
-    def varied(self, motions: Motions) -> tuple[Varied, ...]:
+    def varied(self, motions: Motions) -> tuple[VariedNumber, ...]:
         """Return the numbers that maps and branches are over."""
         return varied_places(self.file.mechanism, motions.first)
 
@@ -184,7 +189,7 @@ class Study:
         return self._made(Stage.SENSITIVITIES, (), (), make)
 
     def ranges(self) -> RangeStudy | None:
-        """Return what is left open by what nobody knows."""
+        """Return how the verdict depends on unknown numbers."""
         file = self.file
         if not file.ranges or file.mechanism.frequency is None:
             return None
@@ -192,7 +197,7 @@ class Study:
         depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
         return self._made(Stage.RANGES, (), depends, make)
 
-    def remedies(self, verdict: Verdict, of: Sensitivities | None) -> Remedies | None:
+    def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
         file = self.file
         if not verdict.missed or file.mechanism.frequency is None:
@@ -201,7 +206,7 @@ class Study:
         make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, settings, self.runner)
         return self._made(Stage.REMEDIES, (), (file.targets, settings.without_cells), make)
 
-    def paths(self, motions: Motions, varied: tuple[Varied, ...]) -> tuple[NumberPath, ...]:
+    def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
         first = motions.first
         if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:
@@ -217,14 +222,14 @@ class Study:
             for each in varied
         )
 
-    def maps(self, varied: tuple[Varied, ...]) -> tuple[DesignMap, ...]:
+    def maps(self, varied: tuple[VariedNumber, ...]) -> tuple[DesignMap, ...]:
         """Return the maps over gap and speed, and gap and friction; without a gap over speed and friction."""
         if self.file.mechanism.frequency is None:
             return ()
         by_role = tuple({each.role: each for each in varied}.values())
         return tuple(self._map(by_role[0], each) for each in by_role[1:])
 
-    def _map(self, first: Varied, second: Varied) -> DesignMap:
+    def _map(self, first: VariedNumber, second: VariedNumber) -> DesignMap:
         over = (first.place, second.place)
         mechanism = self.file.mechanism
         return design_map(

@@ -1,4 +1,4 @@
-"""The file of a design: a mechanism, what is wanted of it, which body is held, and what nobody knows."""
+"""The file of a design: a mechanism, its targets, the body that is held, and unknown numbers."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from trimmer.arguments import file_path
 from trimmer.design.assumed_range import assumed_range
 from trimmer.design.targets import Target, targets_of
 from trimmer.errors import MechanismError
@@ -25,7 +26,7 @@ from trimmer.toml_files import decoded
 
 @dataclass(frozen=True)
 class OpenRange:
-    """A number that nobody knows.
+    """An unknown number, with the range in which it may be.
 
     Attributes:
         place: Its dotted place.
@@ -48,7 +49,7 @@ class OpenRange:
 
 @dataclass(frozen=True)
 class DesignFile:
-    """What a file says.
+    """A mechanism with its targets and unknown numbers, as a file gives them.
 
     Attributes:
         name: What messages call it.
@@ -76,13 +77,14 @@ class DesignFile:
         return next((self.lines[each] for each in near if each in self.lines), 0)
 
 
-def read_design_file(path: Path) -> DesignFile:
+def read_design_file(path: Path | str) -> DesignFile:
     """Read the file of a design, or standard input if the path is ``-``.
 
     Raises:
         MechanismError: if it cannot be read, or holds what cannot be used. Every problem is named, with file,
             line, key and value, and what to do.
     """
+    path = file_path("path", path)
     return _design_file(bytes_of_file(path), str(path))
 
 

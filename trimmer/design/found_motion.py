@@ -42,8 +42,8 @@ Spans = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Signals:
-    """A motion over time.
+class MotionSignals:
+    """Outputs, contact forces, contact and stick of a motion over time.
 
     Attributes:
         times: s, (n,).
@@ -101,7 +101,7 @@ class FoundMotion:
     frictions: Mapping[str, FrictionMeasures]
     hand_arm: Mapping[str, HandArm]
     events: float
-    signals: Signals
+    signals: MotionSignals
 
     @property
     def repeats(self) -> bool:
@@ -203,14 +203,14 @@ def _hand_arm(
     return hand_arm_of_samples(course, rms, SAMPLES * periods / course.duration)
 
 
-def _signals(flow: Flow, course: Course, share: float) -> Signals:
+def _signals(flow: Flow, course: Course, share: float) -> MotionSignals:
     layout, log = flow.modes.system.layout, course.log
     end = share * course.duration
     times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])
     states = course.states(times)
     rows = np.searchsorted(log.start, times, side="right") - 1
     contacts = len(layout.contacts)
-    return Signals(
+    return MotionSignals(
         times,
         dict(zip(flow.outputs, read(course, flow.outputs.values(), rows, states).T, strict=True)),
         {

@@ -1,4 +1,4 @@
-"""What is kept of a design between runs: who keeps it, and the key that says what it depends on."""
+"""Results of a design that are kept between runs, each under a key of all that it depends on."""
 
 from __future__ import annotations
 
@@ -58,3 +58,7 @@ class Keeper:
         """Return name and key; the name has a part of the key, so that two designs share a folder."""
         key = hashlib.sha256(f"{stage}\0{self.depends}\0{depends!r}".encode()).hexdigest()
         return f"{stage}-{key[:20]}", key
+
+
+NOT_KEPT = Keeper()
+"""Keeps nothing."""

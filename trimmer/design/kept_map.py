@@ -14,7 +14,7 @@ from trimmer.maps.result import MotionMap
 if TYPE_CHECKING:
     from trimmer.design.keeping import Keeper
     from trimmer.design.settings import DesignSettings
-    from trimmer.design.varied_places import Varied
+    from trimmer.design.varied_places import VariedNumber
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.runners.runner import Runner
 
@@ -25,22 +25,22 @@ Row = tuple[CellResult, ...]
 
 @dataclass(frozen=True, eq=False)
 class DesignMap:
-    """A map over two numbers.
+    """Which motion a mechanism settles to over two numbers.
 
     Attributes:
         first, second: What varies along a row, and from row to row.
         result: The map.
     """
 
-    first: Varied
-    second: Varied
+    first: VariedNumber
+    second: VariedNumber
     result: MotionMap
 
 
 def design_map(
     mechanism: Mechanism,
-    first: Varied,
-    second: Varied,
+    first: VariedNumber,
+    second: VariedNumber,
     settings: DesignSettings,
     runner: Runner,
     keeper: Keeper,

@@ -29,7 +29,7 @@ RIGID = 1e-6
 
 
 class Contacts(Enum):
-    """In which state plays and stops are taken."""
+    """Whether plays and stops are taken as closed or as open."""
 
     CLOSED = "closed"
     OPEN = "open"

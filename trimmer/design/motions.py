@@ -20,7 +20,7 @@ from trimmer.response.same import same_orbit
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.design.settings import DesignSettings
-    from trimmer.design.varied_places import Varied
+    from trimmer.design.varied_places import VariedNumber
     from trimmer.maps.cells import CellMotion
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.orbit import Orbit
@@ -32,7 +32,7 @@ REACH = 0.3
 
 @dataclass(frozen=True)
 class Neighbours:
-    """What was tried around the working point.
+    """The neighbours of the working point whose motions were tried.
 
     Attributes:
         places: The two numbers that were varied.
@@ -98,7 +98,7 @@ def _message(response: Response) -> str:
 def with_neighbours(
     mechanism: Mechanism,
     motions: Motions,
-    varied: tuple[Varied, ...],
+    varied: tuple[VariedNumber, ...],
     settings: DesignSettings,
     runner: Runner,
 ) -> Motions:
@@ -136,7 +136,7 @@ def with_neighbours(
     )
 
 
-def _around(varied: Varied, count: int) -> tuple[float, ...]:
+def _around(varied: VariedNumber, count: int) -> tuple[float, ...]:
     """Return an odd number of values around that of the file, which is the middle one.
 
     Those out of range are drawn in. In the middle the share is nothing beside 1, so that the value is exact.

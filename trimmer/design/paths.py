@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.branches.followed import FollowedBranch
     from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.varied_places import Varied
+    from trimmer.design.varied_places import VariedNumber
     from trimmer.mechanism.mechanism import Mechanism
 
 LARGEST_STEP = 0.02
@@ -26,7 +26,7 @@ LARGEST_STEP = 0.02
 
 
 @dataclass(frozen=True, eq=False)
-class Special:
+class SpecialOnPath:
     """A special point of a branch.
 
     Attributes:
@@ -43,7 +43,7 @@ class Special:
 
 
 @dataclass(frozen=True, eq=False)
-class Side:
+class PathSide:
     """The branch from the working point to one end of the range.
 
     Attributes:
@@ -60,7 +60,7 @@ class Side:
     values: Reals
     stable: Flags
     stroke: Mapping[str, Reals]
-    special: tuple[Special, ...]
+    special: tuple[SpecialOnPath, ...]
     reason: BranchEnd
     message: str
 
@@ -81,7 +81,7 @@ class Side:
         )
 
     @property
-    def first_special(self) -> tuple[Special, ...]:
+    def first_special(self) -> tuple[SpecialOnPath, ...]:
         """The special points up to where stability is lost."""
         reach = self.reaches
         if reach is None:
@@ -125,13 +125,15 @@ class NumberPath:
         down, up: To smaller and to larger values; None where the range ends at the working point.
     """
 
-    varied: Varied
+    varied: VariedNumber
     periods: int
-    down: Side | None
-    up: Side | None
+    down: PathSide | None
+    up: PathSide | None
 
 
-def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most_points: int) -> NumberPath:
+def path_through(
+    mechanism: Mechanism, varied: VariedNumber, motion: FoundMotion, most_points: int
+) -> NumberPath:
     """Follow the motion of the working point over one number to both ends of its range.
 
     Args:
@@ -141,7 +143,7 @@ def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most
         most_points: Orbits to each side, at most.
     """
     periods = motion.period_count or 1
-    sides: list[Side | None] = []
+    sides: list[PathSide | None] = []
     for end in (varied.lowest, varied.highest):
         if end == varied.value:
             sides.append(None)
@@ -157,13 +159,13 @@ def path_through(mechanism: Mechanism, varied: Varied, motion: FoundMotion, most
     return NumberPath(varied, periods, *sides)
 
 
-def _side(branch: FollowedBranch, end: float) -> Side:
+def _side(branch: FollowedBranch, end: float) -> PathSide:
     names = list(branch.units)
     # Each orbit keeps its whole motion once it was measured: hundreds of them would fill the memory.
     found = [FollowedOrbit(point.point, point.map).outputs for point in branch.points]
     strokes = [{name: measures[name].peak_to_peak for name in names} for measures in found]
     special = tuple(
-        Special(
+        SpecialOnPath(
             each.kind,
             each.value,
             {name: measure.peak_to_peak for name, measure in branch.outputs_at(each).items()},
@@ -171,7 +173,7 @@ def _side(branch: FollowedBranch, end: float) -> Side:
         )
         for each in branch.special
     )
-    return Side(
+    return PathSide(
         end,
         np.array([point.value for point in branch.points]),
         np.array([point.stable for point in branch.points], dtype=bool),

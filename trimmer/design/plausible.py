@@ -1,4 +1,4 @@
-"""Numbers that are asked about, not refused: what a small machine is unlikely to have."""
+"""Numbers that a small machine is unlikely to have; they are asked about, not refused."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PENETRATION = 0.5
 
 
 class Oddity(Enum):
-    """Why a number is asked about."""
+    """Why a number is unlikely."""
 
     HEAVY_BODY = auto()
     HEAVY_FOR_HAND = auto()
@@ -39,7 +39,7 @@ class Oddity(Enum):
 
 @dataclass(frozen=True)
 class Question:
-    """A number that is asked about.
+    """A number that is unlikely, and should be looked at again.
 
     Attributes:
         oddity: Why.

@@ -1,4 +1,4 @@
-"""What the numbers that nobody knows leave open, and what a measurement would tell."""
+"""How the verdict depends on unknown numbers, and which of them to measure first."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.design.design_file import OpenRange
 from trimmer.design.targets import Target
-from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
+from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Integers, Reals
@@ -25,7 +25,7 @@ BINS = 4
 
 @dataclass(frozen=True)
 class Narrowing:
-    """What a measurement of one number would tell.
+    """How much a measurement of one unknown number would narrow the verdict.
 
     Attributes:
         range: The number.
@@ -40,7 +40,7 @@ class Narrowing:
 
 @dataclass(frozen=True)
 class RangeStudy:
-    """What was seen over the ranges.
+    """How the verdict depends on unknown numbers, from points of their ranges.
 
     Attributes:
         ranges: The numbers that nobody knows.
@@ -56,12 +56,12 @@ class RangeStudy:
     doubt: float
     narrowings: tuple[Narrowing, ...]
 
-    def extremes(self, asked: Asked) -> tuple[float, float]:
+    def extremes(self, asked: MeasureOfPart) -> tuple[float, float]:
         """Return the smallest and the largest value of a measure that was seen."""
         values = [value for value in self._values(asked) if not np.isnan(value)]
         return (min(values), max(values)) if values else (float("nan"), float("nan"))
 
-    def _values(self, asked: Asked) -> list[float]:
+    def _values(self, asked: MeasureOfPart) -> list[float]:
         return [trial.value(asked.measure, asked.part) for trial in self.trials]
 
 
@@ -108,7 +108,7 @@ def _narrowing(
     trials: tuple[Trial, ...],
     met: Flags,
     targets: tuple[Target, ...],
-    asked: tuple[Asked, ...],
+    asked: tuple[MeasureOfPart, ...],
 ) -> Narrowing:
     bins = np.minimum((shares * BINS).astype(int), BINS - 1)
     groups = [np.flatnonzero(bins == number) for number in range(BINS)]
@@ -125,7 +125,7 @@ def _doubt(met: Flags) -> float:
     return 2 * share * (1 - share)
 
 
-def _variance_left(asked: Asked, trials: tuple[Trial, ...], groups: list[Integers]) -> float | None:
+def _variance_left(asked: MeasureOfPart, trials: tuple[Trial, ...], groups: list[Integers]) -> float | None:
     """Return the share of a measure's variance within the groups; None where it has none."""
     values = np.array([trial.value(asked.measure, asked.part) for trial in trials])
     if not np.isfinite(values).all() or values.var() <= 1e-12 * np.mean(values**2):

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.design.motions import motions_from_starts
 from trimmer.design.sensitivity import designable
 from trimmer.design.targets import Target
-from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
+from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 
 if TYPE_CHECKING:
     from trimmer.design.sensitivity import Sensitivities
@@ -150,7 +150,7 @@ def _places(
     mechanism: Mechanism, missed: tuple[Target, ...], sensitivities: Sensitivities | None
 ) -> list[tuple[str, str, float]]:
     every = list(designable(mechanism))
-    asked = [Asked(each.measure, each.part) for each in missed]
+    asked = [MeasureOfPart(each.measure, each.part) for each in missed]
     ranked = _interleaved(
         [[e.place for e in sensitivities.ranked(a)] for a in asked] if sensitivities else []
     )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, all_measures, measured
+from trimmer.design.trial import MeasureOfPart, all_measures, measured
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
@@ -42,14 +42,14 @@ class Elasticity:
             nearby, and the value says little.
     """
 
-    asked: Asked
+    asked: MeasureOfPart
     value: float
     smooth: bool
 
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """What a number changes.
+    """By how much each measure changes with one number.
 
     Attributes:
         place: Its dotted place.
@@ -63,14 +63,14 @@ class Sensitivity:
     value: float
     elasticities: tuple[Elasticity, ...]
 
-    def of(self, asked: Asked) -> Elasticity | None:
-        """Return that of a measure; None if the measure is zero."""
+    def of(self, asked: MeasureOfPart) -> Elasticity | None:
+        """Return the elasticity of a measure; None if the measure is zero."""
         return next((each for each in self.elasticities if each.asked == asked), None)
 
 
 @dataclass(frozen=True)
 class Sensitivities:
-    """What each number changes.
+    """By how much each measure changes with each number.
 
     Attributes:
         step: Relative change of a number to either side.
@@ -82,8 +82,8 @@ class Sensitivities:
     entries: tuple[Sensitivity, ...]
     failed: tuple[str, ...]
 
-    def ranked(self, asked: Asked) -> tuple[Sensitivity, ...]:
-        """Return those with an influence on a measure, the largest first."""
+    def ranked(self, asked: MeasureOfPart) -> tuple[Sensitivity, ...]:
+        """Return the numbers with an influence on a measure, the largest first."""
         sizes = {each.place: _size(each.of(asked)) for each in self.entries}
         found = [each for each in self.entries if sizes[each.place] > NOTHING]
         return tuple(sorted(found, key=lambda each: -sizes[each.place]))
@@ -138,9 +138,9 @@ def _slopes(
     place: str,
     value: float,
     motion: FoundMotion,
-    asked: tuple[Asked, ...],
+    asked: tuple[MeasureOfPart, ...],
     step: float,
-) -> Mapping[Asked, float] | None:
+) -> Mapping[MeasureOfPart, float] | None:
     """Return the elasticities by central differences; None if one of the orbits is not found."""
     sides = [_measures(mechanism, place, value * (1 + sign * step), motion, asked) for sign in (-1, 1)]
     below, above = sides
@@ -151,8 +151,8 @@ def _slopes(
 
 
 def _measures(
-    mechanism: Mechanism, place: str, value: float, motion: FoundMotion, asked: tuple[Asked, ...]
-) -> Mapping[Asked, float] | None:
+    mechanism: Mechanism, place: str, value: float, motion: FoundMotion, asked: tuple[MeasureOfPart, ...]
+) -> Mapping[MeasureOfPart, float] | None:
     try:
         changed = mechanism.with_value(place, value)
         orbit = exact_orbit(changed, motion.period_count or 1, motion.state)
@@ -161,5 +161,5 @@ def _measures(
     return {each: _of(orbit, each) for each in asked} if orbit.success else None
 
 
-def _of(orbit: Orbit, asked: Asked) -> float:
+def _of(orbit: Orbit, asked: MeasureOfPart) -> float:
     return measured(orbit.measures, asked, orbit.period_count)

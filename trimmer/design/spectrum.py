@@ -23,7 +23,7 @@ BESIDE = 0.03
 
 
 class LineKind(Enum):
-    """What a line is."""
+    """The origin of a line of a spectrum."""
 
     DRIVE = "the drive"
     HARMONIC = "a harmonic"
@@ -32,7 +32,7 @@ class LineKind(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
+class OutputLine:
     """A line of the spectrum of an output.
 
     Attributes:
@@ -66,7 +66,7 @@ class OutputSpectrum:
     """
 
     output: str
-    lines: tuple[Line, ...]
+    lines: tuple[OutputLine, ...]
     left_out: int
     floor: float
     share: float
@@ -104,7 +104,9 @@ def _of_output(
     return OutputSpectrum(name, lines, len(found) - len(lines), floor, share)
 
 
-def _line(p: int, k: int, size: float, base: float, by_itself: bool, states: tuple[LinearState, ...]) -> Line:
+def _line(
+    p: int, k: int, size: float, base: float, by_itself: bool, states: tuple[LinearState, ...]
+) -> OutputLine:
     frequency = base * p / k
     mode, contacts = _mode_beside(frequency, states)
     if p % k:
@@ -115,7 +117,7 @@ def _line(p: int, k: int, size: float, base: float, by_itself: bool, states: tup
         kind = LineKind.DRIVE if p == k else LineKind.HARMONIC
     if p % k == 0:
         p, k = p // k, 1
-    return Line(kind, p, k, frequency, size, mode, contacts)
+    return OutputLine(kind, p, k, frequency, size, mode, contacts)
 
 
 def _mode_beside(

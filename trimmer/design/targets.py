@@ -9,7 +9,7 @@ from typing import Any
 
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.quantities import Quantity, Range
+from trimmer.mechanism.quantities import NumberField, Range
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
 
@@ -51,10 +51,10 @@ class Target:
 
 
 _NOT_NEGATIVE = Range.NOT_NEGATIVE
-BOUNDS: Mapping[str, tuple[Measure, Quantity]] = {
-    "stroke_at_least": (Measure.STROKE, Quantity("m", "2.5 mm", _NOT_NEGATIVE)),
-    "rms_acceleration_at_most": (Measure.RMS_ACCELERATION, Quantity("m/s²", "90 m/s²", _NOT_NEGATIVE)),
-    "impact_speed_at_most": (Measure.IMPACT_SPEED, Quantity("m/s", "0.2 m/s", _NOT_NEGATIVE)),
+BOUNDS: Mapping[str, tuple[Measure, NumberField]] = {
+    "stroke_at_least": (Measure.STROKE, NumberField("m", "2.5 mm", _NOT_NEGATIVE)),
+    "rms_acceleration_at_most": (Measure.RMS_ACCELERATION, NumberField("m/s²", "90 m/s²", _NOT_NEGATIVE)),
+    "impact_speed_at_most": (Measure.IMPACT_SPEED, NumberField("m/s", "0.2 m/s", _NOT_NEGATIVE)),
 }
 """What each key bounds, and in which unit."""
 ONLY_DRIVE_PERIOD = "only_drive_period"
@@ -126,7 +126,9 @@ def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:
             return (*mechanism.plays, *mechanism.stops)
 
 
-def _number(place: tuple[str, ...], value: object, wanted: Quantity, problems: list[Problem]) -> float | None:
+def _number(
+    place: tuple[str, ...], value: object, wanted: NumberField, problems: list[Problem]
+) -> float | None:
     number = value
     if isinstance(value, str):
         try:

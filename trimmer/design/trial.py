@@ -24,8 +24,8 @@ WINDOW = 20
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A measure that is asked for.
+class MeasureOfPart:
+    """A measure of a part.
 
     Attributes:
         measure: What is measured.
@@ -50,11 +50,11 @@ class Trial:
     values: tuple[float, ...]
     kind: MotionKind | None
     period_count: int | None
-    measures: tuple[tuple[Asked, float], ...]
+    measures: tuple[tuple[MeasureOfPart, float], ...]
 
     def value(self, measure: Measure, part: str) -> float:
         """Return a measure that was asked for."""
-        return dict(self.measures)[Asked(measure, part)]
+        return dict(self.measures)[MeasureOfPart(measure, part)]
 
     def meets(self, targets: tuple[Target, ...]) -> bool:
         """Say whether it meets all targets; a motion that failed or grows without bound meets none."""
@@ -65,7 +65,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class TrialWork:
-    """What is done with the values of a trial.
+    """The work of a trial, which a process or a cluster may do.
 
     Attributes:
         mechanism: The mechanism.
@@ -76,7 +76,7 @@ class TrialWork:
 
     mechanism: Mechanism
     places: tuple[str, ...]
-    asked: tuple[Asked, ...]
+    asked: tuple[MeasureOfPart, ...]
     most_periods: int
 
     def __call__(self, values: tuple[float, ...]) -> Trial:
@@ -108,7 +108,7 @@ class TrialWork:
         return Trial(values, settled.kind, count, found)
 
 
-def measured(measures: Measures, asked: Asked, period_count: int | None) -> float:
+def measured(measures: Measures, asked: MeasureOfPart, period_count: int | None) -> float:
     """Return a measure of a motion; infinite for the period of one that does not repeat."""
     match asked.measure:
         case Measure.STROKE:
@@ -123,12 +123,16 @@ def measured(measures: Measures, asked: Asked, period_count: int | None) -> floa
             return float(period_count) if period_count else float("inf")
 
 
-def all_measures(mechanism: Mechanism) -> tuple[Asked, ...]:
-    """Return all that can be asked of a mechanism."""
+def all_measures(mechanism: Mechanism) -> tuple[MeasureOfPart, ...]:
+    """Return all measures that a mechanism has."""
     return (
-        *(Asked(Measure.STROKE, name) for name in mechanism.outputs),
-        *(Asked(Measure.RMS_ACCELERATION, name) for name in mechanism.bodies),
-        *(Asked(Measure.IMPACT_SPEED, name) for name in (*mechanism.plays, *mechanism.stops)),
-        *(Asked(Measure.WEAR_POWER, name) for name, each in mechanism.frictions.items() if each.force),
-        *([Asked(Measure.PERIOD, "")] if mechanism.frequency is not None else []),
+        *(MeasureOfPart(Measure.STROKE, name) for name in mechanism.outputs),
+        *(MeasureOfPart(Measure.RMS_ACCELERATION, name) for name in mechanism.bodies),
+        *(MeasureOfPart(Measure.IMPACT_SPEED, name) for name in (*mechanism.plays, *mechanism.stops)),
+        *(
+            MeasureOfPart(Measure.WEAR_POWER, name)
+            for name, each in mechanism.frictions.items()
+            if each.force
+        ),
+        *([MeasureOfPart(Measure.PERIOD, "")] if mechanism.frequency is not None else []),
     )

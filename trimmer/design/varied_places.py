@@ -24,8 +24,8 @@ SLACK = 0.2
 """Range of a gap that is zero in the file, as a share of the largest stroke."""
 
 
-class Role(Enum):
-    """What a number is to the designer."""
+class NumberRole(Enum):
+    """What a number that is varied is: a gap, a speed or a friction."""
 
     GAP = "gap"
     SPEED = "speed"
@@ -33,8 +33,8 @@ class Role(Enum):
 
 
 @dataclass(frozen=True)
-class Varied:
-    """A number that is varied.
+class VariedNumber:
+    """A number that maps and branches are over, with its range.
 
     Attributes:
         role: What it is.
@@ -46,7 +46,7 @@ class Varied:
         bounded: Whether a bound of its own cuts the range, as the static force does that of the kinetic one.
     """
 
-    role: Role
+    role: NumberRole
     place: str
     part: str
     unit: str
@@ -61,7 +61,7 @@ class Varied:
         Args:
             cells: A multiple of 24, or fewer for a coarse map.
         """
-        if self.role is Role.SPEED:
+        if self.role is NumberRole.SPEED:
             first, last = 0, cells - 1
         else:
             first, last = 1, cells
@@ -70,7 +70,7 @@ class Varied:
         return values
 
 
-def varied_places(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Varied, ...]:
+def varied_places(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[VariedNumber, ...]:
     """Return gap, speed and friction, as far as the mechanism has them.
 
     Of several plays and stops it is the one that is met fastest, of several frictions the one that turns most
@@ -79,7 +79,7 @@ def varied_places(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Var
     return (*_gap(mechanism, motion), *_speed(mechanism), *_friction(mechanism, motion))
 
 
-def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
+def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNumber]:
     parts = {**{name: ("plays", play) for name, play in mechanism.plays.items()},
              **{name: ("stops", stop) for name, stop in mechanism.stops.items()}}  # fmt: skip
     live = [name for name, (_, part) in parts.items() if part.stiffness or part.damping]
@@ -98,16 +98,18 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
     lowest, highest = (part.gap - reach, part.gap + 3 * reach) if part.gap else (0.0, reach)
     if section == "plays":
         lowest = max(lowest, 0.0)
-    yield Varied(Role.GAP, place_text((section, name, "gap")), name, "m", part.gap, lowest, highest)
+    yield VariedNumber(
+        NumberRole.GAP, place_text((section, name, "gap")), name, "m", part.gap, lowest, highest
+    )
 
 
-def _speed(mechanism: Mechanism) -> Iterator[Varied]:
+def _speed(mechanism: Mechanism) -> Iterator[VariedNumber]:
     if mechanism.frequency is not None:
         low, high = (share * mechanism.frequency for share in SPEEDS)
-        yield Varied(Role.SPEED, "frequency", "", "Hz", mechanism.frequency, low, high)
+        yield VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", mechanism.frequency, low, high)
 
 
-def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Varied]:
+def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNumber]:
     live = [name for name, friction in mechanism.frictions.items() if friction.force > 0]
     if not live:
         return
@@ -123,4 +125,4 @@ def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Vari
         highest, bounded = friction.force, True
     else:
         highest, bounded = 4 * friction.force, False
-    yield Varied(Role.FRICTION, place, name, "N", friction.force, 0.0, highest, bounded)
+    yield VariedNumber(NumberRole.FRICTION, place, name, "N", friction.force, 0.0, highest, bounded)

@@ -18,7 +18,7 @@ NEAR = 0.02
 """Distance from a bound, as a share of it, that counts as near."""
 
 
-class Outcome(Enum):
+class DesignOutcome(Enum):
     """What is said about all targets together."""
 
     NO_TARGETS = "there are no targets"
@@ -29,7 +29,7 @@ class Outcome(Enum):
 
 
 class Sureness(Enum):
-    """How sure it is, within the model."""
+    """How sure a verdict is, within the model."""
 
     SURE = "sure"
     LIKELY = "likely"
@@ -37,8 +37,8 @@ class Sureness(Enum):
 
 
 @dataclass(frozen=True)
-class Judged:
-    """A target and what was found.
+class JudgedTarget:
+    """A target, and the measure that was found.
 
     Attributes:
         target: The target.
@@ -65,8 +65,8 @@ class Judged:
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """The verdict.
+class DesignVerdict:
+    """Whether the targets are met, and how sure that is.
 
     Attributes:
         outcome: On all targets together.
@@ -76,9 +76,9 @@ class Verdict:
         others_agree: Whether all other motions that were found are judged as that from rest is.
     """
 
-    outcome: Outcome
+    outcome: DesignOutcome
     sureness: Sureness
-    judged: tuple[Judged, ...]
+    judged: tuple[JudgedTarget, ...]
     otherwise: float
     others_agree: bool
 
@@ -88,7 +88,7 @@ class Verdict:
         return tuple(each.target for each in self.judged if not each.met)
 
 
-def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy | None) -> Verdict:
+def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy | None) -> DesignVerdict:
     """Judge the targets.
 
     Args:
@@ -98,20 +98,22 @@ def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy 
     """
     first = motions.first
     if not targets or first is None:
-        outcome = Outcome.OPEN if targets else Outcome.NO_TARGETS
-        return Verdict(outcome, Sureness.UNSURE, (), 0.0, True)
-    judged = tuple(Judged(each, first.value(each), each.met_by(first.value(each))) for each in targets)
+        outcome = DesignOutcome.OPEN if targets else DesignOutcome.NO_TARGETS
+        return DesignVerdict(outcome, Sureness.UNSURE, (), 0.0, True)
+    judged = tuple(JudgedTarget(each, first.value(each), each.met_by(first.value(each))) for each in targets)
     met = all(each.met for each in judged)
     others = [each for each in motions.found[1:] if each.meets(targets) != met]
     otherwise = sum(each.starts for each in others) / motions.starts
     depends = bool(others) or (study is not None and study.doubt > 0)
     if study is not None and not study.doubt:
         met = bool(study.meeting)
-    outcome = Outcome.DEPENDS if depends else Outcome.MET if met else Outcome.MISSED
-    return Verdict(outcome, _sureness(judged, first, motions, depends), judged, otherwise, not others)
+    outcome = DesignOutcome.DEPENDS if depends else DesignOutcome.MET if met else DesignOutcome.MISSED
+    return DesignVerdict(outcome, _sureness(judged, first, motions, depends), judged, otherwise, not others)
 
 
-def _sureness(judged: tuple[Judged, ...], first: FoundMotion, motions: Motions, depends: bool) -> Sureness:
+def _sureness(
+    judged: tuple[JudgedTarget, ...], first: FoundMotion, motions: Motions, depends: bool
+) -> Sureness:
     known = first.repeats or first.kind is MotionKind.REST
     if depends or not known or first.neutral:
         return Sureness.UNSURE

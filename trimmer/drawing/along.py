@@ -1,4 +1,4 @@
-"""Curves in the complex plane that know the quantity along them, such as omega along a Nyquist locus."""
+"""Curves in the complex plane with a quantity along them, such as omega along a Nyquist locus."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Along:
 
 @final
 class CurveAlong(Line2D):
-    """A line that carries a quantity along it."""
+    """A line with a quantity for each of its points."""
 
     def __init__(self, points: Complexes, along: Along, **keywords: Any) -> None:
         super().__init__(points.real, points.imag, **keywords)
@@ -32,6 +32,6 @@ class CurveAlong(Line2D):
 
 
 def plot_along(axes: Axes, points: Complexes, along: Along, **keywords: Any) -> None:
-    """Draw a curve in the complex plane that can be read; keywords are those of ``Axes.plot``."""
+    """Draw a curve in the complex plane with a quantity along it; keywords are those of ``Axes.plot``."""
     axes.add_line(CurveAlong(points, along, **keywords))
     axes.autoscale_view()

@@ -1,41 +1,20 @@
-"""Axes to draw into, their legend and their title."""
+"""The legend of axes, where it leaves the data free."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from matplotlib.axes import Axes
 from matplotlib.transforms import ScaledTranslation
-
-from trimmer.arguments import require_instance
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
 
 NARROW = 4.0
 """Width of axes, inches, below which a legend stands under them and not beside them."""
 UNDER = 3.6
 """How far under the axes, in font sizes: below ticks and label."""
-
-
-def axes_for(ax: Axes | None, **size: Any) -> Axes:
-    """Return the axes that were given, or those of a new figure of pyplot, so that notebooks show it.
-
-    Args:
-        ax: What was given.
-        size: For the new figure, such as ``figsize``.
-
-    Raises:
-        WrongTypeError: if something else was given.
-    """
-    if ax is not None:
-        require_instance("ax", ax, Axes, "Matplotlib axes, such as those of plt.subplots()")
-        return ax
-    from matplotlib import pyplot
-
-    figure = pyplot.figure(layout="constrained", **size)
-    return figure.add_subplot()
 
 
 def add_legend(axes: Axes, handles: Iterable[Artist] | None = None, title: str = "") -> None:

@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import axes_for
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.locus import draw_element_curve, ratios_of
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import arrow, critical_point
 from trimmer.drawing.plane import inverse
+from trimmer.elements.element import Element, ElementLocus
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Element
 
 LARGEST = 1e2
 """Largest amplitude that is shown over the smallest one, or the scale over the smallest one."""
@@ -29,11 +29,11 @@ LEAST = 3.0
 """|1/N| up to which it is shown in any case, so that -1 is seen."""
 
 
-def draw_describing_function(element: Element, ax: Axes | None = None, omega: float | None = None) -> Axes:
-    """Draw |N| over the amplitude, and the phase with an axis at the right; see ``Element.plot``."""
+@draw.register(Element)
+def draw_describing_function(element: Element, axes: Axes, omega: float | None = None) -> None:
+    """Draw |N| over the amplitude, and the phase with an axis at the right."""
     amplitude = amplitudes_of(element, omega)
     gain = element.describing_function(amplitude, omega)
-    axes = axes_for(ax)
     axes.semilogx(amplitude, abs(gain), **line(0))
     axes.set_xlabel("amplitude A, unit of the input")
     axes.set_ylabel("|N| (solid)")
@@ -44,7 +44,6 @@ def draw_describing_function(element: Element, ax: Axes | None = None, omega: fl
     degrees = _degrees(gain)
     phases.semilogx(amplitude, degrees, **line(1))
     phases.set_ylim(min(float(degrees.min()), 0.0) - MARGIN, max(float(degrees.max()), 0.0) + MARGIN)
-    return axes
 
 
 def amplitudes_of(element: Element, omega: float | None) -> Reals:
@@ -62,9 +61,10 @@ def _degrees(gain: Complexes) -> Reals:
     return np.degrees(np.unwrap(np.angle(gain)))
 
 
-def draw_element_locus(element: Element, ax: Axes | None = None, omega: float | None = None) -> Axes:
-    """Draw -1/N in the complex plane, with an arrow towards larger amplitudes; see ``Element.plot_locus``."""
-    axes = axes_for(ax)
+@draw.register(ElementLocus)
+def draw_element_locus(locus: ElementLocus, axes: Axes) -> None:
+    """Draw -1/N in the complex plane, with an arrow towards larger amplitudes."""
+    element, omega = locus.element, locus.omega
     draw_element_curve(axes, element, omega, "−1/N(A)", 1)
     curve = inverse(element, ratios_of(element, omega)[::-1], omega)  # by rising amplitude
     curve = curve[np.isfinite(curve)]
@@ -76,7 +76,6 @@ def draw_element_locus(element: Element, ax: Axes | None = None, omega: float | 
     axes.set_xlabel("real part of −1/N")
     axes.set_ylabel("imaginary part of −1/N")
     axes.grid(alpha=0.3)
-    return axes
 
 
 def _shares(curve: Complexes) -> Reals:

@@ -1,4 +1,4 @@
-"""Frequencies at which a response is drawn: dense where it moves fast."""
+"""Frequencies at which a response is drawn: close together where it changes fast."""
 
 from __future__ import annotations
 

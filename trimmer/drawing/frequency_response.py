@@ -7,17 +7,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.ticker import MultipleLocator
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.look import BLACK, DOTTED, line
+from trimmer.linear.summary import LinearSummary
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.linear.summary import LinearSummary
 
 TURN = 2.0 * np.pi
 SIZE = (7.2, 6.0)
@@ -30,9 +31,10 @@ def decibels(gain: Complexes | Reals) -> Reals:
     return np.asarray(20.0 * np.log10(np.abs(gain)))
 
 
-def draw_summary(summary: LinearSummary, ax: Axes | None = None) -> Axes:
-    """Draw |G| in dB over frequency, Hz, with peaks and dips; see ``LinearSummary.plot``."""
-    axes, name = axes_for(ax), f"{summary.output.label} over the pin"
+@draw.register(LinearSummary)
+def draw_summary(summary: LinearSummary, axes: Axes) -> None:
+    """Draw |G| in dB over frequency, Hz, with peaks and dips."""
+    name = f"{summary.output.label} over the pin"
     omega = telling_frequencies(summary.factored, reach=REACH)
     axes.semilogx(omega / TURN, decibels(np.exp(summary.factored.log_gain(omega))), label=name, **line(0))
     for extrema, marker, label in ((summary.peaks, "^", "peak"), (summary.antiresonances, "v", "dip")):
@@ -48,7 +50,6 @@ def draw_summary(summary: LinearSummary, ax: Axes | None = None) -> Axes:
     axes.set_ylabel("magnitude, dB")
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
 def summary_figure(summary: LinearSummary) -> Figure:

@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.balance.identification import Identification
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from trimmer.balance.identification import Identification
 
 POINTS = 49
 """Time constants for which the limit cycles are found."""
@@ -23,9 +24,9 @@ DECADES = 3.0
 """How far M/D is drawn on either side of one over the angular frequency, and beyond what was found."""
 
 
-def draw_identification(found: Identification, ax: Axes | None = None) -> Axes:
-    """Draw M/D over frequency; see ``Identification.plot``."""
-    axes = axes_for(ax)
+@draw.register(Identification)
+def draw_identification(found: Identification, axes: Axes) -> None:
+    """Draw M/D over frequency."""
     _draw_bands(axes, found)
     low, high = found.frequency - found.frequency_uncertainty, found.frequency + found.frequency_uncertainty
     axes.axvspan(low, high, color="0.85", zorder=0)
@@ -39,7 +40,6 @@ def draw_identification(found: Identification, ax: Axes | None = None) -> Axes:
     axes.set_ylabel("M/D of the load, s")
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
 def _draw_bands(axes: Axes, found: Identification) -> None:

@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.balance.limit_cycle import HarmonicBalance
 from trimmer.drawing.along import Along
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import figure_of, new_figure
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import critical_point, limit_cycle
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
+    from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.elements.element import Element
     from trimmer.loops.loops import ClosedLoop
 
@@ -46,19 +48,20 @@ def balance_figure(balance: HarmonicBalance) -> Figure:
         return figure_of(balance.plot)
     figure = new_figure(7.2, 8.2)
     upper, lower = figure.subplots(2)
-    balance.plot(upper)
+    draw_balance(balance, upper)
     draw_balance(balance, lower, near=True)
     upper.set_title("all of G(jω)", fontsize="medium")
     lower.set_title("around the limit cycles", fontsize="medium")
     return figure
 
 
-def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool) -> Axes:
-    """Draw G and -1/N, and mark the limit cycles; see ``HarmonicBalance.plot``.
+@draw.register(HarmonicBalance)
+def draw_balance(balance: HarmonicBalance, axes: Axes, *, near: bool = False) -> None:
+    """Draw G and -1/N, and mark the limit cycles.
 
     An element that depends on frequency has one curve per limit cycle, at its frequency.
     """
-    axes, loop = axes_for(ax), _loop(balance)
+    loop = _loop(balance)
     system_locus(axes, loop.system, _omegas(balance), label="G(jω)", **line(0))
     for number, (label, at) in enumerate(_frequencies(balance), start=1):
         draw_element_curve(axes, loop.element, at, label, number)
@@ -70,7 +73,6 @@ def draw_balance(balance: HarmonicBalance, ax: Axes | None = None, *, near: bool
     axes.set_ylabel("imaginary part")
     axes.grid(alpha=0.3)
     add_legend(axes, title="A: amplitude in the unit\nof the element's input" if balance.limit_cycles else "")
-    return axes
 
 
 def _loop(balance: HarmonicBalance) -> ClosedLoop:

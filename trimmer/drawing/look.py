@@ -1,4 +1,4 @@
-"""Colours and dashes of all pictures, which readers tell apart who do not see colours."""
+"""Colours and dashes of all pictures; no two lines differ by their colour alone."""
 
 from __future__ import annotations
 

@@ -6,18 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.motion import Motion
 from trimmer.loops.relay_component import HELD
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
-    from trimmer.loops.motion import Motion
 
 POINTS = 4000
 """Points of a curve, beside the events."""
@@ -25,9 +26,9 @@ MOST_EVENTS = 2000
 """Events up to which each is a point of the curves too."""
 
 
-def draw_loop_motion(motion: Motion, ax: Axes | None = None) -> Axes:
-    """Draw output, and of a play its input and output, over time; see ``Motion.plot``."""
-    axes = axes_for(ax)
+@draw.register(Motion)
+def draw_loop_motion(motion: Motion, axes: Axes) -> None:
+    """Draw output, and of a play its input and output, over time."""
     times = np.linspace(0.0, motion.duration, POINTS)
     if len(motion.log.start) <= MOST_EVENTS:
         times = np.union1d(times, motion.log.start[motion.log.start <= motion.duration])
@@ -39,7 +40,6 @@ def draw_loop_motion(motion: Motion, ax: Axes | None = None) -> Axes:
     axes.grid(alpha=0.3)
     draw_strips(axes, strips_of(motion))
     add_legend(axes)
-    return axes
 
 
 def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:

@@ -6,9 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis, with_prefix
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer.orbits.search import PeriodicOrbits
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,20 +19,20 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 POINTS = 2000
 """Points of an orbit, beside its events."""
 
 
-def draw_orbit(orbit: PeriodicOrbit, ax: Axes | None = None) -> Axes:
-    """Draw one orbit, with a dot where a mode changes; see ``PeriodicOrbit.plot``."""
-    return draw_orbits([orbit], ax)
+@draw.register(PeriodicOrbit)
+def draw_orbit(orbit: PeriodicOrbit, axes: Axes) -> None:
+    """Draw one orbit, with a dot where a mode changes."""
+    draw_orbits([orbit], axes)
 
 
-def draw_orbits(orbits: Sequence[PeriodicOrbit], ax: Axes | None = None) -> Axes:
+@draw.register(PeriodicOrbits)
+def draw_orbits(orbits: Sequence[PeriodicOrbit], axes: Axes) -> None:
     """Draw orbits, stable ones solid and others dashed, with dots where a mode changes."""
-    axes = axes_for(ax)
     for number, orbit in enumerate(orbits):
         events = orbit.switching_times
         times = np.union1d(np.linspace(0.0, orbit.period, POINTS), events[events <= orbit.period])
@@ -42,7 +45,6 @@ def draw_orbits(orbits: Sequence[PeriodicOrbit], ax: Axes | None = None) -> Axes
     name_axis(axes.yaxis, "its rate", f"{unit or 1}/s")
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
 def in_plane(orbit: PeriodicOrbit, times: Reals) -> Reals:

@@ -1,4 +1,4 @@
-"""The plane of G and -1/N: loci that can be read, of linear systems and of elements."""
+"""The plane of G and -1/N: loci of linear systems and of elements, with omega or amplitude along them."""
 
 from __future__ import annotations
 

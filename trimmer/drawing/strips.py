@@ -28,7 +28,7 @@ NAME |= {"fontsize": "x-small", "parse_math": False, "annotation_clip": False}
 
 @dataclass(frozen=True)
 class Strip:
-    """When something is on.
+    """The times at which a part is in contact or sticks.
 
     Attributes:
         name: What is on, such as ``bridge, contact``.

@@ -11,7 +11,7 @@ from .element_at_frequency import ElementAtFrequency as ElementAtFrequency
 from .own_element import OwnElement as OwnElement
 from .own_element import StaticElement as StaticElement
 from .preload import Preload as Preload
-from .quadrature import Estimate as Estimate
+from .quadrature import QuadratureEstimate as QuadratureEstimate
 from .relay import Relay as Relay
 from .saturation import Saturation as Saturation
 from .scaled_element import ScaledElement as ScaledElement

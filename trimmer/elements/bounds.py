@@ -1,4 +1,4 @@
-"""Domains and bounds that do not depend on amplitude and frequency, in the shape of the arguments."""
+"""Bounds that do not depend on amplitude and frequency, in the shape of the arguments."""
 
 from __future__ import annotations
 
@@ -6,30 +6,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.expansion import Sensitivity, Variation
+from trimmer.elements.expansion import GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Reals
     from trimmer.elements.element import Range
-
-
-def unlimited_domain(omega: Reals) -> Reals:
-    """Return infinity in the shape of omega: the element has a describing function at any amplitude."""
-    return np.full(omega.shape, np.inf)[()]
 
 
 def constant_sensitivity(
     by_u: float, by_log_omega: float, u_range: Range, omega_range: Range | None
-) -> Sensitivity:
+) -> GainSensitivity:
     """Return bounds that hold everywhere, in the shape of the ranges."""
     shape = range_shape(u_range, omega_range)
-    return Sensitivity(np.full(shape, by_u)[()], np.full(shape, by_log_omega)[()])
+    return GainSensitivity(np.full(shape, by_u)[()], np.full(shape, by_log_omega)[()])
 
 
-def no_variation(u_range: Range, omega_range: Range | None) -> Variation:
+def no_variation(u_range: Range, omega_range: Range | None) -> GainVariation:
     """Return zeros, in the shape of the ranges: the derivatives are constant."""
     shape = range_shape(u_range, omega_range)
-    return Variation(np.zeros(shape)[()], np.zeros(shape)[()])
+    return GainVariation(np.zeros(shape)[()], np.zeros(shape)[()])
 
 
 def range_shape(u_range: Range, omega_range: Range | None) -> tuple[int, ...]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.elements.element import Element
-from trimmer.elements.quadrature import Estimate
+from trimmer.elements.quadrature import QuadratureEstimate
 from trimmer.elements.unbounded import EVEN, UnboundedElement
 from trimmer.errors import UnsupportedElementError
 
@@ -78,7 +78,7 @@ class ControlElement(UnboundedElement):
         return float(amplitudes[1 + int(np.argmax(bend))]) if bend.max() > 1e-6 else 1.0
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
-        """Return that of an element without memory; NaN for one with memory."""
+        """Return the gain for the mean of the input; NaN for an element with memory."""
         if self.nonlinearity._isstatic():
             return self._mean_slope(amplitude)
         return super().mean_gain(amplitude)
@@ -166,10 +166,10 @@ class ControlElement(UnboundedElement):
         exists = own is None or not np.isnan(own)
         return bool(exists and np.abs(first + second).max() > EVEN * np.abs(first).max())
 
-    def _estimate(self, amplitude: float, omega: float, harmonic: int) -> Estimate:
+    def _estimate(self, amplitude: float, omega: float, harmonic: int) -> QuadratureEstimate:
         own = self._own(amplitude)
         if own is not None and np.isnan(own):
-            return Estimate(own, math.nan, math.nan)
+            return QuadratureEstimate(own, math.nan, math.nan)
         return super()._estimate(amplitude, omega, harmonic)
 
 

@@ -18,9 +18,9 @@ import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
-from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 from trimmer.elements.small_arguments import argument_less_sine, sine_less_cosine_part
 
 if TYPE_CHECKING:
@@ -56,11 +56,6 @@ class CornerElement(Element):
         positive_number("slope", self.slope, "output per input")
 
     @property
-    def depends_on_frequency(self) -> bool:
-        """False: the output follows the input without memory."""
-        return False
-
-    @property
     def amplitude_scale(self) -> float:
         """The threshold, in the unit of the input: N depends on threshold/amplitude alone."""
         return self.threshold
@@ -70,22 +65,18 @@ class CornerElement(Element):
         """1: an amplitude below the threshold never reaches a corner."""
         return 1.0
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: any amplitude will do."""
-        return unlimited_domain(self._omegas(omega))
-
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return (4/π) slope cos α at the lowest u, as |dN/du| falls with u; and 0 for |dN/d(ln omega)|."""
         shape = range_shape(u_range, omega_range)
         by_u = ROUNDED_UP * _STEEPEST * self.slope * _cosine(u_range[0])
-        return Sensitivity(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        return GainSensitivity(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the change of (4/π) slope cos α between the ends of u, as it is monotonic; and 0."""
         shape = range_shape(u_range, omega_range)
         change = _cosine(u_range[0]) - _cosine(u_range[1]) + _ROUNDING
         by_u = ROUNDED_UP * _STEEPEST * self.slope * change
-        return Variation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        return GainVariation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
     @property
     @abstractmethod

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from typing import TYPE_CHECKING, TypeVar
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeVar, final
 
 import numpy as np
 
 from trimmer.arguments import real_values
 from trimmer.elements.arguments import harmonic_number, positive_amplitudes, positive_omegas
 from trimmer.elements.expansion import Derivatives, Expansion
+from trimmer.showing.drawn import Drawn, drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element_at_frequency import ElementAtFrequency
-    from trimmer.elements.expansion import Sensitivity, Variation
+    from trimmer.elements.expansion import GainSensitivity, GainVariation
     from trimmer.elements.scaled_element import ScaledElement
     from trimmer.elements.small_gains import SmallGains
     from trimmer.elements.sum_of_elements import SumOfElements
@@ -35,7 +37,7 @@ BLOCK = 16384
 """Entries that are computed together: few enough for the processor's cache, enough to make calls cheap."""
 
 
-class Element(ABC):
+class Element(Drawn, ABC):
     """A nonlinear element with input x = A sin θ, θ = omega t, and a steady output that repeats with it.
 
     The describing function of harmonic n is N_n = (b_n + j a_n) / A with the Fourier coefficients a_n of
@@ -51,9 +53,9 @@ class Element(ABC):
     """
 
     @property
-    @abstractmethod
     def depends_on_frequency(self) -> bool:
         """Whether N depends on omega; if so, omega must be given."""
+        return False
 
     @property
     @abstractmethod
@@ -156,7 +158,6 @@ class Element(ABC):
                 part[missing.ravel()] = np.nan
         return Expansion(*(_scalar_if_0d(part.reshape(amplitudes.shape)) for part in parts))
 
-    @abstractmethod
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u = amplitude_scale / amplitude at each omega; N is NaN from there on.
 
@@ -169,9 +170,10 @@ class Element(ABC):
         Raises:
             ValueError: as for ``describing_function``.
         """
+        return np.full(self._omegas(omega).shape, np.inf)[()]
 
     @abstractmethod
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Bound the derivatives of N on boxes of u and omega, as far as they lie in the domain.
 
         Args:
@@ -188,7 +190,7 @@ class Element(ABC):
         """
 
     @abstractmethod
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Bound how much the derivatives of N change on boxes of u and omega, inside the domain.
 
         With it Newton's method and the uniqueness of a solution can be proven. Arguments and errors are those
@@ -246,18 +248,14 @@ class Element(ABC):
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             ValueError: as for ``describing_function``.
         """
-        from trimmer.drawing.describing_function import draw_describing_function
-
-        return draw_describing_function(self, ax, omega)
+        return drawn(self, ax, omega=omega)
 
     def plot_locus(self, ax: Axes | None = None, omega: float | None = None) -> Axes:
         """Draw -1/N in the complex plane, with an arrow towards larger amplitudes.
 
         Arguments and errors are those of ``plot``.
         """
-        from trimmer.drawing.describing_function import draw_element_locus
-
-        return draw_element_locus(self, ax, omega)
+        return ElementLocus(self, omega).plot(ax)
 
     # The results of arithmetic are elements themselves, so their modules need this one first.
     def __add__(self, other: Element) -> SumOfElements:
@@ -315,3 +313,17 @@ class Element(ABC):
 def _scalar_if_0d(values: NDArray[Number]) -> NDArray[Number]:
     """Return an array as it is, and a scalar in place of an array without dimensions, as NumPy does."""
     return values[()]
+
+
+@final
+@dataclass(frozen=True)
+class ElementLocus(Drawn):
+    """The curve -1/N of an element; ``plot`` draws it with an arrow towards larger amplitudes.
+
+    Attributes:
+        element: The element.
+        omega: Angular frequency, rad/s; needed if N depends on it.
+    """
+
+    element: Element
+    omega: float | None = None

@@ -11,7 +11,7 @@ from trimmer.arguments import positive_number
 from trimmer.elements.bounds import range_shape
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -44,11 +44,6 @@ class ElementAtFrequency(Element):
         positive_number("omega", self.omega, "rad/s")
 
     @property
-    def depends_on_frequency(self) -> bool:
-        """False: the frozen omega takes the place of any other."""
-        return False
-
-    @property
     def amplitude_scale(self) -> float:
         """The scale of the element, in the unit of the input."""
         return self.element.amplitude_scale
@@ -60,24 +55,24 @@ class ElementAtFrequency(Element):
 
     @property
     def constant_from(self) -> float:
-        """That of the element."""
+        """The u from which on N of the element does not change any more."""
         return self.element.constant_from
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u of the element at the frozen omega, in the shape of ``omega``."""
         return np.full(self._omegas(omega).shape, self.element.domain(self.omega))[()]
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return the element's bound of |dN/du| at the frozen omega, and 0 for |dN/d(ln omega)|."""
         shape = range_shape(u_range, omega_range)
         bound = self.element.sensitivity(u_range, (self.omega, self.omega))
-        return Sensitivity(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+        return GainSensitivity(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the element's bound of the change of dN/du at the frozen omega, and 0 for the other one."""
         shape = range_shape(u_range, omega_range)
         bound = self.element.variation(u_range, (self.omega, self.omega))
-        return Variation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
+        return GainVariation(np.broadcast_to(bound.by_u, shape)[()], np.zeros(shape)[()])
 
     def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
         """Return the element's bound at the frozen omega."""

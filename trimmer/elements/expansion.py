@@ -38,7 +38,7 @@ class Expansion(NamedTuple):
     by_log_omega: Complexes
 
 
-class Sensitivity(NamedTuple):
+class GainSensitivity(NamedTuple):
     """Upper bounds of the moduli of ``Derivatives`` on a box of u and omega.
 
     Attributes:
@@ -50,7 +50,7 @@ class Sensitivity(NamedTuple):
     by_log_omega: Reals
 
 
-class Variation(NamedTuple):
+class GainVariation(NamedTuple):
     """Upper bounds of how much ``Derivatives`` differ between two points of a box of u and omega.
 
     Attributes:

@@ -75,7 +75,7 @@ TO_OTHERS = _continuation(NODES[COARSE], NODES[OTHERS])
 PLACES = np.concatenate([NODES, ENDS])
 
 
-class Estimate(NamedTuple):
+class QuadratureEstimate(NamedTuple):
     """A describing function by quadrature.
 
     Attributes:
@@ -94,7 +94,7 @@ def harmonic_by_quadrature(
     amplitude: float,
     harmonic: int,
     breaks: Sequence[float] = (),
-) -> Estimate:
+) -> QuadratureEstimate:
     """Integrate N_n = (2j/(πA)) ∫ y exp(-jnθ) dθ over half a period, with y the odd part of the output.
 
     Args:
@@ -117,7 +117,7 @@ def harmonic_by_quadrature(
             largest = float(max(np.abs(first).max(), np.abs(second).max()))
             asymmetry = float(np.abs(first + second)[:, : NODES.size].max())
         if not (np.isfinite(first).all() and np.isfinite(second).all()):
-            return Estimate(complex(math.nan, math.nan), math.nan, math.nan)
+            return QuadratureEstimate(complex(math.nan, math.nan), math.nan, math.nan)
         integrand = 0.5 * (first - second) * np.exp(-1j * harmonic * phases)
         inner, ends = integrand[:, : NODES.size], integrand[:, NODES.size :]
         fine = (inner * WEIGHTS).sum(axis=1) * half
@@ -138,7 +138,9 @@ def harmonic_by_quadrature(
         )
     factor = 2.0 / (math.pi * amplitude)
     rounding = 1e-15 * math.pi * largest
-    return Estimate(1j * factor * total, factor * (error + rounding), asymmetry / largest if largest else 0.0)
+    return QuadratureEstimate(
+        1j * factor * total, factor * (error + rounding), asymmetry / largest if largest else 0.0
+    )
 
 
 def _first_cuts(harmonic: int, breaks: Sequence[float]) -> Reals:

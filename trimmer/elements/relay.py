@@ -11,7 +11,7 @@ import numpy as np
 from trimmer.arguments import finite_number, positive_number
 from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.bounds import range_shape
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 from trimmer.elements.square_wave import SquareWaveElement
 from trimmer.elements.threshold_relay import Thresholds
 
@@ -70,14 +70,14 @@ class Relay(SquareWaveElement):
 
     @property
     def thresholds(self) -> Thresholds | None:
-        """Where it switches; None for the ideal relay."""
+        """The inputs at which it switches; None for the ideal relay."""
         if self.hysteresis == 0 == self.dead_zone:
             return None
         return Thresholds(self.level, self.dead_zone, self.hysteresis)
 
     @property
     def amplitude_scale(self) -> float:
-        """The amplitude from which on it switches; the level, of which only the number counts, if any."""
+        """The amplitude from which on it switches; of the ideal relay the number of the level."""
         return self.dead_zone + self.hysteresis or self.level
 
     @property
@@ -92,21 +92,23 @@ class Relay(SquareWaveElement):
         thresholds = self.thresholds
         return everywhere if thresholds is None or thresholds.rests else np.ones_like(everywhere)[()]
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return 4/π for |dN/du| of the ideal relay; with thresholds a bound that is infinite at u = 1."""
         thresholds = self.thresholds
         if thresholds is None:
             return super().sensitivity(u_range, omega_range)
         shape = range_shape(u_range, omega_range)
-        return Sensitivity(np.broadcast_to(thresholds.steepest(u_range[1]), shape)[()], np.zeros(shape)[()])
+        return GainSensitivity(
+            np.broadcast_to(thresholds.steepest(u_range[1]), shape)[()], np.zeros(shape)[()]
+        )
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return zeros for the ideal relay; with thresholds a bound that is infinite at u = 1."""
         thresholds = self.thresholds
         if thresholds is None:
             return super().variation(u_range, omega_range)
         shape = range_shape(u_range, omega_range)
-        return Variation(
+        return GainVariation(
             np.broadcast_to(thresholds.change_of_slope(*u_range), shape)[()], np.zeros(shape)[()]
         )
 

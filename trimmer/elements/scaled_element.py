@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, final
 from trimmer.arguments import real_number
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -57,22 +57,22 @@ class ScaledElement(Element):
 
     @property
     def constant_from(self) -> float:
-        """That of the element."""
+        """The u from which on N of the element does not change any more."""
         return self.element.constant_from
 
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return the supremum of u of the element, which the factor leaves alone."""
         return self.element.domain(omega)
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.sensitivity(u_range, omega_range)
-        return Sensitivity(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+        return GainSensitivity(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the bounds of the element times the modulus of the factor."""
         bound = self.element.variation(u_range, omega_range)
-        return Variation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
+        return GainVariation(abs(self.factor) * bound.by_u, abs(self.factor) * bound.by_log_omega)
 
     def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
         """Return the bound of the element times the modulus of the factor."""

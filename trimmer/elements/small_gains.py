@@ -83,10 +83,10 @@ class SmallGains:
 
 
 def small_gains_of_backlash(lag: float) -> SmallGains:
-    """Give those of a backlash whose load has the time constant ``lag``, s."""
+    """Return the small gains of a backlash whose load has the time constant ``lag``, s."""
     return SmallGains(direction=-1j, scale=1.0, lag=lag)
 
 
 def real_small_gains(scale: float) -> SmallGains:
-    """Give those of an N that is real and positive, or zero, at all amplitudes; any size of it is a scale."""
+    """Return the small gains of an N that is real and positive, or zero; any size of it is a scale."""
     return SmallGains(1.0, scale, lag=0.0, steepest=0.0, gentlest=0.0, reach=math.inf)

@@ -7,16 +7,14 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from trimmer.elements.bounds import constant_sensitivity, no_variation, unlimited_domain
+from trimmer.elements.bounds import constant_sensitivity, no_variation
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Range
-    from trimmer.elements.expansion import Sensitivity, Variation
+    from trimmer.elements.expansion import GainSensitivity, GainVariation
 
 
 FUNDAMENTAL = 4.0 / np.pi
@@ -38,24 +36,15 @@ class SquareWaveElement(Element):
         """Output in its positive half period, > 0, in the unit of the output."""
 
     @property
-    def depends_on_frequency(self) -> bool:
-        """False: the output has the same height at any frequency."""
-        return False
-
-    @property
     def amplitude_scale(self) -> float:
         """The height of the output, so that N = (4/π) exp(jφ) u; only its number counts, not its unit."""
         return self.height
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: any amplitude will do."""
-        return unlimited_domain(self._omegas(omega))
-
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is linear in u."""
         return constant_sensitivity(FUNDAMENTAL, 0.0, u_range, omega_range)
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return zeros: N is linear in u."""
         return no_variation(u_range, omega_range)
 

@@ -13,7 +13,7 @@ from trimmer.arguments import require_instances
 from trimmer.elements.bounds import range_shape
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -69,24 +69,24 @@ class SumOfElements(Element):
         limits = [self._ratio(term) * term.domain(omegas) for term in self.terms]
         return np.asarray(reduce(np.minimum, limits))[()]
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return the sums of the terms' bounds: a modulus of a sum is at most the sum of the moduli."""
         bounds = [
             (self._ratio(term), term.sensitivity(self._range_of(term, u_range), omega_range))
             for term in self.terms
         ]
-        return Sensitivity(
+        return GainSensitivity(
             reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
             reduce(add, (bound.by_log_omega for _, bound in bounds)),
         )
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the sums of the terms' bounds of the changes."""
         bounds = [
             (self._ratio(term), term.variation(self._range_of(term, u_range), omega_range))
             for term in self.terms
         ]
-        return Variation(
+        return GainVariation(
             reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
             reduce(add, (bound.by_log_omega for _, bound in bounds)),
         )

@@ -37,7 +37,7 @@ _LARGEST = np.finfo(float).max
 
 @dataclass(frozen=True)
 class Thresholds:
-    """A relay with on > 0; arrays of amplitude or u are of any shape, which results have too.
+    """A relay that switches on at an input > 0; results have the shape of amplitude or u.
 
     Attributes:
         level: L, output beyond the thresholds, > 0.

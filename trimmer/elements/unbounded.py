@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.elements.arguments import harmonic_number, positive_amplitudes
-from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
-from trimmer.elements.quadrature import Estimate, harmonic_by_quadrature
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
+from trimmer.elements.quadrature import QuadratureEstimate, harmonic_by_quadrature
 from trimmer.errors import UnsupportedElementError
 
 if TYPE_CHECKING:
@@ -36,11 +36,6 @@ class UnboundedElement(Element):
     """
 
     @property
-    def depends_on_frequency(self) -> bool:
-        """False, unless a subclass says otherwise."""
-        return False
-
-    @property
     def has_bounds(self) -> bool:
         """False."""
         return False
@@ -60,7 +55,7 @@ class UnboundedElement(Element):
 
     def describing_function_estimate(
         self, amplitude: float, omega: float | None = None, harmonic: int = 1
-    ) -> Estimate:
+    ) -> QuadratureEstimate:
         """Integrate N_n at one amplitude, and estimate the error.
 
         Args:
@@ -84,19 +79,15 @@ class UnboundedElement(Element):
         estimate = self._estimate(float(amplitudes), float(omegas), number if number % 2 else 1)
         return estimate if number % 2 or np.isnan(estimate.value) else estimate._replace(value=0j)
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: where there is no steady output is not known."""
-        return unlimited_domain(self._omegas(omega))
-
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return infinity: no bound is known."""
         shape = range_shape(u_range, omega_range)
-        return Sensitivity(np.full(shape, np.inf)[()], np.full(shape, np.inf)[()])
+        return GainSensitivity(np.full(shape, np.inf)[()], np.full(shape, np.inf)[()])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return infinity: no bound is known."""
         shape = range_shape(u_range, omega_range)
-        return Variation(np.full(shape, np.inf)[()], np.full(shape, np.inf)[()])
+        return GainVariation(np.full(shape, np.inf)[()], np.full(shape, np.inf)[()])
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return NaN: how the mean of the input passes is not known."""
@@ -113,7 +104,7 @@ class UnboundedElement(Element):
         gain = value.real - 0.5 * self.amplitude_scale / flat * by_u.real
         return np.asarray(gain.reshape(amplitudes.shape))[()]
 
-    def _estimate(self, amplitude: float, omega: float, harmonic: int) -> Estimate:
+    def _estimate(self, amplitude: float, omega: float, harmonic: int) -> QuadratureEstimate:
         estimate = harmonic_by_quadrature(
             lambda phases: self._halves(phases, amplitude, omega),
             amplitude,

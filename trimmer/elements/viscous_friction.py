@@ -9,9 +9,9 @@ import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.elements.arguments import positive_amplitudes
-from trimmer.elements.bounds import range_shape, unlimited_domain
+from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -47,24 +47,20 @@ class ViscousFriction(Element):
         """1: a linear element has no amplitude of its own."""
         return 1.0
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return infinity: any amplitude will do."""
-        return unlimited_domain(self._omegas(omega))
-
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return 0 for |dN/du|, and the damping times the upper omega for |dN/d(ln omega)|, N/m."""
         omega = self._omegas(None if omega_range is None else omega_range[1])
         shape = range_shape(u_range, omega_range)
-        return Sensitivity(np.zeros(shape)[()], np.broadcast_to(self.damping * omega, shape)[()])
+        return GainSensitivity(np.zeros(shape)[()], np.broadcast_to(self.damping * omega, shape)[()])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return 0 for the change of dN/du, and the damping times the width in omega for the other, N/m."""
         lower, upper = (
             self._omegas(limit) for limit in ((None, None) if omega_range is None else omega_range)
         )
         shape = range_shape(u_range, omega_range)
         change = np.broadcast_to(self.damping * (upper - lower), shape)
-        return Variation(np.zeros(shape)[()], change[()])
+        return GainVariation(np.zeros(shape)[()], change[()])
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return 0: a mean of the displacement does not change its velocity, hence not the force."""

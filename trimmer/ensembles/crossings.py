@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from trimmer.ensembles.gain_by_phase import gain_by_lag
-from trimmer.ensembles.grid import Grid, grid_at, merged
+from trimmer.ensembles.grid import FrequencyGrid, grid_at, merged
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Places, Reals
@@ -64,11 +64,11 @@ def crossings(responses: Responses, omegas: Reals) -> Crossings:
         urgency = _urgency(grid)
         left = urgency.max(axis=1) > 0
         done = ~left if refinement < REFINEMENTS else np.full_like(left, True)
-        parts.append(_enclosures(responses, rows[done], Grid(*(each[done] for each in grid))))
+        parts.append(_enclosures(responses, rows[done], FrequencyGrid(*(each[done] for each in grid))))
         if refinement == REFINEMENTS or not left.any():
             doubtful[rows[left]] = True
             break
-        rows, grid = rows[left], Grid(*(each[left] for each in grid))
+        rows, grid = rows[left], FrequencyGrid(*(each[left] for each in grid))
         grid = merged(grid, grid_at(responses.part(rows), _inserted(grid.omega, urgency[left])))
     for part in parts:
         doubtful[part.rows[~part.certain]] = True
@@ -93,7 +93,7 @@ class Enclosures(NamedTuple):
     certain: Flags
 
 
-def _enclosures(responses: Responses, rows: Places, grid: Grid) -> Enclosures:
+def _enclosures(responses: Responses, rows: Places, grid: FrequencyGrid) -> Enclosures:
     """Find the changes of sign of some trimmers, and halve them."""
     positive, inside = grid.h > 0, grid.inside
     changes = (positive[:, 1:] != positive[:, :-1]) & (inside[:, 1:] | inside[:, :-1])
@@ -112,7 +112,7 @@ def _enclosures(responses: Responses, rows: Places, grid: Grid) -> Enclosures:
     return Enclosures(rows[places], lower, upper, gain_by_lag().u_at(lag), middle.inside[:, 0], certain)
 
 
-def _urgency(grid: Grid) -> Reals:
+def _urgency(grid: FrequencyGrid) -> Reals:
     """Return how much each step needs a closer look, shape (n, points - 1); 0 if it does not."""
     turns = np.abs(np.diff(grid.lag))
     turns = np.minimum(turns, 2.0 * np.pi - turns)
@@ -149,6 +149,6 @@ def _touches(h: Reals, inside: Flags) -> Flags:
     return np.asarray(found)
 
 
-def _open_ends(grid: Grid) -> Flags:
+def _open_ends(grid: FrequencyGrid) -> Flags:
     """Return where |N G| may be 1 at the lowest or the highest frequency, so that more may lie beyond."""
     return np.asarray((grid.loud & (grid.h > -ENDS))[:, [0, -1]].any(axis=1))

@@ -38,7 +38,7 @@ class GainByLag:
         return _between(self.log_gain, lags)
 
     def u_at(self, lags: Reals) -> Reals:
-        """Return gap / amplitude at lags, likewise."""
+        """Return gap / amplitude at lags, rad, of any shape; beyond the ends that of the ends."""
         return _between(self.u, lags)
 
 
@@ -51,7 +51,7 @@ def _between(table: Reals, lags: Reals) -> Reals:
 
 @cache
 def gain_by_lag() -> GainByLag:
-    """Return the table."""
+    """Return the table of the describing function over its lag."""
     # The lag is nearly proportional to u at small u, and to the root of 2 - u near the other end.
     u = 2.0 * np.sin(np.linspace(0.0, 0.5 * np.pi, 16 * CELLS + 1)[1:-1]) ** 2
     gains = PLAY.describing_function(1.0 / u)

@@ -16,7 +16,7 @@ LOUD = 0.5
 """Ln |1/G| up to which a point counts: |N| is at most 1, so above 0 there is no limit cycle."""
 
 
-class Grid(NamedTuple):
+class FrequencyGrid(NamedTuple):
     """Points along omega, each field of shape (n, points).
 
     Attributes:
@@ -38,7 +38,7 @@ class Grid(NamedTuple):
         return np.asarray(self.loud & (self.lag > 0) & (self.lag < 0.5 * np.pi))
 
 
-def grid_at(responses: Responses, omega: Reals) -> Grid:
+def grid_at(responses: Responses, omega: Reals) -> FrequencyGrid:
     """Return the points at some frequencies, in units of the references, shape (n, points)."""
     inverse: Complexes = responses.inverse(omega)
     with np.errstate(all="ignore"):
@@ -51,11 +51,11 @@ def grid_at(responses: Responses, omega: Reals) -> Grid:
     lag[loud] = lags
     with np.errstate(divide="ignore"):
         h[loud] = gain_by_lag().log_gain_at(lags) - 0.5 * np.log(size[loud])
-    return Grid(omega, loud, lag, h)
+    return FrequencyGrid(omega, loud, lag, h)
 
 
-def merged(first: Grid, second: Grid) -> Grid:
-    """Return the points of both in rising order."""
+def merged(first: FrequencyGrid, second: FrequencyGrid) -> FrequencyGrid:
+    """Return the points of two grids in rising order."""
     both = [np.concatenate(pair, axis=1) for pair in zip(first, second, strict=True)]
     order = np.argsort(both[0], axis=1)
-    return Grid(*(np.take_along_axis(each, order, axis=1) for each in both))
+    return FrequencyGrid(*(np.take_along_axis(each, order, axis=1) for each in both))

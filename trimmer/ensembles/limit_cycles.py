@@ -22,14 +22,8 @@ from trimmer.ensembles.responses import responses_of
 from trimmer.errors import UndecidedWarning
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.messages import listed, near_match
-from trimmer.parameters import (
-    Parameter,
-    ParameterError,
-    ParameterKind,
-    TrimmerParameters,
-    parameter_table,
-    reason_against,
-)
+from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
+from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.ties import levels
@@ -104,7 +98,7 @@ class SampledLimitCycles(Tabular):
         return Table("Limit cycles; samples are numbered from 0", range(len(rows)), columns)
 
 
-class _Columns(NamedTuple):
+class _CycleColumns(NamedTuple):
     """Limit cycles, each with the number of its trimmer."""
 
     rows: Places
@@ -153,21 +147,21 @@ def sampled_limit_cycles(
     near = _near_poles(base)
     chosen = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     again = np.empty(len(gaps), dtype=bool)
-    found: list[_Columns] = []
+    found: list[_CycleColumns] = []
     for start in range(0, len(gaps), BLOCK):
         block = slice(start, start + BLOCK)
         one = _found(responses_of(values[block], *chosen), gaps[block], near)
         again[block] = one.again
         certain = ~one.again[one.rows]
         rows = one.rows[certain] + start
-        found.append(_Columns(rows, one.amplitude[certain], one.omega[certain], one.stable[certain]))
+        found.append(_CycleColumns(rows, one.amplitude[certain], one.omega[certain], one.stable[certain]))
     undecided = np.zeros(len(gaps), dtype=bool)
     for row in np.flatnonzero(again):
         cycles, undecided[row] = _searched_again(values[row], gaps[row], *chosen)
         amplitude = np.array([cycle.amplitude for cycle in cycles], dtype=float)
         omega = np.array([cycle.omega for cycle in cycles], dtype=float)
         stable = np.array([cycle.stable for cycle in cycles], dtype=bool)
-        found.append(_Columns(np.full(len(cycles), row), amplitude, omega, stable))
+        found.append(_CycleColumns(np.full(len(cycles), row), amplitude, omega, stable))
     return _in_rows(found, again, undecided)
 
 
@@ -214,10 +208,10 @@ def _searched_again(
     return cycles, any(issubclass(each.category, UndecidedWarning) for each in told)
 
 
-def _in_rows(found: list[_Columns], again: Flags, undecided: Flags) -> SampledLimitCycles:
+def _in_rows(found: list[_CycleColumns], again: Flags, undecided: Flags) -> SampledLimitCycles:
     """Put the limit cycles of each trimmer into a row."""
     nothing = np.empty(0)
-    found = found or [_Columns(nothing.astype(np.intp), nothing, nothing, nothing.astype(bool))]
+    found = found or [_CycleColumns(nothing.astype(np.intp), nothing, nothing, nothing.astype(bool))]
     rows = np.concatenate([each.rows for each in found])
     amplitude = np.concatenate([each.amplitude for each in found])
     omega = np.concatenate([each.omega for each in found])

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from trimmer.balance.uniqueness import cross
 from trimmer.ensembles.gain_by_phase import PLAY
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ class Solutions(NamedTuple):
     found: Flags
 
     def part(self, rows: Flags) -> Solutions:
-        """Return some of them."""
+        """Return some of the solutions."""
         return Solutions(
             self.omega[rows],
             self.u[rows],
@@ -63,9 +64,9 @@ def polished(responses: Responses, crossings: Crossings) -> Solutions:
         inverse, by_x = responses.inverse_and_slope(x)
         gain, by_u, _ = PLAY.expansion(1.0 / u)
         rest = gain - inverse
-        determinant = _cross(by_u, -by_x)
+        determinant = cross(by_u, -by_x)
         with np.errstate(all="ignore"):
-            step_u, step_x = _cross(-rest, -by_x) / determinant, _cross(by_u, -rest) / determinant
+            step_u, step_x = cross(-rest, -by_x) / determinant, cross(by_u, -rest) / determinant
         # A step that would leave the amplitudes that exist is shortened.
         u = np.where(np.isfinite(step_u), np.clip(u + step_u, 0.5 * u, 0.5 * (u + 2.0)), u)
         x = x + np.where(np.isfinite(step_x), np.clip(step_x, -0.1, 0.1), 0.0)
@@ -74,10 +75,6 @@ def polished(responses: Responses, crossings: Crossings) -> Solutions:
     omega = np.exp(x)
     residual = np.abs(gain - inverse) / np.abs(inverse)
     # u falls as the amplitude rises, and 1/G is the negative of the inverse here.
-    sine = _cross(-by_u, -by_x) / (np.abs(by_u) * np.abs(by_x))
+    sine = cross(-by_u, -by_x) / (np.abs(by_u) * np.abs(by_x))
     inside = (omega > crossings.lower * (1 - SLACK)) & (omega < crossings.upper * (1 + SLACK))
     return Solutions(omega, u, gain, sine, residual, inside & (residual < ROUNDING))
-
-
-def _cross(first: Complexes, second: Complexes) -> Reals:
-    return np.asarray(first.real * second.imag - first.imag * second.real)

@@ -31,7 +31,7 @@ class Responses:
     reference: Reals
 
     def part(self, rows: Places) -> Responses:
-        """Return those of some trimmers."""
+        """Return the responses of some trimmers."""
         return Responses(self.numerator[rows], self.denominator[rows], self.reference[rows])
 
     def inverse(self, omegas: Reals) -> Complexes:

@@ -16,7 +16,7 @@ from trimmer.fitting.measured import SMALLEST_NOISE, measure_lines
 from trimmer.fitting.minimum import nearby_minimum
 from trimmer.fitting.misfit import Misfit
 from trimmer.fitting.model import SETTLED_WITHIN, Model
-from trimmer.fitting.profile import Profile, Side
+from trimmer.fitting.profile import Profile, ProfileSide
 from trimmer.fitting.result import Fit, FittedNumber
 from trimmer.fitting.search import AGREES, search
 from trimmer.fitting.stray import in_words
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.fitting.measured import MeasuredLines
     from trimmer.fitting.misfit import Fitted
-    from trimmer.fitting.search import Searched
+    from trimmer.fitting.search import FitSearch
     from trimmer.fitting.unknowns import Unknown
 
 OTHER_FREQUENCY = 1e-4
@@ -156,7 +156,7 @@ def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
     )
 
 
-def _result(mechanism: Mechanism, misfit: Misfit, searched: Searched, settings: FitSettings) -> Fit:
+def _result(mechanism: Mechanism, misfit: Misfit, searched: FitSearch, settings: FitSettings) -> Fit:
     from scipy.stats import f
 
     measured, unknowns = misfit.measured, misfit.model.unknowns
@@ -187,10 +187,12 @@ def _result(mechanism: Mechanism, misfit: Misfit, searched: Searched, settings: 
     )
 
 
-def _profiled(misfit: Misfit, best: Fitted, allowed: float) -> tuple[Fitted, Reals, list[tuple[Side, Side]]]:
+def _profiled(
+    misfit: Misfit, best: Fitted, allowed: float
+) -> tuple[Fitted, Reals, list[tuple[ProfileSide, ProfileSide]]]:
     """Return the fit, its derivative, and both sides of each profile; anew where one meets a better fit."""
     count = len(best.coordinates)
-    sides: list[tuple[Side, Side]] = []
+    sides: list[tuple[ProfileSide, ProfileSide]] = []
     for _ in range(MOST_RESTARTS):
         jacobian, better = misfit.jacobian(best), None
         sides = []
@@ -203,11 +205,11 @@ def _profiled(misfit: Misfit, best: Fitted, allowed: float) -> tuple[Fitted, Rea
         if better is None:
             return best, jacobian, sides
         best = nearby_minimum(misfit, better, np.ones(count, dtype=bool))
-    unknown = [Side(None, float(at), better=best) for at in best.coordinates]
+    unknown = [ProfileSide(None, float(at), better=best) for at in best.coordinates]
     return best, misfit.jacobian(best), list(zip(unknown, unknown, strict=True))
 
 
-def _number(unknown: Unknown, at: float, lower: Side, upper: Side) -> FittedNumber:
+def _number(unknown: Unknown, at: float, lower: ProfileSide, upper: ProfileSide) -> FittedNumber:
     ends = [None if side.end is None else unknown.value(side.end) for side in (lower, upper)]
     notes = [_open(unknown, side, word) for side, word in ((lower, "lower"), (upper, "upper"))]
     return FittedNumber(
@@ -224,7 +226,7 @@ def _number(unknown: Unknown, at: float, lower: Side, upper: Side) -> FittedNumb
     )
 
 
-def _open(unknown: Unknown, side: Side, word: str) -> str:
+def _open(unknown: Unknown, side: ProfileSide, word: str) -> str:
     """Return why an end of an interval is open; empty if it is not."""
     if side.end is not None:
         return ""

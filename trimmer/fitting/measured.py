@@ -14,7 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.fitting.stray import StrayLine, fraction_of, peaks_of, place_of, repeats_after, tolerance
-from trimmer.signals.quantity import Quantity
+from trimmer.signals.quantity import MotionQuantity
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.comparison import SimulatedLines, found_frequency
 from trimmer.spectra.harmonics import MOST_HARMONICS, HarmonicFit, fit_harmonics
@@ -116,12 +116,12 @@ def measure_lines(
         raise SignalError("the signals have unlike times: give one record of all outputs, without gaps")
     found = drive_frequency is None
     frequency = drive_near(first, near, 1) if drive_frequency is None else drive_frequency
-    measured = _Record(signals, frequency, found, 1).measured()
+    measured = _MeasuredRecord(signals, frequency, found, 1).measured()
     periods = repeats_after(measured.strays)
     if periods > 1 and measured.periods >= FEWEST_PERIODS * periods:
         # The lines at fractions spoil a little what was found without them.
         frequency = drive_near(first, frequency, periods) if found else frequency
-        return _Record(signals, frequency, found, periods).measured()
+        return _MeasuredRecord(signals, frequency, found, periods).measured()
     return measured
 
 
@@ -132,7 +132,7 @@ def drive_near(signal: Signal, near: float, periods: int) -> float:
 
 
 def _motion(signal: Signal) -> Signal:
-    if signal.quantity is Quantity.OTHER:
+    if signal.quantity is MotionQuantity.OTHER:
         raise SignalError(
             f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
             "velocity or an acceleration; say what it is (--unit)"
@@ -141,7 +141,7 @@ def _motion(signal: Signal) -> Signal:
 
 
 @dataclass(frozen=True, eq=False)
-class _Record:
+class _MeasuredRecord:
     """A record, and the frequency of its lines; attributes as of ``MeasuredLines``."""
 
     signals: Mapping[str, Signal]

@@ -37,7 +37,7 @@ NARROW = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
-class Side:
+class ProfileSide:
     """One side of a profile.
 
     Attributes:
@@ -109,7 +109,7 @@ class Profile:
     place: int
     allowed: float
 
-    def side(self, sign: float) -> Side:
+    def side(self, sign: float) -> ProfileSide:
         """Follow the profile to one side, +1 or -1, until the excess of chi-square is what is allowed."""
         bounds = bounds_of(self.misfit.model.unknowns)[1 if sign > 0 else 0]
         farthest = abs(float(bounds[self.place]) - self._centre)
@@ -118,10 +118,10 @@ class Profile:
         for _ in range(MOST_TRIALS):
             fitted = self._at(sign * distance, near)
             if fitted is not None and fitted.chi_square < self.best.chi_square - BETTER:
-                return Side(None, self._centre, better=fitted)
+                return ProfileSide(None, self._centre, better=fitted)
             excess = math.inf if fitted is None else self._excess(fitted)
             if abs(excess - 1.0) < CLOSE:
-                return Side(self._centre + sign * distance, self._centre + sign * distance)
+                return ProfileSide(self._centre + sign * distance, self._centre + sign * distance)
             known = known.narrowed(distance, excess)
             if fitted is not None and excess < 1.0:
                 near = fitted
@@ -140,13 +140,13 @@ class Profile:
         """Return the root of the excess of chi-square over what is allowed."""
         return math.sqrt(max(fitted.chi_square - self.best.chi_square, 0.0) / self.allowed)
 
-    def _found(self, sign: float, known: _Bracket) -> Side:
+    def _found(self, sign: float, known: _Bracket) -> ProfileSide:
         reached = self._centre + sign * known.inside
         if math.isinf(known.outside):
-            return Side(None, reached)
+            return ProfileSide(None, reached)
         if known.high > JUMP:
-            return Side(None, reached, lost=True)
-        return Side(self._centre + sign * known.outside, reached)
+            return ProfileSide(None, reached, lost=True)
+        return ProfileSide(self._centre + sign * known.outside, reached)
 
     def _expected(self) -> float:
         """Return where the end would be if the residual were linear."""

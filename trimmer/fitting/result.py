@@ -8,16 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from trimmer.arrays import Complexes, Reals
     from trimmer.fitting.judgement import Judgement
     from trimmer.fitting.measured import MeasuredLines
-    from trimmer.fitting.search import Searched
+    from trimmer.fitting.search import FitSearch
     from trimmer.fitting.weak import WeakDirection
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.orbit import Orbit
@@ -57,8 +56,10 @@ class FittedNumber:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Fit(Tabular):
+class Fit(Tabular, Drawn):
     """Numbers of a mechanism fitted to a measured motion.
+
+    ``plot`` draws the first output over a period: averaged measurement and simulation.
 
     Attributes:
         mechanism: The mechanism with the fitted numbers, driven at the measured frequency.
@@ -83,7 +84,7 @@ class Fit(Tabular):
     simulated: Complexes
     shift: float
     orbit: Orbit
-    searched: Searched
+    searched: FitSearch
     judgement: Judgement
     weak: tuple[WeakDirection, ...]
     notes: tuple[str, ...]
@@ -118,19 +119,6 @@ class Fit(Tabular):
         turned = np.exp(2j * np.pi * np.outer(self.measured.frequencies, times))
         lines = self.measured.lines[:, place], self.simulated[:, place]
         return times, (lines[0] @ turned).real, (lines[1] @ turned).real
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the first output over a period: averaged measurement and simulation.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.fit import draw_waveform
-
-        return draw_waveform(self, self.measured.outputs[0], ax)
 
     def _told(self) -> str:
         return f"{counted(len(self.numbers), 'number')}, {self.judgement.sentences[0]}"

@@ -27,7 +27,7 @@ WORTH = 1.5
 
 
 @dataclass(frozen=True, eq=False)
-class Searched:
+class FitSearch:
     """What the starts came to.
 
     Attributes:
@@ -45,7 +45,7 @@ class Searched:
     lost: int
 
 
-def search(misfit: Misfit, starts: int, spread: float, seed: int) -> Searched | None:
+def search(misfit: Misfit, starts: int, spread: float, seed: int) -> FitSearch | None:
     """Fit from several starts; None if none of them repeats as the measured motion does.
 
     Args:
@@ -66,7 +66,7 @@ def search(misfit: Misfit, starts: int, spread: float, seed: int) -> Searched | 
     found = [nearby_minimum(misfit, each, free) if each.chi_square <= near else each for each in found]
     best = min(found, key=lambda each: each.chi_square)
     others = sorted(each.chi_square for each in found if each.chi_square > best.chi_square + AGREES)
-    return Searched(best, starts, len(found) - len(others), tuple(others), starts - len(found))
+    return FitSearch(best, starts, len(found) - len(others), tuple(others), starts - len(found))
 
 
 def _begun(unknowns: Sequence[Unknown], starts: int, spread: float, seed: int) -> Iterator[Reals]:

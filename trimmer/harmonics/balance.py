@@ -11,10 +11,10 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.frame import frame_of
 from trimmer.errors import UnsupportedMotionError
-from trimmer.harmonics.contact import Contact
+from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
-from trimmer.harmonics.waveform import Waveform
+from trimmer.harmonics.waveform import PeriodicWaveform
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link, Play, Stop
@@ -204,12 +204,12 @@ class _Equations:
         moved = np.vstack([q, self.pins])
         for part in self._contacts:
             row = rows[part.between[1]] - rows[part.between[0]]
-            yield row[:bodies], Contact(part, Waveform(row @ moved, self.omega)).harmonics()
+            yield row[:bodies], HarmonicContact(part, PeriodicWaveform(row @ moved, self.omega)).harmonics()
         for friction in self.mechanism.frictions.values():
             row = rows[friction.between[1]] - rows[friction.between[0]]
             start, end = friction.between
             drift = self._drift(end) - self._drift(start)
-            distance = Waveform(row @ moved, self.omega)
+            distance = PeriodicWaveform(row @ moved, self.omega)
             yield row[:bodies], friction_harmonics(distance, drift, friction.force)
 
     def _drift(self, end: str) -> float:

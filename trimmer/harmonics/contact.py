@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Harmonics, Pieces, piecewise, with_moving_ends
-from trimmer.harmonics.waveform import Decay, Waveform
+from trimmer.harmonics.waveform import Decay, PeriodicWaveform
 from trimmer.mechanism.parts import ContactLaw, Play, Stop
 
 SKIPPED = 1e-5
@@ -19,7 +19,7 @@ MOST_CONTACTS = 400
 
 
 @dataclass(frozen=True, eq=False)
-class Contact:
+class HarmonicContact:
     """A play or stop, with its distance s between the ends.
 
     Attributes:
@@ -28,7 +28,7 @@ class Contact:
     """
 
     part: Play | Stop
-    distance: Waveform
+    distance: PeriodicWaveform
 
     @property
     def offsets(self) -> dict[int, float]:
@@ -38,13 +38,13 @@ class Contact:
 
     @property
     def law(self) -> ContactLaw:
-        """The law; without damping all are one."""
+        """The law of contact; without damping all give the same force."""
         return self.part.law if self.part.damping > 0.0 else ContactLaw.PULLING
 
-    def force(self, side: int) -> Waveform:
+    def force(self, side: int) -> PeriodicWaveform:
         """Return the force in contact on a side, N; positive if it pulls the ends together."""
         factors = self.part.stiffness + self.part.damping * self.distance.turning
-        unshifted = Waveform(factors * self.distance.coefficients, self.distance.omega)
+        unshifted = PeriodicWaveform(factors * self.distance.coefficients, self.distance.omega)
         return unshifted.shifted(-self.part.stiffness * self.offsets[side])
 
     def harmonics(self) -> Harmonics:
@@ -64,7 +64,7 @@ class Contact:
         return total
 
     def _with_onsets(self, fixed: Harmonics, side: int, pieces: Pieces) -> Harmonics:
-        """Heed that the ends of contact move, where the damper makes the force jump."""
+        """Add what changes because the ends of contact move, where the damper makes the force jump."""
         force, weights = self.force(side), np.ones(len(self.distance.coefficients), dtype=complex)
         moments = np.concatenate([pieces.begin, pieces.end])
         jumps = np.concatenate([force.at(pieces.begin), -force.at(pieces.end)])
@@ -122,7 +122,7 @@ class Contact:
         period = self.distance.period
         found = []
         for side, offset in self.offsets.items():
-            gap = Waveform(self.distance.coefficients, self.distance.omega, decay).shifted(-offset)
+            gap = PeriodicWaveform(self.distance.coefficients, self.distance.omega, decay).shifted(-offset)
             skipped = SKIPPED * period if side == released else 0.0
             for begin, end in ((time + skipped, time + period), (time + period, time + 2.0 * period)):
                 moments = crossings(gap, begin, end)

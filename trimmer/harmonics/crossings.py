@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.harmonics.waveform import Waveform
+from trimmer.harmonics.waveform import PeriodicWaveform
 
 FIRST_PIECES = 32
 MOST_HALVINGS = 40
 MOST_ITERATIONS = 60
 
 
-def crossings(signal: Waveform, begin: float, end: float) -> Reals:
+def crossings(signal: PeriodicWaveform, begin: float, end: float) -> Reals:
     """Return the times, s, at which a signal changes its sign between begin and end, in their order.
 
     The interval is halved until on each piece the bound of the curvature shows that the signal keeps its sign
@@ -36,7 +36,7 @@ def crossings(signal: Waveform, begin: float, end: float) -> Reals:
     return np.sort(np.concatenate(found))
 
 
-def _in_monotone(signal: Waveform, low: Reals, high: Reals) -> Reals:
+def _in_monotone(signal: PeriodicWaveform, low: Reals, high: Reals) -> Reals:
     """Return the zeros on pieces on which the signal is monotone, by Newton's method kept in brackets."""
     first, last = signal.at(low), signal.at(high)
     crosses = (first < 0.0) != (last < 0.0)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.harmonics.waveform import Waveform
+from trimmer.harmonics.waveform import PeriodicWaveform
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +47,7 @@ class Pieces:
     sign: Reals
 
 
-def piecewise(signal: Waveform, factors: Complexes, constant: float, pieces: Pieces) -> Harmonics:
+def piecewise(signal: PeriodicWaveform, factors: Complexes, constant: float, pieces: Pieces) -> Harmonics:
     """Integrate Re Σ factors_m c_m exp(i m omega t) - sign constant over pieces.
 
     Args:
@@ -73,7 +73,7 @@ def piecewise(signal: Waveform, factors: Complexes, constant: float, pieces: Pie
     return Harmonics(coefficients, direct * factors, conjugate * factors.conj())
 
 
-def _exponentials(signal: Waveform, pieces: Pieces, weights: Reals) -> Complexes:
+def _exponentials(signal: PeriodicWaveform, pieces: Pieces, weights: Reals) -> Complexes:
     """Integrate exp(i p omega t) over weighted pieces for p = -2 (H + 1) ... 2 (H + 1)."""
     count = 2 * len(signal.coefficients)
     exponents = np.delete(np.arange(-count, count + 1), count)
@@ -84,7 +84,7 @@ def _exponentials(signal: Waveform, pieces: Pieces, weights: Reals) -> Complexes
 
 
 def with_moving_ends(
-    harmonics: Harmonics, signal: Waveform, times: Reals, amounts: Reals, weights: Complexes
+    harmonics: Harmonics, signal: PeriodicWaveform, times: Reals, amounts: Reals, weights: Complexes
 ) -> Harmonics:
     """Add what changes because the ends of pieces move, where the force jumps.
 

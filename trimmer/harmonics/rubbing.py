@@ -9,10 +9,10 @@ import numpy as np
 
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Harmonics, Pieces, piecewise, with_moving_ends
-from trimmer.harmonics.waveform import Waveform
+from trimmer.harmonics.waveform import PeriodicWaveform
 
 
-def friction_harmonics(distance: Waveform, drift: float, force: float) -> Harmonics:
+def friction_harmonics(distance: PeriodicWaveform, drift: float, force: float) -> Harmonics:
     """Return the harmonics of force sign(v), as functions of those of the distance whose rate is v.
 
     Args:
@@ -20,7 +20,7 @@ def friction_harmonics(distance: Waveform, drift: float, force: float) -> Harmon
         drift: Constant velocity that adds to its rate, m/s.
         force: N.
     """
-    velocity = Waveform(distance.turning * distance.coefficients, distance.omega).shifted(drift)
+    velocity = PeriodicWaveform(distance.turning * distance.coefficients, distance.omega).shifted(drift)
     period = distance.period
     zeros = crossings(velocity, 0.0, period)
     edges = np.concatenate([[0.0], zeros, [period]])

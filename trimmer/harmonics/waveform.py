@@ -31,7 +31,7 @@ class Decay:
 
 
 @dataclass(frozen=True, eq=False)
-class Waveform:
+class PeriodicWaveform:
     """Re Σ c_n exp(i n omega t), n = 0 ... H, less a decay.
 
     Attributes:
@@ -75,8 +75,8 @@ class Waveform:
         values: Reals = (turns @ coefficients).real
         return values
 
-    def shifted(self, amount: float) -> Waveform:
+    def shifted(self, amount: float) -> PeriodicWaveform:
         """Return the signal plus an amount."""
         coefficients = self.coefficients.copy()
         coefficients[0] += amount
-        return Waveform(coefficients, self.omega, self.decay)
+        return PeriodicWaveform(coefficients, self.omega, self.decay)

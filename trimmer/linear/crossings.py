@@ -17,7 +17,7 @@ import numpy as np
 from trimmer.arguments import real_number
 from trimmer.linear.extrema import polished_root, stationary_gains, stationary_phases
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 
 if TYPE_CHECKING:
     import control
@@ -33,7 +33,7 @@ _PHASE_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
-class RealAxisCrossing(Record):
+class RealAxisCrossing(ShownFields):
     """A place where G(j omega) is real.
 
     Attributes:

@@ -19,7 +19,7 @@ from scipy.linalg import eigvals
 from scipy.optimize import brentq
 
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 
 if TYPE_CHECKING:
     import control
@@ -107,7 +107,7 @@ def _sign_changes(
 
 
 @dataclass(frozen=True)
-class Extremum(Record):
+class Extremum(ShownFields):
     """A local extremum of |G(j omega)|.
 
     Attributes:

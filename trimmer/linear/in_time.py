@@ -11,11 +11,11 @@ import numpy as np
 
 from trimmer.arguments import positive_number, real_array, real_number, real_values
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
-from trimmer.showing.shown import Record, Tabular
+from trimmer.showing.drawn import Drawn
+from trimmer.showing.shown import ShownFields, Tabular
 from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -26,8 +26,10 @@ SPACING_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class TimeResponse(Tabular):
+class TimeResponse(Tabular, Drawn):
     """A sampled response, with the names and shapes of python-control's ``TimeResponseData``.
+
+    ``plot`` draws inputs and outputs over time, in their units.
 
     Attributes:
         time: Instants, s, shape (n,).
@@ -42,19 +44,6 @@ class TimeResponse(Tabular):
     outputs: Reals
     states: Reals
     inputs: Reals
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw inputs and outputs over time, in their units.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.samples import draw_time_response
-
-        return draw_time_response(self, ax)
 
     @property
     def named(self) -> dict[str, Reals]:
@@ -77,7 +66,7 @@ def _numbered(name: str, values: Reals) -> dict[str, Reals]:
 
 
 @dataclass(frozen=True)
-class SteadyState(Record):
+class SteadyState(ShownFields):
     """The output amplitude * sin(omega t + phase) that is left in the end when the input is a sine.
 
     Attributes:

@@ -12,7 +12,7 @@ from scipy.linalg import eig, eigh
 from trimmer.displacement import TrimmerBody
 from trimmer.generated import linear_trimmer
 from trimmer.parameters import require_parameters
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes
@@ -22,7 +22,7 @@ Shape = tuple[complex, complex, complex, complex]
 
 
 @dataclass(frozen=True)
-class Mode(Record):
+class Mode(ShownFields):
     """A damped mode: a pair of conjugate eigenvalues, or one real eigenvalue.
 
     Attributes:
@@ -59,7 +59,7 @@ class Mode(Record):
 
 
 @dataclass(frozen=True)
-class UndampedMode(Record):
+class UndampedMode(ShownFields):
     """A mode of the trimmer without its dampers.
 
     Attributes:

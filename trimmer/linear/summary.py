@@ -14,12 +14,12 @@ from trimmer.linear.model import InputChannels, transfer_function
 from trimmer.linear.modes import Mode, modes
 from trimmer.linear.nyquist import PointOnLocusError, encirclements
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     import control
-    from matplotlib.axes import Axes
 
     from trimmer.parameters import TrimmerParameters
 
@@ -41,8 +41,10 @@ class LowPass:
 
 
 @dataclass(frozen=True, repr=False)
-class LinearSummary(Tabular):
+class LinearSummary(Tabular, Drawn):
     """Results of the linear model from pin displacement (m) to one output (m).
+
+    ``plot`` draws |G| in dB over frequency, Hz, with its peaks and dips.
 
     Attributes:
         parameters: The trimmer.
@@ -71,19 +73,6 @@ class LinearSummary(Tabular):
     antiresonances: tuple[Extremum, ...]
     roll_off: float
     encirclements: int | None
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw |G| in dB over frequency, Hz, with its peaks and dips.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.frequency_response import draw_summary
-
-        return draw_summary(self, ax)
 
     def _told(self) -> str:
         found = (counted(len(self.modes), "mode"), counted(len(self.peaks), "peak"))

@@ -15,11 +15,11 @@ from trimmer.hybrid.nodes import sample
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.switched_component import EventKind
 from trimmer.loops.system import KINDS
-from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.drawn import Drawn
+from trimmer.showing.shown import ShownFields, Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -54,7 +54,7 @@ EVENT_COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Event(Record):
+class Event(ShownFields):
     """A change of mode.
 
     Attributes:
@@ -71,8 +71,10 @@ class Event(Record):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion(Tabular):
+class Motion(Tabular, Drawn):
     """A simulated motion, exact between and at its events.
+
+    ``plot`` draws the output, and input and output of the element, over time, with contact and stick marked.
 
     Attributes:
         loop: The loop that moved.
@@ -242,19 +244,6 @@ class Motion(Tabular):
             values[:, visited == number] = of_mode @ states[visited == number].T
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the output, and input and output of the element, over time, with contact and stick marked.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.loop_motion import draw_loop_motion
-
-        return draw_loop_motion(self, ax)
 
     def _told(self) -> str:
         return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"

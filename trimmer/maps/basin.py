@@ -14,11 +14,11 @@ from trimmer.maps.cells import CellMotion, described, same_motion, stands_for_it
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers
@@ -29,8 +29,11 @@ START = "start"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Basin(Tabular):
+class Basin(Tabular, Drawn):
     """Which motion is reached from where.
+
+    ``plot`` draws which motion is reached from where, if it is over two initial values; the legend numbers
+    the motions from 1.
 
     Attributes:
         result: The map over the initial values, with all that is measured.
@@ -56,22 +59,6 @@ class Basin(Tabular):
         all_of_it = (" (all such)" if stands_for_its_kind(motion) else "" for motion in self.motions)
         each = zip(told, all_of_it, strict=True)
         return tuple(f"{number}: {name}{every}" for number, (name, every) in enumerate(each, start=1))
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw which motion is reached from where; the legend numbers them from 1.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-            MapError: if it is not over two initial values.
-        """
-        from trimmer.drawing.mechanisms.motion_map import draw_basin
-
-        if len(self.result.places) != 2:
-            raise MapError("only a basin over two initial values can be drawn: vary two")
-        return draw_basin(self, ax)
 
     def _told(self) -> str:
         shares = (f"{name}, {share:.0%}" for name, share in zip(self.names, self.shares, strict=True))

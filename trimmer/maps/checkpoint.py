@@ -21,13 +21,13 @@ from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.maps.measures import Measures
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
-from trimmer.runners.record_file import Records, appended, cut
+from trimmer.runners.record_file import RecordFile, appended, cut
 from trimmer.sizes import LARGEST
 
 if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
 
-_MAPS = Records(
+_MAPS = RecordFile(
     kind=MAP,
     key="trimmer map",
     version=FORMAT,
@@ -45,7 +45,7 @@ _MAPS = Records(
 
 
 def begin(path: Path, inputs: MapInputs, *, overwrite: bool = False) -> None:
-    """Write a file with the header alone; errors are those of ``Records.begin``."""
+    """Write a file with the header alone; errors are those of ``RecordFile.begin``."""
     _MAPS.begin(path, inputs.header, overwrite=overwrite)
 
 

@@ -15,6 +15,7 @@ from trimmer.maps.cells import described, waited_for
 from trimmer.mechanism.place_text import unit_of
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
+from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MotionMap(Tabular):
+class MotionMap(Tabular, Drawn):
     """Which motion where. Arrays have the shape (n2, n1): the first place varies along a row.
 
     With one place n2 is 1. All arrays are of the first motion of each cell, which is that from rest, or from
@@ -206,9 +207,7 @@ class MotionMap(Tabular):
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        from trimmer.drawing.mechanisms.motion_map import draw_map
-
-        return draw_map(self, ax, curves)
+        return drawn(self, ax, curves=curves)
 
     def _told(self) -> str:
         found = ", ".join(f"{count} {name}" for name, count in self.counts.items())

@@ -15,11 +15,12 @@ from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import Locus
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.one_orbit import same_states
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    pass
 
 ON_CURVE = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""
@@ -28,8 +29,10 @@ INTERPOLATED = 5e-2
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SpecialCurve(Tabular):
+class SpecialCurve(Tabular, Drawn):
     """A curve on which a special point lies.
+
+    ``plot`` draws it over both numbers, in their units, such as over a map.
 
     Attributes:
         sides: The locus from where it was found, on either side; one if it closes.
@@ -76,17 +79,6 @@ class SpecialCurve(Tabular):
     def name(self) -> str:
         """What it is, with the parts, for a legend."""
         return self.sides[0].name
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the curve over both numbers, in their units.
-
-        Args:
-            ax: Where to draw, such as over a map; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        return SpecialCurves((self,), "").plot(ax)
 
     def _told(self) -> str:
         return f"{self.name} over {' and '.join(self.sides[0].places)}, {counted(len(self.values), 'point')}"
@@ -144,8 +136,10 @@ class Meeting:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SpecialCurves(Tabular):
+class SpecialCurves(Tabular, Drawn):
     """The curves over a map.
+
+    ``plot`` draws them over both numbers, in their units, such as over a map.
 
     Attributes:
         curves: The curves, in the order in which they were found.
@@ -162,23 +156,9 @@ class SpecialCurves(Tabular):
         """The curves as ``MotionMap.plot`` takes them, ordered by their names."""
         return sorted(((curve.name, curve.values) for curve in self.curves), key=lambda each: each[0])
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the curves over both numbers, in their units.
-
-        Args:
-            ax: Where to draw, such as over a map; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.mechanisms.curves import draw_curves
-
-        places, units = self._axes
-        return draw_curves(self.drawn, places, units, ax)
-
     @property
-    def _axes(self) -> tuple[tuple[str, str], tuple[str, str]]:
-        """Return places and units; of no curves none."""
+    def places_and_units(self) -> tuple[tuple[str, str], tuple[str, str]]:
+        """Places and units of the two numbers; empty if there is no curve."""
         if not self.curves:
             return ("", ""), ("", "")
         side = self.curves[0].sides[0]
@@ -202,7 +182,7 @@ class SpecialCurves(Tabular):
         if self.curves:
             columns += [
                 Column(place, unit, _value(number))
-                for number, (place, unit) in enumerate(zip(*self._axes, strict=True))
+                for number, (place, unit) in enumerate(zip(*self.places_and_units, strict=True))
             ]
         return Table("Points of the curves", items, tuple(columns))
 

@@ -18,7 +18,7 @@ from trimmer.mechanism.quantities import (
     QUANTITIES,
     VELOCITY,
     WEIGHT,
-    Quantity,
+    NumberField,
 )
 from trimmer.mechanism.symbols import SYMBOL_RULE, is_symbol
 
@@ -142,7 +142,7 @@ def _is_pair(value: object) -> bool:
     return isinstance(value, list | tuple) and len(value) == 2
 
 
-def _number(place: tuple[str, ...], value: object, quantity: Quantity) -> Iterator[Problem]:
+def _number(place: tuple[str, ...], value: object, quantity: NumberField) -> Iterator[Problem]:
     if reason := quantity.reason_against(value):
         missing = value is None
         yield Problem(place, f"missing; {reason}" if missing else reason, NOTHING if missing else value)

@@ -9,7 +9,7 @@ from typing import Any
 
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, Quantity, Range
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, Range
 from trimmer.mechanism.units import UnitError, quantity
 
 UNKNOWN = "unknown"
@@ -29,7 +29,7 @@ class OpenValue:
 
     place: tuple[str, ...]
     text: str
-    quantity: Quantity
+    quantity: NumberField
 
     @property
     def is_unknown(self) -> bool:

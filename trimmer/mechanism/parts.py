@@ -61,7 +61,7 @@ class Pin:
 
 
 class _Damped:
-    """What has a stiffness with a symbol, and a damping beside it."""
+    """A part with a stiffness, and a damping beside it."""
 
     symbol: str | None
 

@@ -19,7 +19,7 @@ from trimmer.mechanism.quantities import (
     QUANTITIES,
     VELOCITY,
     WEIGHT,
-    Quantity,
+    NumberField,
 )
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
@@ -29,13 +29,13 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
 Place = tuple[str, ...]
-STATE: Mapping[str, Quantity] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
+STATE: Mapping[str, NumberField] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
 """What a start gives of a body, in the order of the file."""
 
 
-def quantities(mechanism: Mechanism) -> dict[Place, Quantity]:
+def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
     """Return all numbers that may be set, with what they measure."""
-    found: dict[Place, Quantity] = {("frequency",): FREQUENCY}
+    found: dict[Place, NumberField] = {("frequency",): FREQUENCY}
     for section, kind in PARTS.items():
         for name in getattr(mechanism, section):
             found |= {(section, name, key): each for key, each in QUANTITIES[kind].items()}
@@ -123,7 +123,7 @@ def _with_entry(mechanism: Mechanism, section: str, name: str, entry: object) ->
     return changed(mechanism, section, ReadOnly({**getattr(mechanism, section), name: entry}))
 
 
-def _number(names: Place, value: float | str, wanted: Quantity) -> float:
+def _number(names: Place, value: float | str, wanted: NumberField) -> float:
     if isinstance(value, str):
         try:
             value = quantity(value, wanted.unit)
@@ -135,7 +135,7 @@ def _number(names: Place, value: float | str, wanted: Quantity) -> float:
     return wanted.taken(value)
 
 
-def _found(mechanism: Mechanism, place: str) -> tuple[Place, Quantity]:
+def _found(mechanism: Mechanism, place: str) -> tuple[Place, NumberField]:
     require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
     names = _parsed(place)
     if (quantity := _quantity(mechanism, names)) is not None:
@@ -148,7 +148,7 @@ _parsed = lru_cache(maxsize=256)(parse_place)
 """The same few places are asked for over and over."""
 
 
-def _quantity(mechanism: Mechanism, names: Place) -> Quantity | None:
+def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
     """Return what the number at a place measures, as ``quantities`` says; None if there is none."""
     match names:
         case ("frequency",):

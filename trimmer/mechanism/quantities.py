@@ -25,8 +25,8 @@ class Range(Enum):
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """A number of a part.
+class NumberField:
+    """A field of a part that is a number.
 
     Attributes:
         unit: SI unit as text, such as ``N/m``.
@@ -83,20 +83,20 @@ def _scalar(value: object) -> object:
     return value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
 
 
-FREQUENCY = Quantity("Hz", "110 Hz", Range.POSITIVE)
-DISPLACEMENT = Quantity("m", "40 um")
-VELOCITY = Quantity("m/s", "20 mm/s")
-WEIGHT = Quantity("1", "1")
-_MASS = Quantity("kg", "35 g", Range.POSITIVE)
-_STIFFNESS = Quantity("N/m", "200 N/mm", Range.NOT_NEGATIVE)
-_DAMPING = Quantity("N s/m", "3.5 N s/m", Range.NOT_NEGATIVE)
-_CLEARANCE = Quantity("m", "40 um", Range.NOT_NEGATIVE)
-_FORCE = Quantity("N", "500 mN")
-_FORCE_LIMIT = Quantity("N", "500 mN", Range.NOT_NEGATIVE)
-_PHASE = Quantity("rad", "90 deg")
-_ORDER = Quantity("1", "2", Range.WHOLE)
+FREQUENCY = NumberField("Hz", "110 Hz", Range.POSITIVE)
+DISPLACEMENT = NumberField("m", "40 um")
+VELOCITY = NumberField("m/s", "20 mm/s")
+WEIGHT = NumberField("1", "1")
+_MASS = NumberField("kg", "35 g", Range.POSITIVE)
+_STIFFNESS = NumberField("N/m", "200 N/mm", Range.NOT_NEGATIVE)
+_DAMPING = NumberField("N s/m", "3.5 N s/m", Range.NOT_NEGATIVE)
+_CLEARANCE = NumberField("m", "40 um", Range.NOT_NEGATIVE)
+_FORCE = NumberField("N", "500 mN")
+_FORCE_LIMIT = NumberField("N", "500 mN", Range.NOT_NEGATIVE)
+_PHASE = NumberField("rad", "90 deg")
+_ORDER = NumberField("1", "2", Range.WHOLE)
 
-QUANTITIES: Mapping[type, Mapping[str, Quantity]] = MappingProxyType(
+QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
     {
         Body: {"mass": _MASS},
         Pin: {
@@ -109,7 +109,7 @@ QUANTITIES: Mapping[type, Mapping[str, Quantity]] = MappingProxyType(
         Friction: {"force": _FORCE_LIMIT, "static": _FORCE_LIMIT, "viscous": _DAMPING},
         Force: {
             **{"constant": _FORCE, "amplitude": _FORCE, "phase": _PHASE, "order": _ORDER},
-            "unbalance": Quantity("kg m", "50 g mm"),
+            "unbalance": NumberField("kg m", "50 g mm"),
         },
     }
 )

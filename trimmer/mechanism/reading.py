@@ -21,7 +21,7 @@ from trimmer.mechanism.quantities import (
     QUANTITIES,
     VELOCITY,
     WEIGHT,
-    Quantity,
+    NumberField,
     is_number,
 )
 from trimmer.mechanism.toml_lines import lines_of_keys
@@ -181,7 +181,7 @@ class _Converter:
     def __init__(self, problems: list[Problem]) -> None:
         self._problems = problems
 
-    def number(self, place: tuple[str, ...], value: object, wanted: Quantity) -> Any:
+    def number(self, place: tuple[str, ...], value: object, wanted: NumberField) -> Any:
         """Return the number of a text in the SI unit; what is no text is returned as it is."""
         if not isinstance(value, str):
             return value

@@ -31,7 +31,7 @@ class UnitError(ValueError):
 
 
 @dataclass(frozen=True)
-class Unit:
+class MeasurementUnit:
     """A unit: scale · pi^half_turns in kilograms, metres, seconds and radians.
 
     Attributes:
@@ -44,14 +44,14 @@ class Unit:
     dimension: tuple[int, int, int, int]
     half_turns: int = 0
 
-    def __mul__(self, other: Unit) -> Unit:
+    def __mul__(self, other: MeasurementUnit) -> MeasurementUnit:
         kilogram, metre, second, radian = map(sum, zip(self.dimension, other.dimension, strict=True))
         half_turns = self.half_turns + other.half_turns
-        return Unit(self.scale * other.scale, (kilogram, metre, second, radian), half_turns)
+        return MeasurementUnit(self.scale * other.scale, (kilogram, metre, second, radian), half_turns)
 
-    def __pow__(self, power: int) -> Unit:
+    def __pow__(self, power: int) -> MeasurementUnit:
         kilogram, metre, second, radian = (power * exponent for exponent in self.dimension)
-        return Unit(self.scale**power, (kilogram, metre, second, radian), power * self.half_turns)
+        return MeasurementUnit(self.scale**power, (kilogram, metre, second, radian), power * self.half_turns)
 
 
 _PREFIXES = {
@@ -61,25 +61,25 @@ _PREFIXES = {
 }
 """The micro sign and the Greek letter look the same; keyboards have either."""
 
-_ONE = Unit(Fraction(1), (0, 0, 0, 0))
+_ONE = MeasurementUnit(Fraction(1), (0, 0, 0, 0))
 _PREFIXED = {
-    "g": (Unit(Fraction(1, 1000), (1, 0, 0, 0)), "numk"),
-    "m": (Unit(Fraction(1), (0, 1, 0, 0)), "numck"),
-    "s": (Unit(Fraction(1), (0, 0, 1, 0)), "num"),
-    "N": (Unit(Fraction(1), (1, 1, -2, 0)), "numkM"),
-    "Hz": (Unit(Fraction(1), (0, 0, -1, 0)), "mkM"),
-    "rad": (Unit(Fraction(1), (0, 0, 0, 1)), "m"),
+    "g": (MeasurementUnit(Fraction(1, 1000), (1, 0, 0, 0)), "numk"),
+    "m": (MeasurementUnit(Fraction(1), (0, 1, 0, 0)), "numck"),
+    "s": (MeasurementUnit(Fraction(1), (0, 0, 1, 0)), "num"),
+    "N": (MeasurementUnit(Fraction(1), (1, 1, -2, 0)), "numkM"),
+    "Hz": (MeasurementUnit(Fraction(1), (0, 0, -1, 0)), "mkM"),
+    "rad": (MeasurementUnit(Fraction(1), (0, 0, 0, 1)), "m"),
 }
 _UNITS = {
     "1": _ONE,
-    "t": Unit(Fraction(1000), (1, 0, 0, 0)),
-    "min": Unit(Fraction(60), (0, 0, 1, 0)),
-    "rpm": Unit(Fraction(1, 60), (0, 0, -1, 0)),
-    "Ns": Unit(Fraction(1), (1, 1, -1, 0)),
-    "deg": Unit(Fraction(1, 180), (0, 0, 0, 1), 1),
-    "°": Unit(Fraction(1, 180), (0, 0, 0, 1), 1),
+    "t": MeasurementUnit(Fraction(1000), (1, 0, 0, 0)),
+    "min": MeasurementUnit(Fraction(60), (0, 0, 1, 0)),
+    "rpm": MeasurementUnit(Fraction(1, 60), (0, 0, -1, 0)),
+    "Ns": MeasurementUnit(Fraction(1), (1, 1, -1, 0)),
+    "deg": MeasurementUnit(Fraction(1, 180), (0, 0, 0, 1), 1),
+    "°": MeasurementUnit(Fraction(1, 180), (0, 0, 0, 1), 1),
     **{
-        prefix + name: Unit(size * unit.scale, unit.dimension)
+        prefix + name: MeasurementUnit(size * unit.scale, unit.dimension)
         for name, (unit, allowed) in _PREFIXED.items()
         for prefix, size in _PREFIXES.items()
         if prefix.replace("µ", "u").replace("μ", "u") in ("", *allowed)
@@ -87,7 +87,7 @@ _UNITS = {
 }
 
 
-def unit(text: str) -> Unit:
+def unit(text: str) -> MeasurementUnit:
     """Read a unit.
 
     Raises:
@@ -132,7 +132,7 @@ def quantity(text: str, si_unit: str) -> float:
     return float(Fraction(found["number"]) * given.scale / wanted.scale) * math.pi**given.half_turns
 
 
-def _factor(text: str, whole: str) -> Unit:
+def _factor(text: str, whole: str) -> MeasurementUnit:
     found = _FACTOR.fullmatch(text)
     if found is None or found["name"] not in _UNITS:
         name = found["name"] if found else text

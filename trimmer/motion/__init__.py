@@ -7,14 +7,14 @@ phases begin and end, ``signals`` what is read, ``extremes`` and ``fourier`` mea
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 from warnings import warn
 
 
 def __getattr__(name: str) -> Any:
     """Return what stood here before loops had a room of their own, with a warning."""
-    from trimmer import loops
-
+    loops = import_module("trimmer.loops")
     if name.startswith("_") or name not in dir(loops):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     told = f"trimmer.motion.{name} stands in trimmer.loops: from trimmer.loops import {name}"

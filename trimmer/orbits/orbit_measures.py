@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.hybrid.variation import propagator
 from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 
 if TYPE_CHECKING:
     from trimmer.loops.motion import Motion
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @final
 @dataclass(frozen=True)
-class ImpactEvent(Record):
+class ImpactEvent(ShownFields):
     """A meeting of the pin with a side of its gap.
 
     Attributes:

@@ -20,8 +20,6 @@ from trimmer.response.orbit import Orbit
 from trimmer.showing.table import Table, arrays, attributes
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from trimmer.arrays import Complexes, Reals
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.loops.loops import Drive, Loop
@@ -48,6 +46,8 @@ ORBIT_COLUMNS = attributes(
 @dataclass(frozen=True, eq=False)
 class Given:
     """A loop as it was given, where its orbits are computed in other states, in which less is lost.
+
+    ``plot`` draws it in the phase plane of the element's input: its rate, m/s, over itself, m.
 
     Attributes:
         loop: The loop.
@@ -237,19 +237,6 @@ class PeriodicOrbit(Orbit):
     def impact_speeds(self) -> Reals:
         """Speeds of the impacts of a period, m/s, in order of time."""
         return np.array([impact.speed for impact in self.impacts])
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the orbit in the phase plane of the element's input: its rate, m/s, over itself, m.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.orbit import draw_orbit
-
-        return draw_orbit(self, ax)
 
     def _told(self) -> str:
         unit = f" {self.unit}" if self.unit else ""

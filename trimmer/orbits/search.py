@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING, overload
 from trimmer.arguments import real_values, whole_number
 from trimmer.choices import Choice
 from trimmer.orbits.periodic_orbit import ORBIT_COLUMNS, PeriodicOrbit
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from trimmer.orbits.families import OrbitFamily
     from trimmer.orbits.half_period import Interval
 
@@ -207,10 +206,12 @@ class OrbitSearched:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
+class PeriodicOrbits(Tabular, Drawn, Sequence[PeriodicOrbit]):
     """Orbits by falling amplitude, and what was searched for them.
 
     It is a sequence, and equal to any other with the same orbits.
+
+    ``plot`` draws them in the phase plane of the element's input: stable ones solid, others dashed.
 
     Attributes:
         orbits: The orbits.
@@ -249,19 +250,6 @@ class PeriodicOrbits(Tabular, Sequence[PeriodicOrbit]):
     @property
     def _continua(self) -> list[str]:
         return [family.sentence for family in self.families]
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the orbits in the phase plane of the element's input: stable ones solid, others dashed.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.orbit import draw_orbits
-
-        return draw_orbits(self, ax)
 
     def _told(self) -> str:
         found = _counted(len(self), "periodic orbit")

@@ -21,13 +21,13 @@ from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.energy import MechanismEnergy, energy_of
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
 
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
@@ -72,8 +72,10 @@ class MechanismEvent:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MechanismMotion(Tabular):
+class MechanismMotion(Tabular, Drawn):
     """A simulated motion of a mechanism, exact between and at its events.
+
+    ``plot`` draws the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
 
     Attributes:
         flow: The motion of the mechanism.
@@ -209,19 +211,6 @@ class MechanismMotion(Tabular):
         So it is where several hold the same bodies; see ``friction_force``.
         """
         return undetermined(self.course)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.mechanisms.motions import draw_motion
-
-        return draw_motion(self.flow, self.course, ax)
 
     def _told(self) -> str:
         title, events = self.mechanism.title, counted(len(self.events), "event")

@@ -12,12 +12,11 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.one_orbit import SAME
 from trimmer.response.multipliers import multipliers_of, with_place
 from trimmer.response.shooting import CLOSED, Shot
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from trimmer.arrays import Complexes, Integers, Reals
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Course, Flow
@@ -36,8 +35,11 @@ RETURNS = 64
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Orbit(Tabular):
+class Orbit(Tabular, Drawn):
     """A motion that repeats, or repeats up to an advance along which no force changes.
+
+    ``plot`` draws the first output in the phase plane: its rate, m/s, over itself, m. A dot marks the start
+    of each drive period. Without outputs it is the first body that is drawn.
 
     Attributes:
         flow: What moves, in the frame that advances evenly with the motion, if it does.
@@ -214,21 +216,6 @@ class Orbit(Tabular):
         from trimmer.motion.measures import Measures
 
         return Measures(self.course, self.flow, max(self.period_count, 1), self.periods or 1)
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the first output in the phase plane: its rate, m/s, over itself, m.
-
-        A dot marks the start of each drive period. Without outputs it is the first body that is drawn.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.mechanisms.motions import draw_phase_plane
-
-        return draw_phase_plane(self.flow, self.course, ax)
 
     def _told(self) -> str:
         return f"{self.subject.title}, {self.message}"

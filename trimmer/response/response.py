@@ -12,13 +12,12 @@ from trimmer.choices import Choice
 from trimmer.motion.measures import HARMONICS
 from trimmer.response.estimate import Estimate
 from trimmer.response.flows import flow_of
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, Tabular
 from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
-
-    from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
@@ -195,8 +194,11 @@ class SettledMotion(Shown):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Response(Tabular):
+class Response(Tabular, Drawn):
     """What a mechanism or a loop settles to.
+
+    ``plot`` draws the motion of the first start over time, with contact and stick marked; of one that does
+    not repeat some periods.
 
     Attributes:
         subject: What moves.
@@ -247,22 +249,6 @@ class Response(Tabular):
     def message(self) -> str:
         """What the first start settles to, and how many motions were found."""
         return " ".join([self.motion.message, *self._others()])
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the motion of the first start over time, with contact and stick marked.
-
-        Of a motion that does not repeat some periods are drawn.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-            ValueError: if nothing was found that could be drawn.
-        """
-        from trimmer.drawing.mechanisms.response import draw_settled
-
-        return draw_settled(self.motion, ax)
 
     def _told(self) -> str:
         return f"{self.subject.title}: {self.message}"

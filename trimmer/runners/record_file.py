@@ -21,8 +21,8 @@ from trimmer.runners.runner import Result
 
 
 @dataclass(frozen=True)
-class Records:
-    """What a kind of file keeps.
+class RecordFile:
+    """A kind of file of results: its header, and what its lines are called.
 
     Attributes:
         kind: How such a file begins.

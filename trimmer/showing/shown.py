@@ -36,7 +36,7 @@ class Shown:
         return html.sentence(type(self).__name__, _short(self._told()))
 
 
-class Record:
+class ShownFields:
     """A small result that is its fields; they are a table in a notebook. Its ``repr`` is the dataclass's."""
 
     __slots__ = ()

@@ -14,7 +14,7 @@ from trimmer.signals.band import Band
 from trimmer.signals.faults import faults
 from trimmer.signals.noise_floor import Powers, powers
 from trimmer.signals.omega_kernel import REACH, OmegaKernel
-from trimmer.signals.quantity import Quantity
+from trimmer.signals.quantity import MotionQuantity
 from trimmer.signals.signal import Signal, SignalError
 
 ANTI_ALIAS = 2.56
@@ -58,7 +58,7 @@ class Conversion(Shown):
 
 def convert(
     signal: Signal,
-    quantity: Quantity | str,
+    quantity: MotionQuantity | str,
     *,
     lowest: float | None = None,
     highest: float | None = None,
@@ -89,7 +89,7 @@ def convert(
         WrongTypeError: if an argument is of another type.
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
-    quantity = Quantity.chosen(quantity, "quantity")
+    quantity = MotionQuantity.chosen(quantity, "quantity")
     _check(signal, quantity)
     source = signal.in_si()
     times = quantity.derivatives - source.quantity.derivatives
@@ -132,12 +132,12 @@ def convert(
     return replace(result, signal=replace(result.signal, notes=told))
 
 
-def _check(signal: Signal, quantity: Quantity) -> None:
-    if quantity is Quantity.OTHER:
+def _check(signal: Signal, quantity: MotionQuantity) -> None:
+    if quantity is MotionQuantity.OTHER:
         raise SignalError(
             "a signal can be converted to displacement, velocity or acceleration, not to 'other'"
         )
-    if signal.quantity is Quantity.OTHER:
+    if signal.quantity is MotionQuantity.OTHER:
         raise SignalError(
             f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
             "velocity or an acceleration; say what it is (--unit m/s2, with --scale to multiply it)"

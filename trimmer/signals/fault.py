@@ -8,7 +8,7 @@ from typing import final
 from trimmer.choices import Choice
 
 
-class Certainty(Choice):
+class FaultCertainty(Choice):
     """How sure a fault is."""
 
     CERTAIN = "certain"
@@ -32,7 +32,7 @@ class Clipping:
         level: The largest modulus of the clipped values, in the unit of the signal.
     """
 
-    certainty: Certainty
+    certainty: FaultCertainty
     largest: int
     smallest: int
     runs: int
@@ -51,9 +51,9 @@ class Clipping:
         ends = (("largest", self.largest), ("smallest", self.smallest))
         told = [f"{n} of {self.samples} samples have the {name} value" for name, n in ends if n]
         found = f"{' and '.join(told)}, in {self.runs} run{'s' * (self.runs > 1)} from {self.first:.6g} s on"
-        if self.certainty is Certainty.CERTAIN:
+        if self.certainty is FaultCertainty.CERTAIN:
             return f"{found}: the measurement is clipped at full scale {_REMEDY}"
-        if self.certainty is Certainty.LIKELY:
+        if self.certainty is FaultCertainty.LIKELY:
             return f"{found}: the measurement is likely to be clipped there {_REMEDY}"
         return f"{found}: if the motion does not stand still there, the measurement is clipped {_REMEDY}"
 

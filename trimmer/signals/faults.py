@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.arrays import Flags, Places, Reals
-from trimmer.signals.fault import Certainty, Clipping, Dropout, Fault, FewSteps, Offset
+from trimmer.signals.fault import Clipping, Dropout, Fault, FaultCertainty, FewSteps, Offset
 from trimmer.signals.signal import Signal
 
 _SHORTEST_RUN = 3
@@ -149,9 +149,9 @@ def _clipping(signal: Signal, runs: _Runs) -> Clipping | None:
     symmetric = opposite and all(found.any() for found in clipped)
     several = symmetric or int(both.sum()) >= _SHORTEST_RUN
     if level >= 0.999 * signal.full_scale:
-        certainty = Certainty.CERTAIN
+        certainty = FaultCertainty.CERTAIN
     else:
-        certainty = Certainty.LIKELY if several and runs.cut(both) else Certainty.POSSIBLE
+        certainty = FaultCertainty.LIKELY if several and runs.cut(both) else FaultCertainty.POSSIBLE
     first = float(signal.times[runs.begins[both][0]])
     return Clipping(certainty, largest, smallest, int(both.sum()), signal.values.size, first, level)
 

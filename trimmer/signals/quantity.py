@@ -8,7 +8,7 @@ STANDARD_GRAVITY = 9.80665
 """m/s² in one g, by definition (3rd General Conference on Weights and Measures, 1901)."""
 
 
-class Quantity(Choice):
+class MotionQuantity(Choice):
     """What a signal is; the value is its unit in SI, empty where it is no motion or its unit is not known."""
 
     DISPLACEMENT = "m"
@@ -28,33 +28,33 @@ class Quantity(Choice):
         Raises:
             ValueError: for what is no motion.
         """
-        if self is Quantity.OTHER:
+        if self is MotionQuantity.OTHER:
             raise ValueError("it is not known how the signal follows from a displacement")
-        return (Quantity.DISPLACEMENT, Quantity.VELOCITY, Quantity.ACCELERATION).index(self)
+        return (MotionQuantity.DISPLACEMENT, MotionQuantity.VELOCITY, MotionQuantity.ACCELERATION).index(self)
 
 
 _PREFIXES = {"": 1.0, "c": 1e-2, "m": 1e-3, "u": 1e-6, "µ": 1e-6, "μ": 1e-6, "n": 1e-9}
 _SUFFIXES = {
-    "m": Quantity.DISPLACEMENT,
-    **dict.fromkeys(("m/s", "m s^-1"), Quantity.VELOCITY),
-    **dict.fromkeys(("m/s²", "m/s2", "m/s^2", "m/s**2", "m s^-2"), Quantity.ACCELERATION),
+    "m": MotionQuantity.DISPLACEMENT,
+    **dict.fromkeys(("m/s", "m s^-1"), MotionQuantity.VELOCITY),
+    **dict.fromkeys(("m/s²", "m/s2", "m/s^2", "m/s**2", "m s^-2"), MotionQuantity.ACCELERATION),
 }
 MOTION_UNITS = {
     prefix + suffix: (quantity, factor)
     for prefix, factor in _PREFIXES.items()
     for suffix, quantity in _SUFFIXES.items()
 } | {
-    "g": (Quantity.ACCELERATION, STANDARD_GRAVITY),
-    "mg": (Quantity.ACCELERATION, 1e-3 * STANDARD_GRAVITY),
+    "g": (MotionQuantity.ACCELERATION, STANDARD_GRAVITY),
+    "mg": (MotionQuantity.ACCELERATION, 1e-3 * STANDARD_GRAVITY),
 }
 """Quantity of each unit of a motion, and its size in SI."""
 
 
-def quantity_of(unit: str) -> Quantity:
+def quantity_of(unit: str) -> MotionQuantity:
     """Return what a unit measures; ``OTHER`` for what is no unit of a motion."""
-    return MOTION_UNITS.get(unit, (Quantity.OTHER, 1.0))[0]
+    return MOTION_UNITS.get(unit, (MotionQuantity.OTHER, 1.0))[0]
 
 
 def in_si(unit: str) -> float:
     """Return the size of a unit of a motion in that of SI, 1 for another."""
-    return MOTION_UNITS.get(unit, (Quantity.OTHER, 1.0))[1]
+    return MOTION_UNITS.get(unit, (MotionQuantity.OTHER, 1.0))[1]

@@ -60,7 +60,7 @@ class Sampling:
 
 
 @dataclass(frozen=True, eq=False)
-class Stretch:
+class EvenSamples:
     """Samples at equal distances.
 
     Attributes:
@@ -95,7 +95,7 @@ class Stamped:
 
 def stretches_of(
     stamped: Stamped, given: float | None, sampling: Sampling
-) -> tuple[float, list[Stretch], tuple[Gap, ...]]:
+) -> tuple[float, list[EvenSamples], tuple[Gap, ...]]:
     """Return sample rate, Hz, stretches and gaps.
 
     Args:
@@ -123,7 +123,7 @@ def stretches_of(
         return (
             rate,
             [
-                Stretch(stamped.values[begin:end], float(stamped.times[begin]), notes=notes)
+                EvenSamples(stamped.values[begin:end], float(stamped.times[begin]), notes=notes)
                 for begin, end in parts
             ],
             gaps,
@@ -210,7 +210,7 @@ def _new_rate(spacing: Spacing, given: float | None, place: str) -> float:
     return given
 
 
-def _resampled(stamped: Stamped, part: slice, rate: float, notes: tuple[str, ...]) -> Stretch:
+def _resampled(stamped: Stamped, part: slice, rate: float, notes: tuple[str, ...]) -> EvenSamples:
     times = stamped.times[part]
     band = trusted_band(times)
     steps = np.diff(times)
@@ -222,4 +222,4 @@ def _resampled(stamped: Stamped, part: slice, rate: float, notes: tuple[str, ...
     measured = stamped.values[part]
     wrong = faults(Signal(measured, rate, start=float(times[0])))  # a spline would hide them
     notes = (*notes, *(fault.sentence for fault in wrong), told)
-    return Stretch(resampled(times, measured, rate), float(times[0]), band, notes)
+    return EvenSamples(resampled(times, measured, rate), float(times[0]), band, notes)

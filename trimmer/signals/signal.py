@@ -11,13 +11,13 @@ import numpy as np
 
 from trimmer.arguments import real_number, require_instance, require_instances, whole_number
 from trimmer.errors import TrimmerError
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
-from trimmer.signals.quantity import Quantity, in_si, quantity_of
+from trimmer.signals.quantity import MotionQuantity, in_si, quantity_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -33,8 +33,10 @@ class SignalError(TrimmerError, ValueError):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Signal(Tabular):
+class Signal(Tabular, Drawn):
     """A signal sampled at equal distances in time.
+
+    ``plot`` draws the samples over time, s.
 
     Attributes:
         values: Samples, shape (n,), n >= 1, finite, in ``unit``; a copy of what was given, not writable.
@@ -103,19 +105,6 @@ class Signal(Tabular):
         """Number of samples over sample rate, s: each sample stands for one sampling interval."""
         return self.values.size / self.sample_rate
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the samples over time, s.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.samples import draw_signal
-
-        return draw_signal(self, ax)
-
     def _told(self) -> str:
         samples = counted(self.values.size, "sample")
         return f"{self.heading}, {samples} at {self.sample_rate:.9g} Hz, {self.duration:.6g} s"
@@ -132,7 +121,7 @@ class Signal(Tabular):
         return scale * float((self.values / scale).std())
 
     @property
-    def quantity(self) -> Quantity:
+    def quantity(self) -> MotionQuantity:
         """What it is, by its unit."""
         return quantity_of(self.unit)
 

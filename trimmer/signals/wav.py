@@ -15,7 +15,7 @@ import numpy as np
 from trimmer.arguments import file_path, real_number, truth_value
 from trimmer.choices import Choice
 from trimmer.files import write_atomically
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class BitDepth(Choice):
 
 
 @dataclass(frozen=True)
-class WavFile(Record):
+class WavFile(ShownFields):
     """Description of a WAV file that was written, with its normalisation.
 
     Attributes:

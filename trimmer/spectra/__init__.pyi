@@ -12,7 +12,7 @@ from .classification import Match as Match
 from .classification import NaturalMode as NaturalMode
 from .classification import Tolerance as Tolerance
 from .classification import classify as classify
-from .comparison import Comparison as Comparison
+from .comparison import MotionComparison as MotionComparison
 from .comparison import SimulatedLines as SimulatedLines
 from .comparison import compare_motions as compare_motions
 from .harmonics import HarmonicFit as HarmonicFit

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number, require_instance, truth_value
 from trimmer.errors import SignalWarning
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 from trimmer.signals.band import EVERYWHERE
@@ -29,15 +30,17 @@ from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    pass
 
 USUAL_LIMIT = 20
 """Number of peaks that are kept if none is given."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SpectrumAnalysis(Tabular):
+class SpectrumAnalysis(Tabular, Drawn):
     """Results of the analysis of a signal.
+
+    ``plot`` draws the spectrum up to a little above its highest peak, with what each peak may be.
 
     Attributes:
         signal: The signal.
@@ -54,19 +57,6 @@ class SpectrumAnalysis(Tabular):
     peaks: tuple[ClassifiedPeak, ...]
     doubts: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the spectrum up to a little above its highest peak, with what each peak may be.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.spectrum import draw_analysis
-
-        return draw_analysis(self, ax)
 
     def _told(self) -> str:
         known = sum(each.explanation is not None for each in self.peaks)

@@ -11,7 +11,8 @@ import numpy as np
 
 from trimmer.arguments import require_instances, whole_number
 from trimmer.arrays import Reals
-from trimmer.showing.shown import Record, Tabular, counted
+from trimmer.showing.drawn import Drawn
+from trimmer.showing.shown import ShownFields, Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import Signal, SignalError
@@ -19,7 +20,7 @@ from trimmer.spectra.spectrum import FEWEST_SAMPLES, IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    pass
 
 CONFIDENCE = 0.95
 """Confidence of all intervals."""
@@ -32,7 +33,7 @@ _SMALLEST_SQUARED, _LARGEST_SQUARED = 1e-140, 1e140
 
 
 @dataclass(frozen=True)
-class AveragedLine(Record):
+class AveragedLine(ShownFields):
     """A line of an averaged spectrum.
 
     Attributes:
@@ -48,8 +49,10 @@ class AveragedLine(Record):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class AveragedSpectrum(Tabular):
+class AveragedSpectrum(Tabular, Drawn):
     """An averaged spectrum, single-sided.
+
+    ``plot`` draws the power density over frequency, Hz, with the confidence of a density that is noise.
 
     Attributes:
         frequency: Frequency of each bin, Hz, shape (m,).
@@ -102,19 +105,6 @@ class AveragedSpectrum(Tabular):
         freedom = 2.0 * self.equivalent_averages
         outside = 0.5 * (1.0 - CONFIDENCE)
         return freedom / float(chi2.ppf(1.0 - outside, freedom)), freedom / float(chi2.ppf(outside, freedom))
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the power density over frequency, Hz, with the confidence of a density that is noise.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.spectrum import draw_averaged
-
-        return draw_averaged(self, ax)
 
     def _told(self) -> str:
         segments, window = counted(self.averages, "segment"), self.window.word

@@ -1,4 +1,4 @@
-"""Lines closer than a window parts them: whether one sine explains what is around it, or how many do.
+"""Lines too close for the window: whether one sine explains the bins around it, or how many do.
 
 The best fit of one sine is held against those of more: each that lowers the sum of squares, in units of the
 noise, by more than noise would is accepted (the likelihood ratio). What no few steady sines explain, such as
@@ -42,8 +42,8 @@ APART = 1.0
 
 
 @dataclass(frozen=True)
-class Line:
-    """A line as it is shown.
+class SpectralLine:
+    """A line of a spectrum with its standard deviations.
 
     Attributes:
         place: In bins.
@@ -83,8 +83,8 @@ def _parts_of(chain: Places, places: Reals) -> list[Places]:
 
 
 def resolve(
-    spectrum: Spectrum, lines: Lines, members: Places, noise: float, alone: Sequence[Line]
-) -> list[Line]:
+    spectrum: Spectrum, lines: Lines, members: Places, noise: float, alone: Sequence[SpectralLine]
+) -> list[SpectralLine]:
     """Return the lines that explain what is around some.
 
     Args:
@@ -155,7 +155,7 @@ def _parts(fit: LineFit, parted: float) -> list[Places]:
     return np.split(order, np.flatnonzero(far) + 1)
 
 
-def _line(bins: Bins, fit: LineFit, part: Places, found: Sequence[Line]) -> Line:
+def _line(bins: Bins, fit: LineFit, part: Places, found: Sequence[SpectralLine]) -> SpectralLine:
     """Return a line of a fit, or what is seen of several that are too close.
 
     Then what is shown is the line that was found, as wide as their places are apart, by their sizes.
@@ -163,7 +163,7 @@ def _line(bins: Bins, fit: LineFit, part: Places, found: Sequence[Line]) -> Line
     spreads, sizes = fit.spreads
     if len(part) == 1:
         (each,) = part.tolist()
-        return Line(
+        return SpectralLine(
             float(fit.places[each]), complex(fit.amplitudes[each]), float(spreads[each]), float(sizes[each])
         )
     middle = float(np.median(fit.places[part]))
@@ -188,7 +188,7 @@ def _line(bins: Bins, fit: LineFit, part: Places, found: Sequence[Line]) -> Line
     )
 
 
-def _unexplained(bins: Bins, found: Sequence[Line]) -> list[Line]:
+def _unexplained(bins: Bins, found: Sequence[SpectralLine]) -> list[SpectralLine]:
     """Return what was found, the largest first, where no few steady sines explain it.
 
     Of smaller lines those are left that are clearly larger than what all together leave.
@@ -202,7 +202,7 @@ def _unexplained(bins: Bins, found: Sequence[Line]) -> list[Line]:
     return [_wide(bins, line, left) for line in found]
 
 
-def _wide(bins: Bins, line: Line, left: Complexes) -> Line:
+def _wide(bins: Bins, line: SpectralLine, left: Complexes) -> SpectralLine:
     """Return a line that is no steady sine as wide as what is left lets it be.
 
     Let that be a share r of it. A small second line at a distance d leaves about its own share times d², and
@@ -219,7 +219,7 @@ def _wide(bins: Bins, line: Line, left: Complexes) -> Line:
     )
 
 
-def _widened(line: Line, other: LineFit) -> Line:
+def _widened(line: SpectralLine, other: LineFit) -> SpectralLine:
     """Return a line whose standard deviations hold what another fit says too."""
     nearest = int(np.argmin(abs(other.places - line.place)))
     off = float(other.places[nearest]) - line.place

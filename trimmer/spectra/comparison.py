@@ -10,9 +10,10 @@ import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.arrays import Complexes, Reals
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Table, arrays
-from trimmer.signals.quantity import Quantity
+from trimmer.signals.quantity import MotionQuantity
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.classification import require_positive
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
@@ -21,7 +22,6 @@ from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
 NEAR = 0.03
@@ -65,8 +65,10 @@ class SimulatedLines(Shown):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison(Tabular):
+class MotionComparison(Tabular, Drawn):
     """A measured and a simulated motion, line by line.
+
+    ``plot`` draws the measured spectrum, its lines and the simulated ones over frequency, Hz.
 
     Attributes:
         signal: The measured motion, SI.
@@ -126,19 +128,6 @@ class Comparison(Tabular):
         """Whether the opposite sign of the measurement would fit clearly better."""
         return self.inverted_residual < _BETTER * self.residual
 
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the measured spectrum, its lines and the simulated ones over frequency, Hz.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.comparison import draw_comparison
-
-        return draw_comparison(self, ax)
-
     def _told(self) -> str:
         lines = counted(self.measured.size, "line")
         return f"{lines} at {self.frequency:.9g} Hz, difference {self.residual:.3%} rms"
@@ -163,7 +152,7 @@ class Comparison(Tabular):
 
 def compare_motions(
     signal: Signal, simulated: SimulatedLines, drive_frequency: float | None = None
-) -> Comparison:
+) -> MotionComparison:
     """Fit the lines of a simulation to a measurement, and shift the simulation so that both agree best.
 
     The simulation is compared in the quantity that was measured: its lines are multiplied by (j omega)^n.
@@ -184,7 +173,7 @@ def compare_motions(
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
     require_instance("simulated", simulated, SimulatedLines, "a trimmer.spectra.SimulatedLines")
-    if signal.quantity is Quantity.OTHER:
+    if signal.quantity is MotionQuantity.OTHER:
         raise SignalError(
             f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
             "velocity or an acceleration, so it is compared with no motion; say what it is (--unit)"
@@ -200,7 +189,7 @@ def compare_motions(
     lines = simulated.displacement[: orders.size] * (1j * omega) ** measured.quantity.derivatives
     angle, _ = _alignment(fit.coefficients, lines)
     _, opposite = _alignment(-fit.coefficients, lines)
-    return Comparison(
+    return MotionComparison(
         signal=measured,
         frequency=frequency,
         found=found,

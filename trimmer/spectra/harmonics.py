@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import real_number, whole_number
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
@@ -17,7 +18,6 @@ from trimmer.spectra.spectrum import IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Complexes, Reals
@@ -29,8 +29,10 @@ _BLOCK = 16384
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class HarmonicFit(Tabular):
+class HarmonicFit(Tabular, Drawn):
     """The periodic signal mean + sum(Re(c_n exp(2 pi j n frequency t)), n = 1 .. count) nearest to a record.
+
+    ``plot`` draws the amplitude of each harmonic, in the signal's unit, over its order.
 
     Attributes:
         frequency: Frequency of the drive, Hz.
@@ -56,19 +58,6 @@ class HarmonicFit(Tabular):
     def amplitudes(self) -> Reals:
         """Amplitude of each harmonic, in the signal's unit, shape (count,)."""
         return np.asarray(np.abs(self.coefficients))
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the amplitude of each harmonic, in the signal's unit, over its order.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.spectrum import draw_harmonics
-
-        return draw_harmonics(self, ax)
 
     def _told(self) -> str:
         count, frequency = self.coefficients.size, self.frequency

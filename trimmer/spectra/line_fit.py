@@ -132,7 +132,7 @@ class Bins:
         return self._whitened(itself + mirrored), self._whitened(1j * (itself - mirrored))
 
     def _columns(self, places: Reals) -> Reals:
-        """Return them side by side, (2 m, 2 k)."""
+        """Return the columns of ``_shown`` side by side, (2 m, 2 k)."""
         columns: Reals = np.stack(self._shown(places), axis=-1).reshape(2 * len(self.bins), -1)
         return columns
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trimmer.spectra.close_lines import Line, groups, resolve
+from trimmer.spectra.close_lines import SpectralLine, groups, resolve
 from trimmer.spectra.lines import Lines, noise_beside, relaxed
 from trimmer.spectra.window import Window
 
@@ -34,7 +34,7 @@ _LOSSES = {
 
 def resolved_lines(
     spectrum: Spectrum, lines: Lines, threshold: Reals, band: Band, limit: int | None
-) -> list[Line]:
+) -> list[SpectralLine]:
     """Return lines as what explains the bins around them: each by itself, or close ones together.
 
     Where other lines take the place of some, what leaks elsewhere changes: then all is looked at once more.
@@ -50,8 +50,8 @@ def resolved_lines(
         At least those that are wanted, by falling amplitude.
     """
     for last in (False, True):
-        found: list[Line] = []
-        parted: list[tuple[Places, list[Line]]] = []
+        found: list[SpectralLine] = []
+        parted: list[tuple[Places, list[SpectralLine]]] = []
         for members in _by_size(spectrum, lines, band):
             if limit and _enough(found, limit, float(np.abs(lines.amplitudes[members]).max())):
                 break
@@ -76,12 +76,12 @@ def _by_size(spectrum: Spectrum, lines: Lines, band: Band) -> list[Places]:
     return sorted(found, key=lambda members: -float(np.abs(lines.amplitudes[members]).max()))
 
 
-def _enough(found: list[Line], limit: int, next_amplitude: float) -> bool:
+def _enough(found: list[SpectralLine], limit: int, next_amplitude: float) -> bool:
     return sum(abs(line.amplitude) > next_amplitude for line in found) >= limit
 
 
 def _replaced(
-    spectrum: Spectrum, lines: Lines, parted: list[tuple[Places, list[Line]]], threshold: Reals
+    spectrum: Spectrum, lines: Lines, parted: list[tuple[Places, list[SpectralLine]]], threshold: Reals
 ) -> Lines:
     """Put lines in the place of others, and fit the rest again; what was only their leakage goes."""
     gone = np.concatenate([members for members, _ in parted])
@@ -94,7 +94,7 @@ def _replaced(
     return lines.chosen(np.flatnonzero(~moving | (np.abs(lines.amplitudes) > threshold[lines.bins])))
 
 
-def _alone(spectrum: Spectrum, lines: Lines, number: int, noise: float) -> Line:
+def _alone(spectrum: Spectrum, lines: Lines, number: int, noise: float) -> SpectralLine:
     """Return a line as it is if there is no other near it, among white noise of some deviation per sample.
 
     The Cramér-Rao bounds are sqrt(6)/pi noise/(amplitude sqrt(N)) bins and noise sqrt(2/N) (Rife and
@@ -103,7 +103,7 @@ def _alone(spectrum: Spectrum, lines: Lines, number: int, noise: float) -> Line:
     amplitude = complex(lines.amplitudes[number])
     share = noise / math.sqrt(spectrum.samples)
     loss = _LOSSES[spectrum.window]
-    return Line(
+    return SpectralLine(
         place=float(lines.places[number]),
         amplitude=amplitude,
         spread=loss.frequency * math.sqrt(6.0) / math.pi * share / abs(amplitude),

@@ -32,11 +32,11 @@ class Lines:
     amplitudes: Complexes
 
     def chosen(self, numbers: Places) -> Lines:
-        """Return some of them by their numbers."""
+        """Return some of the lines by their numbers."""
         return Lines(self.bins[numbers], self.places[numbers], self.amplitudes[numbers])
 
     def with_others(self, others: Lines) -> Lines:
-        """Return them followed by others."""
+        """Return the lines followed by others."""
         return Lines(
             np.concatenate([self.bins, others.bins]),
             np.concatenate([self.places, others.places]),

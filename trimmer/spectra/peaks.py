@@ -10,10 +10,10 @@ import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from trimmer.arguments import real_number, require_instance, whole_number
-from trimmer.showing.shown import Record
+from trimmer.showing.shown import ShownFields
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import SignalError
-from trimmer.spectra.close_lines import Line
+from trimmer.spectra.close_lines import SpectralLine
 from trimmer.spectra.line_groups import resolved_lines
 from trimmer.spectra.lines import NONE, Lines, added, bins_near, leakage, relaxed
 from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
@@ -33,7 +33,7 @@ _SKIRT = 64
 
 
 @dataclass(frozen=True)
-class Peak(Record):
+class Peak(ShownFields):
     """A peak of a spectrum, as the sine amplitude * cos(2 pi frequency t + phase) from the first sample on.
 
     Attributes:
@@ -115,7 +115,7 @@ def peaks(
     return tuple(_peak(spectrum, line) for line in found[:limit])
 
 
-def _peak(spectrum: Spectrum, line: Line) -> Peak:
+def _peak(spectrum: Spectrum, line: SpectralLine) -> Peak:
     return Peak(
         frequency=line.place * spectrum.bin_width,
         amplitude=abs(line.amplitude),

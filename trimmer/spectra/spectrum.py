@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Complexes, Reals
@@ -26,8 +26,10 @@ FEWEST_SAMPLES = 16
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Spectrum(Tabular):
+class Spectrum(Tabular, Drawn):
     """An amplitude spectrum, single-sided: a sine of amplitude a shows a, at a bin that it falls on.
+
+    ``plot`` draws the amplitude, in the signal's unit, over frequency, Hz.
 
     Attributes:
         lines: Complex amplitudes, in the signal's unit, shape (samples // 2 + 1,): c of
@@ -67,19 +69,6 @@ class Spectrum(Tabular):
     def amplitude(self) -> Reals:
         """Amplitude at each bin, in the signal's unit, in the shape of ``lines``."""
         return np.asarray(np.abs(self.lines))
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the amplitude, in the signal's unit, over frequency, Hz.
-
-        Args:
-            ax: Where to draw; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.signals.spectrum import draw_spectrum
-
-        return draw_spectrum(self, ax)
 
     def _told(self) -> str:
         word = self.window.word

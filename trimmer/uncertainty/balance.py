@@ -21,7 +21,7 @@ HARMONICS = 15
 
 
 @dataclass(frozen=True, eq=False)
-class Balanced:
+class BalancedSamples:
     """Harmonic balance beside the exact orbits of some samples.
 
     Attributes:
@@ -38,7 +38,7 @@ class Balanced:
     harmonics: int
 
 
-def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -> Balanced:
+def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -> BalancedSamples:
     """Balance the forces of the first samples whose motion repeats.
 
     Args:
@@ -60,4 +60,4 @@ def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -
         numbers.append(at)
         distances.append(found.distance)
         converged.append(found.converged)
-    return Balanced(tuple(numbers), np.array(distances), np.array(converged, dtype=bool), harmonics)
+    return BalancedSamples(tuple(numbers), np.array(distances), np.array(converged, dtype=bool), harmonics)

@@ -73,7 +73,7 @@ class Scatter:
 
 
 @dataclass(frozen=True)
-class Joint:
+class JointScatter:
     """Numbers that scatter together, normally.
 
     Attributes:
@@ -101,7 +101,7 @@ class Uncertainty:
     """
 
     scatters: tuple[Scatter, ...]
-    joints: tuple[Joint, ...] = ()
+    joints: tuple[JointScatter, ...] = ()
 
     @property
     def places(self) -> tuple[str, ...]:

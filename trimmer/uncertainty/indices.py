@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Index:
-    """What share of a variance comes from a number.
+    """The share of a variance that comes from one number: a Sobol index.
 
     Attributes:
         place: Its dotted place.
@@ -35,7 +35,7 @@ class Index:
 
 @dataclass(frozen=True)
 class Indices:
-    """Indices of one quantity, the largest total one first.
+    """Sobol indices of one quantity, the largest total one first.
 
     Attributes:
         indices: One for each number; empty if the quantity is the same in all samples.

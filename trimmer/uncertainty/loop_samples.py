@@ -16,8 +16,14 @@ from trimmer.errors import UncertaintyError
 from trimmer.linear.model import InputChannels
 from trimmer.mechanism.problems import Problem, as_message_of_file
 from trimmer.mechanism.toml_lines import lines_of_keys
-from trimmer.parameter_files import SCATTER, read_parameters
-from trimmer.parameters import ParameterError, ParameterKind, TrimmerParameters, parameter_table
+from trimmer.parameter_kinds import ParameterKind
+from trimmer.parameters import (
+    SCATTER,
+    ParameterError,
+    TrimmerParameters,
+    parameter_table,
+    read_parameters,
+)
 from trimmer.showing.shown import counted
 from trimmer.toml_files import parsed, read_text
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
@@ -27,7 +33,7 @@ from trimmer.uncertainty.table import uncertainty_of
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.uncertainty.distributions import Uncertainty
-    from trimmer.uncertainty.samples import SampleSettings
+    from trimmer.uncertainty.sample_inputs import SampleSettings
 
 GAP = "gap"
 MOST_IMPOSSIBLE = 0.01

@@ -18,7 +18,7 @@ EDGE = 2.0**-40
 
 
 class Plan(Choice):
-    """How points are chosen."""
+    """How samples are spread: as a Latin hypercube, or by Sobol's sequence."""
 
     LATIN_HYPERCUBE = "latin-hypercube"
     SOBOL = "sobol"

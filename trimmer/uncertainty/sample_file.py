@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from trimmer.arguments import file_path
 from trimmer.design.design_file import OpenRange, design_file_of_text
 from trimmer.design.targets import Target
 from trimmer.errors import MechanismError
@@ -18,7 +19,7 @@ from trimmer.uncertainty.table import SECTION, uncertainty_of
 
 @dataclass(frozen=True)
 class SampleFile:
-    """What a file says.
+    """A mechanism with its targets and what scatters, as a file gives them.
 
     Attributes:
         mechanism: The mechanism, with the middle of each range that nobody knows better.
@@ -31,13 +32,14 @@ class SampleFile:
     uncertainty: Uncertainty
 
 
-def read_sample_file(path: Path) -> SampleFile:
+def read_sample_file(path: Path | str) -> SampleFile:
     """Read a mechanism with ``[uncertainty]``, or standard input if the path is ``-``.
 
     Raises:
         MechanismError: if it cannot be read, holds what cannot be used, or nothing in it scatters. Every
             problem is named, with file, line, key and value, and what to do.
     """
+    path = file_path("path", path)
     return sample_file_of_text(text_of_file(path), str(path))
 
 

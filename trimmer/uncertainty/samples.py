@@ -10,80 +10,29 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.design.targets import Target
-from trimmer.design.trial import Asked, Trial, TrialWork, all_measures
-from trimmer.errors import MechanismError, UncertaintyError
+from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
-from trimmer.maps.inputs import varied
 from trimmer.progress import progress_bar
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.showing.shown import counted
-from trimmer.uncertainty import kept
-from trimmer.uncertainty.kept import NOWHERE, Keeping
-from trimmer.uncertainty.points import Plan, left_out
+from trimmer.uncertainty import sample_records
+from trimmer.uncertainty.points import left_out
+from trimmer.uncertainty.sample_inputs import SampleInputs, SampleSettings, sample_inputs
+from trimmer.uncertainty.sample_records import NOWHERE, Keeping
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
-    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.runners.runner import Runner
-    from trimmer.uncertainty.distributions import Uncertainty
     from trimmer.uncertainty.sample_file import SampleFile
 
-MOST_IMPOSSIBLE = 0.01
-"""Share of samples that may be impossible, such as a negative gap, before the distributions are refused."""
 FEW = 12
 """Samples up to which other processes are not worth their beginning."""
-MOST_SAMPLES = 1_000_000
-
-
-@dataclass(frozen=True)
-class SampleSettings:
-    """How samples are drawn and looked at.
-
-    Attributes:
-        count: How many; of Sobol points the next power of two.
-        plan: How points are chosen.
-        seed: Of the points.
-        most_periods: Drive periods to wait for each to settle.
-
-    Raises:
-        UncertaintyError: if there are more than ``MOST_SAMPLES``.
-    """
-
-    count: int = 512
-    plan: Plan = Plan.LATIN_HYPERCUBE
-    seed: int = 0
-    most_periods: int = 300
-
-    def __post_init__(self) -> None:
-        if self.count > MOST_SAMPLES:
-            raise UncertaintyError(
-                f"{self.count} samples do not fit into memory: draw at most {MOST_SAMPLES}"
-            )
-
-
-@dataclass(frozen=True, eq=False)
-class SampleInputs:
-    """All that the samples depend on.
-
-    Attributes:
-        mechanism: The mechanism.
-        uncertainty: What scatters.
-        settings: How samples are drawn and looked at.
-        values: The samples, SI units, shape (n, numbers that scatter).
-        possible: Whether a mechanism can have such numbers, shape (n,).
-    """
-
-    mechanism: Mechanism
-    uncertainty: Uncertainty
-    settings: SampleSettings
-    values: Reals
-    possible: Flags
 
 
 @dataclass(frozen=True)
 class SampleWork:
-    """What is done with a sample: its number and its values."""
+    """The work of a sample, given by its number and its values."""
 
     trial: TrialWork
 
@@ -105,7 +54,7 @@ class Samples:
 
     inputs: SampleInputs
     targets: tuple[Target, ...]
-    asked: tuple[Asked, ...]
+    asked: tuple[MeasureOfPart, ...]
     trials: tuple[Trial, ...]
 
     @property
@@ -118,7 +67,7 @@ class Samples:
         """How many motions could not be followed to their end."""
         return sum(trial.kind is None for trial in self.trials)
 
-    def measured(self, asked: Asked) -> Reals:
+    def measured(self, asked: MeasureOfPart) -> Reals:
         """Return a measure of each trial, shape (trials,); not a number where the motion failed."""
         return np.array([trial.value(asked.measure, asked.part) for trial in self.trials], dtype=float)
 
@@ -162,48 +111,6 @@ class Samples:
         return told + (failed if self.failed else "")
 
 
-def sample_inputs(mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:
-    """Draw samples.
-
-    Raises:
-        UncertaintyError: if too many of them are impossible, or the mechanism has no drive.
-    """
-    count = settings.plan.count(settings.count)
-    shares = settings.plan.points(count, len(uncertainty.scatters), settings.seed)
-    return inputs_at(mechanism, uncertainty, settings, uncertainty.values(shares))
-
-
-def inputs_at(
-    mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
-) -> SampleInputs:
-    """Return samples of given values, shape (n, numbers), after it was checked which are possible.
-
-    Raises:
-        UncertaintyError: as ``sample_inputs`` does.
-    """
-    if mechanism.frequency is None:
-        raise UncertaintyError(
-            "the mechanism has no frequency, and samples are of driven motions: give it one"
-        )
-    reasons = [_reason_against(mechanism, uncertainty.places, tuple(row)) for row in values.tolist()]
-    possible = np.array([not reason for reason in reasons], dtype=bool)
-    if (~possible).mean() > MOST_IMPOSSIBLE:
-        reason = next(reason for reason in reasons if reason)
-        raise UncertaintyError(
-            f"{(~possible).mean():.1%} of the samples are impossible, the first one because {reason}; "
-            "let the number scatter less, or uniformly between values that it can have"
-        )
-    return SampleInputs(mechanism, uncertainty, settings, values, possible)
-
-
-def _reason_against(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> str:
-    try:
-        varied(mechanism, places, values)
-    except MechanismError as error:
-        return str(error)
-    return ""
-
-
 def sample_mechanism(
     file: SampleFile,
     settings: SampleSettings | None = None,
@@ -244,9 +151,9 @@ def trials_of(
     asked = all_measures(inputs.mechanism)
     done: dict[int, Trial] = {}
     if keeping.path is not None and keeping.resume:
-        done = kept.resumed(keeping.path, inputs, asked)
+        done = sample_records.resumed(keeping.path, inputs, asked)
     elif keeping.path is not None:
-        kept.begin(keeping.path, inputs, overwrite=keeping.overwrite)
+        sample_records.begin(keeping.path, inputs, overwrite=keeping.overwrite)
     for number, trial in _computed(inputs, asked, done, runner, keeping.path, quiet):
         done[number] = trial
     return tuple(done[number] for number in np.flatnonzero(inputs.possible).tolist())
@@ -254,7 +161,7 @@ def trials_of(
 
 def _computed(
     inputs: SampleInputs,
-    asked: tuple[Asked, ...],
+    asked: tuple[MeasureOfPart, ...],
     done: dict[int, Trial],
     runner: Runner | None,
     path: Path | None,
@@ -273,6 +180,6 @@ def _computed(
     with progress_bar(
         description="samples", total=len(left) + len(done), initial=len(done), quiet=quiet
     ) as bar:
-        for result in results if path is None else kept.append(path, results):
+        for result in results if path is None else sample_records.append(path, results):
             bar.update()
             yield result

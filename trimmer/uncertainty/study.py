@@ -11,19 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, TrialWork, all_measures
+from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
 from trimmer.harmonics.balance import require_balanceable
-from trimmer.uncertainty.balance import Balanced, balanced_samples
+from trimmer.uncertainty.balance import BalancedSamples, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
-from trimmer.uncertainty.kept import NOWHERE, Keeping
 from trimmer.uncertainty.points import Plan
-from trimmer.uncertainty.samples import (
-    Samples,
-    SampleSettings,
-    inputs_at,
-    sample_mechanism,
-    trials_of,
-)
+from trimmer.uncertainty.sample_inputs import SampleSettings, inputs_at
+from trimmer.uncertainty.sample_records import NOWHERE, Keeping
+from trimmer.uncertainty.samples import Samples, sample_mechanism, trials_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -32,8 +27,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """What indices are of.
+class QuantityOfInterest:
+    """A result whose scatter is divided among the numbers.
 
     Attributes:
         name: What it is, in words.
@@ -41,11 +36,11 @@ class Quantity:
     """
 
     name: str
-    asked: Asked | None = None
+    asked: MeasureOfPart | None = None
 
 
 @dataclass(frozen=True, eq=False)
-class Study:
+class SampleStudy:
     """Samples, and what else was asked of them.
 
     Attributes:
@@ -56,8 +51,8 @@ class Study:
     """
 
     samples: Samples
-    indices: Mapping[Quantity, Indices]
-    balanced: Balanced | None
+    indices: Mapping[QuantityOfInterest, Indices]
+    balanced: BalancedSamples | None
     per_second: float
 
 
@@ -70,8 +65,8 @@ def study_samples(
     runner: Runner | None = None,
     keeping: Keeping = NOWHERE,
     quiet: bool = False,
-) -> Study:
-    """Draw samples and look at them. Errors are those of ``sample_mechanism``.
+) -> SampleStudy:
+    """Draw samples, with Sobol indices and harmonic balance if wanted; errors as of ``sample_mechanism``.
 
     Args:
         file: The mechanism, its targets, and what scatters.
@@ -96,7 +91,7 @@ def study_samples(
     seconds = time.perf_counter() - begin
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
     beside = balanced_samples(samples, balanced) if balanced else None
-    return Study(samples, found, beside, rate)
+    return SampleStudy(samples, found, beside, rate)
 
 
 def warm_up(file: SampleFile) -> None:
@@ -110,7 +105,7 @@ def _with_indices(
     runner: Runner | None,
     keeping: Keeping,
     quiet: bool,
-) -> tuple[Samples, dict[Quantity, Indices]]:
+) -> tuple[Samples, dict[QuantityOfInterest, Indices]]:
     require_independent(file.uncertainty)
     places = file.uncertainty.places
     blocks = Plan.SOBOL.count(settings.count)
@@ -126,15 +121,15 @@ def _with_indices(
     return samples, found
 
 
-def _quantities(samples: Samples) -> list[tuple[Quantity, Reals]]:
+def _quantities(samples: Samples) -> list[tuple[QuantityOfInterest, Reals]]:
     """Return what is so, as 0 and 1, and then the size of each measure, where it exists."""
     repeats = np.array([trial.period_count == 1 for trial in samples.trials], dtype=float)
-    found = [(Quantity("whether the motion repeats with the drive"), repeats)]
+    found = [(QuantityOfInterest("whether the motion repeats with the drive"), repeats)]
     if samples.targets:
-        found.append((Quantity("whether all targets are met"), samples.met.astype(float)))
+        found.append((QuantityOfInterest("whether all targets are met"), samples.met.astype(float)))
     for asked in samples.asked:
         if asked.measure is not Measure.PERIOD:
-            found.append((Quantity(name_of(asked), asked), samples.measured(asked)))
+            found.append((QuantityOfInterest(name_of(asked), asked), samples.measured(asked)))
     return found
 
 
@@ -147,6 +142,6 @@ _NAMES = {
 }
 
 
-def name_of(asked: Asked) -> str:
+def name_of(asked: MeasureOfPart) -> str:
     """Return what is measured, in words."""
     return _NAMES[asked.measure].format(asked.part)

@@ -13,7 +13,14 @@ from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import is_number
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
-from trimmer.uncertainty.distributions import Distribution, Joint, Normal, Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.distributions import (
+    Distribution,
+    JointScatter,
+    Normal,
+    Scatter,
+    Uncertainty,
+    Uniform,
+)
 
 SECTION = "uncertainty"
 COVARIANCE = "covariance"
@@ -21,7 +28,7 @@ FORMS = '{ normal = "5 um" }, { normal = "5 %" } or { uniform = ["20 um", "60 um
 
 
 class Numbers(Protocol):
-    """What has numbers at places, such as a mechanism."""
+    """Anything with numbers at dotted places, such as a mechanism."""
 
     @property
     def places(self) -> Mapping[str, str]:
@@ -49,7 +56,7 @@ def uncertainty_of(
         problems.append(Problem((SECTION,), reason, content))
         return Uncertainty(())
     found: dict[str, Scatter] = {}
-    joints: list[Joint] = []
+    joints: list[JointScatter] = []
     for key, value in content.items():
         if key == COVARIANCE:
             for joint, scatters in _joints(value, mechanism, problems):
@@ -92,7 +99,7 @@ def _distribution(
     if not isinstance(value, Mapping):
         problems.append(Problem(where, f"say how it scatters, as in {FORMS}", value))
         return None
-    reader = _Reader(where, mechanism.places[place], mechanism.value(place), problems)
+    reader = _DistributionReader(where, mechanism.places[place], mechanism.value(place), problems)
     unknown = [key for key in value if key not in ("normal", "mean", "uniform")]
     if unknown:
         advice = near_match(unknown[0], ("normal", "mean", "uniform")) or f"write {FORMS}"
@@ -104,7 +111,7 @@ def _distribution(
     return reader.uniform(value["uniform"]) if "uniform" in value else reader.normal(value)
 
 
-class _Reader:
+class _DistributionReader:
     """Reads a distribution; what is wrong goes to the problems.
 
     Args:
@@ -175,7 +182,7 @@ def _plain(value: object) -> object:
 
 def _joints(
     value: object, mechanism: Numbers, problems: list[Problem]
-) -> Iterator[tuple[Joint, list[Scatter]]]:
+) -> Iterator[tuple[JointScatter, list[Scatter]]]:
     where = (SECTION, COVARIANCE)
     for each in value if isinstance(value, list) else [value]:
         if not isinstance(each, Mapping) or set(each) != {"places", "matrix"} or not _is_list(each["places"]):
@@ -194,7 +201,7 @@ def _joints(
             Scatter(place, mechanism.places[place], Normal(mechanism.value(place), float(deviation)))
             for place, deviation in zip(names, np.sqrt(np.diag(matrix)), strict=True)
         ]
-        yield Joint(names, tuple(map(tuple, matrix.tolist()))), scatters
+        yield JointScatter(names, tuple(map(tuple, matrix.tolist()))), scatters
 
 
 def _is_list(value: object) -> bool:

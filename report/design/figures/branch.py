@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from report.design.quantities import Scale
-    from trimmer.design.paths import NumberPath, Side
+    from trimmer.design.paths import NumberPath, PathSide
 
 MARKERS = {
     SpecialKind.GRAZING: ("o", "grazing"),
@@ -59,7 +59,7 @@ def branch(path: NumberPath, output: str) -> Figure:
     return figure
 
 
-def _line(axes: Axes, side: Side, output: str, across: Scale, up: Scale) -> None:
+def _line(axes: Axes, side: PathSide, output: str, across: Scale, up: Scale) -> None:
     values, strokes = side.values / across.factor, side.stroke[output] / up.factor
     for stable, group in itertools.groupby(range(len(values)), key=lambda at: bool(side.stable[at])):
         places = list(group)
@@ -68,7 +68,9 @@ def _line(axes: Axes, side: Side, output: str, across: Scale, up: Scale) -> None
         axes.plot(values[part], strokes[part], color=BLUE, linestyle=style, linewidth=width)
 
 
-def _special(axes: Axes, side: Side, output: str, across: Scale, up: Scale, seen: set[SpecialKind]) -> None:
+def _special(
+    axes: Axes, side: PathSide, output: str, across: Scale, up: Scale, seen: set[SpecialKind]
+) -> None:
     for each in side.special:
         mark, name = MARKERS[each.kind]
         label = None if each.kind in seen else name

@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from trimmer.design.sensitivity import Sensitivities
-    from trimmer.design.trial import Asked
+    from trimmer.design.trial import MeasureOfPart
 
 MOST = 7
 """Bars for each measure."""
 
 
-def influences(sensitivities: Sensitivities, asked: Sequence[tuple[Asked, str]]) -> Figure:
+def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart, str]]) -> Figure:
     """Draw the elasticities of some measures, one panel each.
 
     Args:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from trimmer.design.kept_map import DesignMap
-    from trimmer.design.varied_places import Varied
+    from trimmer.design.varied_places import VariedNumber
 
 
 def kind_map(drawn: DesignMap) -> Figure:
@@ -51,5 +51,5 @@ def kind_map(drawn: DesignMap) -> Figure:
     return figure
 
 
-def _sides(drawn: DesignMap) -> tuple[Varied, Varied]:
+def _sides(drawn: DesignMap) -> tuple[VariedNumber, VariedNumber]:
     return drawn.first, drawn.second

@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from trimmer.design.design_file import OpenRange
     from trimmer.design.ranges import RangeStudy
     from trimmer.design.targets import Target
-    from trimmer.design.trial import Asked
+    from trimmer.design.trial import MeasureOfPart
 
 
 def over_range(
     study: RangeStudy,
     of: OpenRange,
-    asked: Sequence[tuple[Asked, str]],
-    bounds: Mapping[Asked, float],
+    asked: Sequence[tuple[MeasureOfPart, str]],
+    bounds: Mapping[MeasureOfPart, float],
     targets: tuple[Target, ...],
 ) -> Figure:
     """Draw measures at the points of a study over one of its numbers."""

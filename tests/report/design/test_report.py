@@ -20,7 +20,7 @@ from report.rendering.request import Format
 from trimmer.design.comparison import compared
 from trimmer.design.design import Design
 from trimmer.design.targets import Measure
-from trimmer.design.verdict import Judged, Outcome, Sureness, Verdict
+from trimmer.design.verdict import DesignOutcome, DesignVerdict, JudgedTarget, Sureness
 
 SECTIONS = (
     *("Verdict", "What nobody knows", "The mechanism", "Its equations", "Modes and transfer functions"),
@@ -56,7 +56,7 @@ def test_no_word_of_the_thesis_is_in_it(text: str) -> None:
 
 
 def test_the_verdict_stands_at_the_top_in_one_sentence(design: Design, text: str) -> None:
-    assert design.verdict.outcome is Outcome.DEPENDS
+    assert design.verdict.outcome is DesignOutcome.DEPENDS
     start = text.index("It depends on what nobody knows")
     assert start < text.index("What nobody knows The gap of bridge")
     assert verdict_sentence(design).count(". ") == 0
@@ -102,37 +102,37 @@ def test_the_pages_of_the_pdf_hold_the_same(pdf: Path) -> None:
     assert "thesis" not in found.lower()
 
 
-def with_verdict(design: Design, verdict: Verdict) -> Design:
+def with_verdict(design: Design, verdict: DesignVerdict) -> Design:
     """Return a design without ranges, judged otherwise."""
     return dataclasses.replace(design, verdict=verdict, ranges=None)
 
 
 def test_sentences_for_each_outcome(design: Design) -> None:
     judged = design.verdict.judged
-    met = Verdict(
-        Outcome.MET, Sureness.SURE, tuple(dataclasses.replace(e, met=True) for e in judged), 0.0, True
+    met = DesignVerdict(
+        DesignOutcome.MET, Sureness.SURE, tuple(dataclasses.replace(e, met=True) for e in judged), 0.0, True
     )
     assert verdict_sentence(with_verdict(design, met)).startswith("**All four targets are met**")
-    missed = Verdict(Outcome.MISSED, Sureness.SURE, judged, 0.0, True)
+    missed = DesignVerdict(DesignOutcome.MISSED, Sureness.SURE, judged, 0.0, True)
     told = verdict_sentence(dataclasses.replace(with_verdict(design, missed), remedies=None))
     assert "missed**: the" in told
     assert "no change" not in told
-    nothing = Verdict(Outcome.NO_TARGETS, Sureness.UNSURE, (), 0.0, True)
+    nothing = DesignVerdict(DesignOutcome.NO_TARGETS, Sureness.UNSURE, (), 0.0, True)
     assert "names no targets" in verdict_sentence(with_verdict(design, nothing))
-    otherwise = Verdict(Outcome.DEPENDS, Sureness.UNSURE, judged, 0.5, False)
+    otherwise = DesignVerdict(DesignOutcome.DEPENDS, Sureness.UNSURE, judged, 0.5, False)
     assert "one of 2 starts leads to a motion that" in verdict_sentence(with_verdict(design, otherwise))
 
 
 def judged_at(design: Design, **bounds: float) -> Design:
     """Return a design without ranges, judged by targets with other bounds, each met or missed by far."""
     judged = tuple(
-        Judged(target, each.value, target.met_by(each.value))
+        JudgedTarget(target, each.value, target.met_by(each.value))
         for each in design.verdict.judged
         if each.target.key in bounds
         for target in [dataclasses.replace(each.target, bound=bounds[each.target.key])]
     )
-    outcome = Outcome.MET if all(each.met for each in judged) else Outcome.MISSED
-    changed = with_verdict(design, Verdict(outcome, Sureness.SURE, judged, 0.0, True))
+    outcome = DesignOutcome.MET if all(each.met for each in judged) else DesignOutcome.MISSED
+    changed = with_verdict(design, DesignVerdict(outcome, Sureness.SURE, judged, 0.0, True))
     file = dataclasses.replace(design.file, targets=tuple(each.target for each in judged))
     return dataclasses.replace(changed, file=file, remedies=None)
 
@@ -153,7 +153,7 @@ def test_a_bound_that_is_far_away_is_not_measured_in_per_cent(design: Design) ->
 def test_a_mechanism_that_comes_to_rest_is_said_to_do_so(design: Design) -> None:
     message = "It comes to rest within 60 s, and nothing sets it in motion."
     motions = dataclasses.replace(design.motions, first_failed=True, message=message)
-    open_one = Verdict(Outcome.OPEN, Sureness.UNSURE, (), 0.0, True)
+    open_one = DesignVerdict(DesignOutcome.OPEN, Sureness.UNSURE, (), 0.0, True)
     told = verdict_sentence(dataclasses.replace(with_verdict(design, open_one), motions=motions))
     assert told.replace("\\", "") == f"**Nothing can be said about the targets**: it{message[2:]}"
 
@@ -174,7 +174,7 @@ def test_a_comparison_says_better_only_of_the_same_targets(design: Design) -> No
         ),
     )
     nothing = dataclasses.replace(
-        with_verdict(design, Verdict(Outcome.NO_TARGETS, Sureness.UNSURE, (), 0.0, True)),
+        with_verdict(design, DesignVerdict(DesignOutcome.NO_TARGETS, Sureness.UNSURE, (), 0.0, True)),
         file=dataclasses.replace(design.file, targets=()),
     )
     assert told(missed, met).startswith("**Better**: in A one of two targets is met, in B two of two")
@@ -184,7 +184,9 @@ def test_a_comparison_says_better_only_of_the_same_targets(design: Design) -> No
         "**The files want different things**: in A two of two targets are met, in B"
     )
     assert told(met, nothing).endswith("there are no targets.")
-    at_rest = dataclasses.replace(met, verdict=Verdict(Outcome.OPEN, Sureness.UNSURE, (), 0.0, True))
+    at_rest = dataclasses.replace(
+        met, verdict=DesignVerdict(DesignOutcome.OPEN, Sureness.UNSURE, (), 0.0, True)
+    )
     assert told(met, at_rest).endswith("in B there is no motion to judge.")
     one = judged_at(design, stroke_at_least=1e-9)
     assert told(nothing, one).endswith("in B the target is met.")

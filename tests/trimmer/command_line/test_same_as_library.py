@@ -16,7 +16,7 @@ from trimmer.linear.model import InputChannels
 from trimmer.progress import progress_bar, silenced
 from trimmer.signals.csv_layout import DecimalSign, Delimiter
 from trimmer.signals.missing import MissingValues
-from trimmer.signals.quantity import Quantity
+from trimmer.signals.quantity import MotionQuantity
 from trimmer.signals.sampling import Gaps
 from trimmer.signals.wav import BitDepth
 from trimmer.spectra.window import Window
@@ -148,7 +148,7 @@ def test_words_are_those_of_the_library() -> None:
     assert tuple(each.word for each in DecimalSign) == signal_options.DECIMAL_SIGNS
     assert tuple(each.word for each in MissingValues) == signal_options.MISSING_VALUES
     assert tuple(each.word for each in Gaps) == signal_options.GAPS
-    quantities = tuple(each.word for each in Quantity if each is not Quantity.OTHER)
+    quantities = tuple(each.word for each in MotionQuantity if each is not MotionQuantity.OTHER)
     assert quantities == signal_options.QUANTITIES
 
 

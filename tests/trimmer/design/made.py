@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from trimmer import Mechanism, MotionKind
-from trimmer.design.found_motion import FoundMotion, Signals
+from trimmer.design.found_motion import FoundMotion, MotionSignals
 from trimmer.motion.measures import ContactMeasures, FrictionMeasures, OutputMeasures
 
 
@@ -47,7 +47,7 @@ def motion(**changes: Any) -> FoundMotion:
         "frictions": {"blade": friction(0.3)},
         "hand_arm": {},
         "events": 6.0,
-        "signals": Signals(np.empty(0), {}, {}, {}, {}),
+        "signals": MotionSignals(np.empty(0), {}, {}, {}, {}),
     }
     return FoundMotion(**{**fields, **changes})
 

@@ -10,13 +10,13 @@ import pytest
 
 from tests.trimmer.design.made import contact, motion, oscillator, output
 from trimmer import Mechanism
-from trimmer.design.comparison import Change, Difference, compared
+from trimmer.design.comparison import ChangedNumber, MeasureDifference, compared
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked
+from trimmer.design.trial import MeasureOfPart
 from trimmer.mechanism import ContactLaw, Link, Stop
 
-STROKE = Asked(Measure.STROKE, "block")
+STROKE = MeasureOfPart(Measure.STROKE, "block")
 
 
 def design(mechanism: Mechanism, moving: FoundMotion | None) -> Any:
@@ -29,8 +29,8 @@ def moving(size: float, **changes: Any) -> FoundMotion:
 
 
 def test_a_change_is_relative_to_what_was_before() -> None:
-    assert Difference(STROKE, 4.0, 5.0).change == pytest.approx(0.25)
-    assert Difference(STROKE, 4.0, 3.0).change == pytest.approx(-0.25)
+    assert MeasureDifference(STROKE, 4.0, 5.0).change == pytest.approx(0.25)
+    assert MeasureDifference(STROKE, 4.0, 3.0).change == pytest.approx(-0.25)
     for before, after in (
         (None, 1.0),
         (1.0, None),
@@ -39,8 +39,8 @@ def test_a_change_is_relative_to_what_was_before() -> None:
         (float("inf"), 1.0),
         (1.0, -float("inf")),
     ):
-        assert Difference(STROKE, before, after).change is None
-    assert Difference(STROKE, 4.0, 0.0).change == -1.0
+        assert MeasureDifference(STROKE, before, after).change is None
+    assert MeasureDifference(STROKE, 4.0, 0.0).change == -1.0
 
 
 @pytest.mark.parametrize(
@@ -63,9 +63,9 @@ def test_numbers_and_ends_that_differ_are_listed() -> None:
     )
     found = compared(design(before, None), design(after, None))
     assert found.changes == (
-        Change("links.spring.stiffness", "N/m", 9e3, 1e4),
-        Change("stops.wall.stiffness", "N/m", None, 500.0),
-        Change("stops.wall.gap", "m", None, 4e-5),
+        ChangedNumber("links.spring.stiffness", "N/m", 9e3, 1e4),
+        ChangedNumber("stops.wall.stiffness", "N/m", None, 500.0),
+        ChangedNumber("stops.wall.gap", "m", None, 4e-5),
     )
     assert found.others == ()
     back = compared(design(after, None), design(before, None)).changes
@@ -88,7 +88,7 @@ def test_a_frequency_that_only_one_has_is_a_change() -> None:
     driven = oscillator()
     free = replace(driven, frequency=None, forces={})
     changes = {each.place: each for each in compared(design(free, None), design(driven, None)).changes}
-    assert changes["frequency"] == Change("frequency", "Hz", None, 20.0)
+    assert changes["frequency"] == ChangedNumber("frequency", "Hz", None, 20.0)
 
 
 def test_measures_stand_beside_each_other_as_far_as_there_are_any() -> None:
@@ -99,9 +99,9 @@ def test_measures_stand_beside_each_other_as_far_as_there_are_any() -> None:
     found = {each.asked: (each.before, each.after) for each in both.differences}
     assert len(found) == len(both.differences) == 5
     assert found[STROKE] == (2e-3, 3e-3)
-    assert found[Asked(Measure.STROKE, "double")] == (4e-3, 6e-3)
-    assert found[Asked(Measure.RMS_ACCELERATION, "block")] == (3.0, 3.0)
-    assert found[Asked(Measure.IMPACT_SPEED, "wall")] == (None, 0.2)
-    assert found[Asked(Measure.PERIOD, "")] == (1.0, 2.0)
+    assert found[MeasureOfPart(Measure.STROKE, "double")] == (4e-3, 6e-3)
+    assert found[MeasureOfPart(Measure.RMS_ACCELERATION, "block")] == (3.0, 3.0)
+    assert found[MeasureOfPart(Measure.IMPACT_SPEED, "wall")] == (None, 0.2)
+    assert found[MeasureOfPart(Measure.PERIOD, "")] == (1.0, 2.0)
     none = compared(design(first, None), design(second, hit)).differences
     assert {(each.before, each.after is None) for each in none} == {(None, False)}

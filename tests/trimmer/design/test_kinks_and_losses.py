@@ -14,10 +14,10 @@ from trimmer.design.remedies import remedies
 from trimmer.design.sensitivity import sensitivities
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import Asked, TrialWork
+from trimmer.design.trial import MeasureOfPart, TrialWork
 from trimmer.mechanism import Friction, Stop
 
-STROKE = Asked(Measure.STROKE, "block")
+STROKE = MeasureOfPart(Measure.STROKE, "block")
 SETTINGS = DesignSettings(starts=1, seed=5, most_periods=300, cell_periods=200, trials=2)
 
 

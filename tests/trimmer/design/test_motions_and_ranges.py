@@ -13,7 +13,7 @@ from trimmer.design.plausible import questions
 from trimmer.design.ranges import study_ranges
 from trimmer.design.settings import DesignSettings
 from trimmer.design.spectrum import LineKind, spectra
-from trimmer.design.verdict import Outcome, verdict_on
+from trimmer.design.verdict import DesignOutcome, verdict_on
 from trimmer.examples import example_text
 
 QUICK = DesignSettings(starts=2, range_points=9, cell_periods=200)
@@ -65,7 +65,7 @@ def test_a_range_across_a_bound_leaves_the_verdict_open() -> None:
     assert study.meeting == pytest.approx(sum(met) / 9)
     assert study.doubt == pytest.approx(2 * study.meeting * (1 - study.meeting))
     motions = motions_from_starts(file.mechanism, QUICK)
-    assert verdict_on(file.targets, motions, study).outcome is Outcome.DEPENDS
+    assert verdict_on(file.targets, motions, study).outcome is DesignOutcome.DEPENDS
 
 
 def test_nothing_is_asked_about_the_examples(trimmer_file: DesignFile, trimmer_motion: FoundMotion) -> None:

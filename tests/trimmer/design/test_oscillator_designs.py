@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from scipy.optimize import brentq
 from tests.trimmer.design.made import motion, oscillator, output
 from trimmer import Mechanism, MotionKind, SerialRunner
 from trimmer.design.design import Stage, Study
-from trimmer.design.design_file import DesignFile, OpenRange
+from trimmer.design.design_file import DesignFile, OpenRange, read_design_file
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.keeping import Keeper
 from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
@@ -21,12 +22,13 @@ from trimmer.design.remedies import remedies
 from trimmer.design.sensitivity import Elasticity, Sensitivities, Sensitivity, designable, sensitivities
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import Asked
-from trimmer.design.varied_places import Role, Varied, varied_places
+from trimmer.design.trial import MeasureOfPart
+from trimmer.design.varied_places import NumberRole, VariedNumber, varied_places
+from trimmer.errors import WrongTypeError
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 
 ENDS = ("ground", "block")
-STROKE, DOUBLE = Asked(Measure.STROKE, "block"), Asked(Measure.STROKE, "double")
+STROKE, DOUBLE = MeasureOfPart(Measure.STROKE, "block"), MeasureOfPart(Measure.STROKE, "double")
 NUMBERS = {
     "frequency": 20.0,
     "bodies.block.mass": 0.5,
@@ -48,7 +50,7 @@ def stroke(**changes: float) -> float:
 
 
 @pytest.mark.parametrize("asked", [STROKE, DOUBLE])
-def test_slopes_are_central_differences_of_the_formula(asked: Asked) -> None:
+def test_slopes_are_central_differences_of_the_formula(asked: MeasureOfPart) -> None:
     found = sensitivities(oscillator(), motion(state=np.zeros(2), period_count=1))
     assert (found.step, found.failed) == (1e-3, ())
     assert [each.place for each in found.entries] == list(NUMBERS)
@@ -142,8 +144,8 @@ def test_starts_are_counted_and_neighbours_are_looked_at_around_two_numbers() ->
     assert [each.starts for each in alone.found] == [3]
     assert alone.message and alone.neighbours is None
     speed, drive = (
-        Varied(Role.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0),
-        Varied(Role.FRICTION, "forces.shaker.amplitude", "", "N", 7.0, 0.0, 7.0, True),
+        VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0),
+        VariedNumber(NumberRole.FRICTION, "forces.shaker.amplitude", "", "N", 7.0, 0.0, 7.0, True),
     )
     runner = SerialRunner()
     assert with_neighbours(oscillator(), alone, (speed,), FEW, runner) is alone
@@ -189,6 +191,16 @@ def study(
     return Study(file, settings, SerialRunner(), Noting(), lambda *each: told.append(each)), told
 
 
+def test_a_study_needs_no_more_than_a_file(tmp_path: Path) -> None:
+    (tmp_path / "mine.toml").write_text(oscillator().to_toml(), "utf-8")
+    file = read_design_file(str(tmp_path / "mine.toml"))
+    assert [each.contacts for each in Study(file).linear()] == [
+        each.contacts for each in study(file.mechanism)[0].linear()
+    ]
+    with pytest.raises(WrongTypeError, match="path"):
+        read_design_file(3)  # type: ignore[arg-type]
+
+
 def test_a_whole_and_a_short_look_have_their_stages() -> None:
     mechanism = replace(oscillator(), stops={"wall": Stop(ENDS, 2e4, 50.0, 4e-3)})
     made, told = study(mechanism, OpenRange("frequency", "Hz", 19.0, 21.0, False))
@@ -222,7 +234,7 @@ def test_what_does_not_repeat_or_is_not_driven_has_fewer_stages() -> None:
     def motions(first: FoundMotion, failed: bool = False) -> Motions:
         return Motions((first,), 2, 5, 0, "", failed)
 
-    speed = (Varied(Role.SPEED, "frequency", "", "Hz", 20.0, 19.0, 21.0),)
+    speed = (VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 19.0, 21.0),)
     repeating, chaos = motion(state=np.zeros(2)), motion(kind=MotionKind.CHAOTIC)
     made, _ = study(oscillator())
     for bad in (motions(repeating, failed=True), motions(chaos)):

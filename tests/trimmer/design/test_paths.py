@@ -8,20 +8,20 @@ import pytest
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.special import SpecialKind
-from trimmer.design.paths import Side, Special, path_through
-from trimmer.design.varied_places import Role, Varied
+from trimmer.design.paths import PathSide, SpecialOnPath, path_through
+from trimmer.design.varied_places import NumberRole, VariedNumber
 
 
-def special(kind: SpecialKind, value: float) -> Special:
-    return Special(kind, value, {}, ())
+def special(kind: SpecialKind, value: float) -> SpecialOnPath:
+    return SpecialOnPath(kind, value, {}, ())
 
 
 def side(
-    values: list[float], unstable: str, *points: Special, reason: BranchEnd = BranchEnd.LEFT_AT_STOP
-) -> Side:
+    values: list[float], unstable: str, *points: SpecialOnPath, reason: BranchEnd = BranchEnd.LEFT_AT_STOP
+) -> PathSide:
     """Return a side whose orbits are stable but for those marked with ``u``."""
     stable = np.array([each != "u" for each in unstable])
-    return Side(values[-1], np.array(values), stable, {}, points, reason, "")
+    return PathSide(values[-1], np.array(values), stable, {}, points, reason, "")
 
 
 def test_a_side_that_is_stable_throughout_reaches_its_end() -> None:
@@ -62,8 +62,8 @@ def test_without_a_special_point_the_last_stable_orbit_is_reached() -> None:
     assert side([1.0, 0.8, 0.6], "ssu", *beyond).first_special == tuple(points[:1])
 
 
-def over_frequency(lowest: float, highest: float) -> Varied:
-    return Varied(Role.SPEED, "frequency", "", "Hz", 20.0, lowest, highest)
+def over_frequency(lowest: float, highest: float) -> VariedNumber:
+    return VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, lowest, highest)
 
 
 def test_the_orbits_of_an_oscillator_are_those_of_its_formula() -> None:

@@ -16,9 +16,9 @@ from trimmer.design.design_file import OpenRange
 from trimmer.design.ranges import RangeStudy, study_ranges
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import Asked, Trial, TrialWork
+from trimmer.design.trial import MeasureOfPart, Trial, TrialWork
 
-STROKE = Asked(Measure.STROKE, "block")
+STROKE = MeasureOfPart(Measure.STROKE, "block")
 TARGET = Target("stroke_at_least", Measure.STROKE, "block", 3.0)
 GAP = OpenRange("stops.stop.gap", "m", 2e-5, 6e-5, False)
 FORCE = OpenRange("frictions.blade.force", "N", 1.0, 2.0, True)

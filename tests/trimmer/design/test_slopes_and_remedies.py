@@ -12,10 +12,10 @@ from trimmer.design.found_motion import FoundMotion
 from trimmer.design.paths import path_through
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked
-from trimmer.design.varied_places import Role, varied_places
+from trimmer.design.trial import MeasureOfPart
+from trimmer.design.varied_places import NumberRole, varied_places
 
-STROKE = Asked(Measure.STROKE, "stroke")
+STROKE = MeasureOfPart(Measure.STROKE, "stroke")
 QUICK = DesignSettings(starts=2, cell_periods=200)
 
 
@@ -23,7 +23,9 @@ def test_the_motion_is_stable_within_its_margin_and_not_beyond(
     trimmer_file: DesignFile, trimmer_motion: FoundMotion
 ) -> None:
     mechanism = trimmer_file.mechanism
-    friction = next(each for each in varied_places(mechanism, trimmer_motion) if each.role is Role.FRICTION)
+    friction = next(
+        each for each in varied_places(mechanism, trimmer_motion) if each.role is NumberRole.FRICTION
+    )
     near = dataclasses.replace(friction, lowest=0.35, highest=0.6)
     path = path_through(mechanism, near, trimmer_motion, FollowSettings().most_points)
     assert path.up is not None

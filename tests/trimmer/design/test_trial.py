@@ -10,11 +10,11 @@ import pytest
 from tests.trimmer.design.made import oscillator, oscillator_amplitude
 from trimmer import Mechanism, MotionKind
 from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import Asked, TrialWork, all_measures
+from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
 from trimmer.examples import example_text
 from trimmer.mechanism import Friction
 
-STROKE, PERIOD = Asked(Measure.STROKE, "block"), Asked(Measure.PERIOD, "")
+STROKE, PERIOD = MeasureOfPart(Measure.STROKE, "block"), MeasureOfPart(Measure.PERIOD, "")
 
 
 def test_all_that_a_mechanism_has_can_be_asked() -> None:
@@ -30,7 +30,7 @@ def test_all_that_a_mechanism_has_can_be_asked() -> None:
     bodies = [each.part for each in asked if each.measure is Measure.RMS_ACCELERATION]
     assert bodies == list(mechanism.bodies)
     stop = Mechanism.from_toml_text(example_text("oscillator-stop"))
-    assert Asked(Measure.IMPACT_SPEED, "stop") in all_measures(stop)
+    assert MeasureOfPart(Measure.IMPACT_SPEED, "stop") in all_measures(stop)
     free = Mechanism.from_toml_text(example_text("block-on-belt"))
     assert PERIOD not in all_measures(free)
 

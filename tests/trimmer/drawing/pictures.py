@@ -31,7 +31,8 @@ from trimmer.drawing.signals.comparison import comparison_figure
 from trimmer.drawing.signals.fit import fit_figure
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty.sample_file import sample_file_of_text
-from trimmer.uncertainty.samples import Samples, SampleSettings, sample_mechanism
+from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.samples import Samples, sample_mechanism
 
 KEPT = Path(__file__).with_suffix(".txt")
 FEW = 8
@@ -184,7 +185,7 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "SpectrumAnalysis, dying": lambda ax=None: dying().plot(ax),
     "Spectrum": lambda ax=None: results.analysis().spectrum.plot(ax),
     "AveragedSpectrum": lambda ax=None: results.averaged().plot(ax),
-    "Comparison": lambda ax=None: results.comparison().plot(ax),
+    "MotionComparison": lambda ax=None: results.comparison().plot(ax),
     "HarmonicFit": lambda ax=None: results.analysis().harmonics.plot(ax),
     "Fit": lambda ax=None: results.fit().plot(ax),
 }

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from subprocess import run
 
 import matplotlib
 import numpy as np
@@ -20,6 +23,7 @@ from tests.trimmer import results
 from tests.trimmer.command_line.alike import NUMBER
 from tests.trimmer.drawing.pictures import FIGURES, PLOTS, in_words, kept, new_axes, pictures
 from trimmer.errors import WrongTypeError
+from trimmer.showing.drawn import Drawn
 
 ROUNDING = 3e-4
 """What noise leaves of a fit, and the last of five digits."""
@@ -112,6 +116,27 @@ def test_new_axes_are_of_pyplot_and_are_not_shown(monkeypatch: pytest.MonkeyPatc
     assert axes.figure is pyplot.gcf()
     assert axes.figure.get_layout_engine().__class__.__name__ == "ConstrainedLayoutEngine"
     assert dict(matplotlib.rcParams) == settings
+
+
+def test_what_cannot_be_drawn_leaves_no_empty_figure() -> None:
+    with pytest.raises(ValueError, match="has no loop, so there is nothing to draw"):
+        replace(results.balance(), loop=None).plot()
+    assert not pyplot.get_fignums()
+
+
+def test_a_picture_of_a_signal_needs_no_loop_and_no_mechanism() -> None:
+    told = "import trimmer, sys; trimmer.Signal([0.0, 1.0], 1.0).plot(); print(*sys.modules)"
+    loaded = run([sys.executable, "-c", told], capture_output=True, text=True, check=True).stdout.split()
+    assert "trimmer.drawing.signals.samples" in loaded
+    assert not {"control", "numba", "trimmer.mechanism", "trimmer.balance"} & set(loaded)
+
+
+def test_what_is_no_result_has_no_picture() -> None:
+    class Lonely(Drawn):
+        pass
+
+    with pytest.raises(TypeError, match="there is no picture of Lonely"):
+        Lonely().plot(new_axes())
 
 
 def test_lines_are_told_apart_without_their_colours(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from trimmer import TrimmerParameters
 from trimmer.displacement import Displacement
 from trimmer.ensembles.crossings import Crossings, crossings
 from trimmer.ensembles.frequencies import frequencies_near
-from trimmer.ensembles.grid import Grid
+from trimmer.ensembles.grid import FrequencyGrid
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.responses import Responses, responses_of
@@ -22,9 +22,9 @@ def response(output: str = "q2-q4") -> tuple[Responses, np.ndarray]:
     return made, np.roots(made.denominator[0])[None]
 
 
-def grid(h: list[float], lag: list[float]) -> Grid:
+def grid(h: list[float], lag: list[float]) -> FrequencyGrid:
     points = len(h)
-    return Grid(
+    return FrequencyGrid(
         np.linspace(1.0, 2.0, points)[None], np.full((1, points), True), np.array([lag]), np.array([h])
     )
 

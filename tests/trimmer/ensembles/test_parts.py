@@ -11,13 +11,13 @@ from tests.trimmer.ensembles.known_responses import THREE
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.frequencies import frequencies_near
 from trimmer.ensembles.gain_by_phase import gain_by_lag
-from trimmer.ensembles.grid import Grid, grid_at, merged
+from trimmer.ensembles.grid import FrequencyGrid, grid_at, merged
 
 
 # G = K/(s (s + 1)) twice, with other K, and 1/(s + 1) in between: N + 1/G = 0 for K = 4 at about 1 rad/s.
-def grid(h: list[float], lag: float | list[float] = 0.4, loud: bool | list[bool] = True) -> Grid:
+def grid(h: list[float], lag: float | list[float] = 0.4, loud: bool | list[bool] = True) -> FrequencyGrid:
     shape = (1, len(h))
-    return Grid(
+    return FrequencyGrid(
         np.arange(1.0, len(h) + 1.0)[None],
         np.broadcast_to(np.array(loud), shape).copy(),
         np.broadcast_to(np.array(lag, float), shape).copy(),
@@ -72,10 +72,10 @@ def test_inside_is_where_n_has_such_a_lag() -> None:
 
 
 def test_points_are_merged_in_order_with_their_values() -> None:
-    one = Grid(
+    one = FrequencyGrid(
         np.array([[1.0, 3.0]]), np.array([[True, False]]), np.array([[0.1, 0.3]]), np.array([[5.0, 7.0]])
     )
-    other = Grid(np.array([[2.0]]), np.array([[True]]), np.array([[0.2]]), np.array([[6.0]]))
+    other = FrequencyGrid(np.array([[2.0]]), np.array([[True]]), np.array([[0.2]]), np.array([[6.0]]))
     both = merged(one, other)
     assert [each[0].tolist() for each in both] == [
         [1.0, 2.0, 3.0],

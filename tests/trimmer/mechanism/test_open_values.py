@@ -9,7 +9,7 @@ import pytest
 from trimmer import Mechanism, MechanismError
 from trimmer.mechanism import Body, Force, Link, Pin
 from trimmer.mechanism.open_values import OpenValue, open_values
-from trimmer.mechanism.quantities import DISPLACEMENT, QUANTITIES, Quantity
+from trimmer.mechanism.quantities import DISPLACEMENT, QUANTITIES, NumberField
 from trimmer.mechanism.reading import read_mechanism
 from trimmer.mechanism.units import UnitError
 
@@ -96,7 +96,7 @@ def test_a_range_has_two_ends(text: str, ends: tuple[float, float]) -> None:
         ("1 m..2 s", DISPLACEMENT, "'s' does not measure"),
     ],
 )
-def test_what_is_no_range(text: str, wanted: Quantity, reason: str) -> None:
+def test_what_is_no_range(text: str, wanted: NumberField, reason: str) -> None:
     value = OpenValue(("x",), text, wanted)
     if not reason:
         assert value.ends() == (-2.0, -1.0)

@@ -13,9 +13,9 @@ from trimmer.errors import MapFileError
 from trimmer.files import FileKind, FileWriteError
 from trimmer.runners import cluster, processes
 from trimmer.runners.chunks import AHEAD, handed_back
-from trimmer.runners.record_file import Records, appended, as_line, cut
+from trimmer.runners.record_file import RecordFile, appended, as_line, cut
 
-RECORDS = Records(
+RECORDS = RecordFile(
     FileKind("file of a map", re.compile(rb'\{"trimmer map"')),
     "trimmer map",
     3,

@@ -15,7 +15,7 @@ from trimmer.displacement import TrimmerBody
 from trimmer.errors import MissingPackageError
 from trimmer.showing import html
 from trimmer.showing.frame import to_frame
-from trimmer.showing.shown import LONGEST, Record, Tabular, counted
+from trimmer.showing.shown import LONGEST, ShownFields, Tabular, counted
 from trimmer.showing.table import TERMS, Column, Table, arrays, attributes
 
 
@@ -79,7 +79,7 @@ class Made(Tabular):
 
 
 @dataclass(frozen=True)
-class Small(Record):
+class Small(ShownFields):
     value: float
     hidden: int = field(default=3, repr=False)
 

@@ -63,7 +63,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "HarmonicFit": lambda: results.analysis().harmonics,
     "Peak": lambda: results.analysis().peaks[0].peak,
     "AveragedSpectrum": results.averaged,
-    "Comparison": results.comparison,
+    "MotionComparison": results.comparison,
     "Fit": results.fit,
     "SimulatedLines": lambda: trimmer.spectra.SimulatedLines(np.array([1e-3, 2e-6]), 110.0),
     "Recording": lambda: trimmer.signals.Recording((results.signal(),)),
@@ -85,7 +85,7 @@ JSON = {
     "FollowedBranch": ("trimmer follow", "points[]."),
     "MotionMap": ("trimmer map", ""),
     "SpectrumAnalysis": ("trimmer spectrum", "peaks[]."),
-    "Comparison": ("trimmer overlay", "lines[]."),
+    "MotionComparison": ("trimmer overlay", "lines[]."),
     "Fit": ("trimmer fit", "numbers[]."),
 }
 """Section of the document of the JSON, and what stands before the keys."""

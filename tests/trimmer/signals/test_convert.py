@@ -12,7 +12,7 @@ from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 from trimmer.response.simulate import simulate
 from trimmer.signals.convert import Conversion, convert
-from trimmer.signals.quantity import STANDARD_GRAVITY, Quantity
+from trimmer.signals.quantity import STANDARD_GRAVITY, MotionQuantity
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.harmonics import fit_harmonics
 
@@ -39,7 +39,7 @@ def made(values: np.ndarray, derivatives: int, quantity: str, **options: float) 
 @pytest.mark.parametrize("source", [0, 1, 2])
 @pytest.mark.parametrize("wanted", [0, 1, 2])
 def test_lines_in_the_band_are_exact_up_to_what_the_ends_change(source: int, wanted: int) -> None:
-    quantity = list(Quantity)[wanted]
+    quantity = list(MotionQuantity)[wanted]
     conversion = made(exact(TIMES, source), source, quantity.word)
     signal = conversion.signal
     assert (signal.unit, signal.quantity, signal.converted) == (quantity.unit, quantity, wanted - source)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer.signals.fault import Certainty, Clipping, Dropout, FewSteps
+from trimmer.signals.fault import Clipping, Dropout, FaultCertainty, FewSteps
 from trimmer.signals.faults import faults
 from trimmer.signals.signal import Signal
 
@@ -32,7 +32,7 @@ def test_a_clipped_record_is_told(level: float, noise: float) -> None:
     assert told.largest == int((values >= level).sum()) and told.smallest == int((values <= -level).sum())
     assert "largest value and" in told.sentence and "smallest value" in told.sentence
     if level <= 0.9:
-        assert told.certainty is Certainty.LIKELY
+        assert told.certainty is FaultCertainty.LIKELY
     one_sided = clipping(np.minimum(values, level))
     assert one_sided is not None
     assert (one_sided.smallest, one_sided.largest) == (0, told.largest)
@@ -89,7 +89,7 @@ def test_a_play_that_sticks_at_its_extremes_is_only_possibly_clipped() -> None:
     for values in (np.array(output[1:]), np.round(1e7 * np.array(output[1:]))):
         told = clipping(values)
         assert told is not None
-        assert told.certainty is Certainty.POSSIBLE
+        assert told.certainty is FaultCertainty.POSSIBLE
         assert "if the motion does not stand still there" in told.sentence
 
 
@@ -120,15 +120,15 @@ def test_scale_and_time_do_not_matter() -> None:
 @pytest.mark.parametrize(
     ("high", "low", "certainty"),
     [
-        (1.0, 1.0, Certainty.LIKELY),
-        (1.0, 0.97, Certainty.LIKELY),
-        (0.97, 1.0, Certainty.LIKELY),
-        (1.0, 0.9, Certainty.POSSIBLE),
-        (0.9, 1.0, Certainty.POSSIBLE),
+        (1.0, 1.0, FaultCertainty.LIKELY),
+        (1.0, 0.97, FaultCertainty.LIKELY),
+        (0.97, 1.0, FaultCertainty.LIKELY),
+        (1.0, 0.9, FaultCertainty.POSSIBLE),
+        (0.9, 1.0, FaultCertainty.POSSIBLE),
     ],
 )
 def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(
-    high: float, low: float, certainty: Certainty
+    high: float, low: float, certainty: FaultCertainty
 ) -> None:
     values = 0.1 * NOISE
     values[500:504], values[2500:2505] = high, -low
@@ -139,7 +139,7 @@ def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(
     values[4000:4003] = high  # a third run
     told = clipping(values)
     assert told is not None
-    assert (told.certainty, told.largest, told.runs) == (Certainty.LIKELY, 7, 3)
+    assert (told.certainty, told.largest, told.runs) == (FaultCertainty.LIKELY, 7, 3)
 
 
 def test_two_runs_at_one_end_are_only_possibly_clipped_though_a_sample_is_at_the_opposite_level() -> None:
@@ -148,10 +148,10 @@ def test_two_runs_at_one_end_are_only_possibly_clipped_though_a_sample_is_at_the
     values[1500] = -1.0
     told = clipping(values)
     assert told is not None
-    assert (told.certainty, told.runs, told.smallest) == (Certainty.POSSIBLE, 2, 0)
+    assert (told.certainty, told.runs, told.smallest) == (FaultCertainty.POSSIBLE, 2, 0)
 
 
 def test_a_record_of_nothing_but_cut_ends_does_not_tell_whether_it_is_cut() -> None:
     told = clipping(np.array([0.0, *[1.0, 1.0, 1.0, -1.0, -1.0, -1.0] * 4]))
     assert told is not None
-    assert (told.certainty, told.runs) == (Certainty.POSSIBLE, 8)
+    assert (told.certainty, told.runs) == (FaultCertainty.POSSIBLE, 8)

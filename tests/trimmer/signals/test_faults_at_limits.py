@@ -10,7 +10,7 @@ import pytest
 
 from trimmer import Signal, faults
 from trimmer.errors import WrongTypeError
-from trimmer.signals.fault import Certainty, Clipping, Dropout, Fault, FewSteps, Offset
+from trimmer.signals.fault import Clipping, Dropout, Fault, FaultCertainty, FewSteps, Offset
 
 RATE = 500.0
 WAVE = [0, 1, 2, 1, 0, -1, -2, -1]
@@ -26,27 +26,39 @@ def found(kind: type[Fault], values: Sequence[float] | np.ndarray, **options: fl
     ("values", "scale", "expected"),
     [
         # Three levels; a single run is only possibly clipped.
-        ([0, 1, 0, 1, 30, 30, 30, 1, 0, 1, 0], math.inf, (Certainty.POSSIBLE, 3, 0, 1, 4)),
+        ([0, 1, 0, 1, 30, 30, 30, 1, 0, 1, 0], math.inf, (FaultCertainty.POSSIBLE, 3, 0, 1, 4)),
         ([0, 0, 0, 0, 1], math.inf, None),
         # A pair counts at full scale alone, which begins at 0.999 of it.
         ([*WAVE, 40, 40, *WAVE], math.inf, None),
-        ([*WAVE, 40, 40, *WAVE], 40.0 / 0.999, (Certainty.CERTAIN, 2, 0, 1, 8)),
+        ([*WAVE, 40, 40, *WAVE], 40.0 / 0.999, (FaultCertainty.CERTAIN, 2, 0, 1, 8)),
         ([*WAVE, 40, 40, *WAVE], 40.1, None),
         # Two runs at one extreme are few; at both, or three, they are many.
-        ([*NOISY, 30, 30, 30, *NOISY, 30, 30, 30, *NOISY], math.inf, (Certainty.POSSIBLE, 6, 0, 2, 10)),
-        ([*(3 * [*NOISY, 30, 30, 30]), *NOISY], math.inf, (Certainty.LIKELY, 9, 0, 3, 10)),
-        ([*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY], 1e6, (Certainty.LIKELY, 3, 4, 2, 10)),
-        ([*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY], 30.0, (Certainty.CERTAIN, 3, 4, 2, 10)),
+        ([*NOISY, 30, 30, 30, *NOISY, 30, 30, 30, *NOISY], math.inf, (FaultCertainty.POSSIBLE, 6, 0, 2, 10)),
+        ([*(3 * [*NOISY, 30, 30, 30]), *NOISY], math.inf, (FaultCertainty.LIKELY, 9, 0, 3, 10)),
+        ([*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY], 1e6, (FaultCertainty.LIKELY, 3, 4, 2, 10)),
+        (
+            [*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY],
+            30.0,
+            (FaultCertainty.CERTAIN, 3, 4, 2, 10),
+        ),
         # A jump of 12 steps is a rounded crest, of 13 is not; the level below has as many samples.
         ([0, 1, *(4 * [2]), 14, 14, 14, *(4 * [2]), 1], math.inf, None),
-        ([0, 1, *(4 * [2]), 15, 15, 15, *(4 * [2]), 1], math.inf, (Certainty.POSSIBLE, 3, 0, 1, 6)),
+        ([0, 1, *(4 * [2]), 15, 15, 15, *(4 * [2]), 1], math.inf, (FaultCertainty.POSSIBLE, 3, 0, 1, 6)),
         # Coarse steps: more than three times as many samples as the next level has.
         ([0, 1, 2, 3, 3, 3], math.inf, None),
-        ([0, 1, 2, 3, 3, 3, 3], math.inf, (Certainty.POSSIBLE, 4, 0, 1, 3)),
+        ([0, 1, 2, 3, 3, 3, 3], math.inf, (FaultCertainty.POSSIBLE, 4, 0, 1, 3)),
         # A quarter of the record is no crest.
-        ([*np.resize([30.0, 0, 30, 1, 30], 13), *(7 * [60.0])], math.inf, (Certainty.POSSIBLE, 7, 0, 1, 13)),
+        (
+            [*np.resize([30.0, 0, 30, 1, 30], 13), *(7 * [60.0])],
+            math.inf,
+            (FaultCertainty.POSSIBLE, 7, 0, 1, 13),
+        ),
         ([*np.resize([30.0, 0, 30, 1, 30], 12), *(8 * [60.0])], math.inf, None),
-        ([*np.resize([30.0, 0, 30, 1, 30], 31), *(9 * [60.0])], math.inf, (Certainty.POSSIBLE, 9, 0, 1, 31)),
+        (
+            [*np.resize([30.0, 0, 30, 1, 30], 31), *(9 * [60.0])],
+            math.inf,
+            (FaultCertainty.POSSIBLE, 9, 0, 1, 31),
+        ),
         ([*np.resize([30.0, 0, 30, 1, 30], 30), *(10 * [60.0])], math.inf, None),
     ],
 )
@@ -67,9 +79,9 @@ def assert_clipped(told: Fault | None, expected: tuple | None, samples: int) -> 
     assert (told.samples, told.first) == (samples, pytest.approx(0.4 + place / RATE))
 
 
-@pytest.mark.parametrize(("cut", "certainty"), [(3, Certainty.LIKELY), (2, Certainty.POSSIBLE)])
+@pytest.mark.parametrize(("cut", "certainty"), [(3, FaultCertainty.LIKELY), (2, FaultCertainty.POSSIBLE)])
 def test_three_of_five_runs_must_come_faster_than_their_curvature_stops(
-    cut: int, certainty: Certainty
+    cut: int, certainty: FaultCertainty
 ) -> None:
     stopped, stands = (5, 5, 5, 2, 0, 0, -2, -5, -5, -5), (10, 3, 2, 2, 0, 0, -2, -2, -3, -10)
     values = np.cumsum([0.0, 0.1, -0.1, *cut * stopped, *(5 - cut) * stands])

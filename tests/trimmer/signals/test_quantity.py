@@ -5,24 +5,24 @@ import math
 import numpy as np
 import pytest
 
-from trimmer.signals.quantity import MOTION_UNITS, Quantity, in_si, quantity_of
+from trimmer.signals.quantity import MOTION_UNITS, MotionQuantity, in_si, quantity_of
 from trimmer.signals.signal import Signal, SignalError
 
 
 @pytest.mark.parametrize(
     ("unit", "quantity", "size"),
     [
-        ("m", Quantity.DISPLACEMENT, 1.0),
-        ("µm", Quantity.DISPLACEMENT, 1e-6),
-        ("mm/s", Quantity.VELOCITY, 1e-3),
-        ("m/s^2", Quantity.ACCELERATION, 1.0),
-        ("g", Quantity.ACCELERATION, 9.80665),
-        ("mg", Quantity.ACCELERATION, 9.80665e-3),
-        ("V", Quantity.OTHER, 1.0),
-        ("", Quantity.OTHER, 1.0),
+        ("m", MotionQuantity.DISPLACEMENT, 1.0),
+        ("µm", MotionQuantity.DISPLACEMENT, 1e-6),
+        ("mm/s", MotionQuantity.VELOCITY, 1e-3),
+        ("m/s^2", MotionQuantity.ACCELERATION, 1.0),
+        ("g", MotionQuantity.ACCELERATION, 9.80665),
+        ("mg", MotionQuantity.ACCELERATION, 9.80665e-3),
+        ("V", MotionQuantity.OTHER, 1.0),
+        ("", MotionQuantity.OTHER, 1.0),
     ],
 )
-def test_a_unit_tells_quantity_and_size(unit: str, quantity: Quantity, size: float) -> None:
+def test_a_unit_tells_quantity_and_size(unit: str, quantity: MotionQuantity, size: float) -> None:
     assert quantity_of(unit) is quantity
     assert in_si(unit) == pytest.approx(size, rel=1e-15)
     signal = Signal([1.0, -2.0], 1.0, "a", unit, full_scale=4.0).in_si()
@@ -33,15 +33,15 @@ def test_a_unit_tells_quantity_and_size(unit: str, quantity: Quantity, size: flo
 
 
 def test_units_of_si_have_size_one() -> None:
-    for quantity in Quantity:
+    for quantity in MotionQuantity:
         assert in_si(quantity.unit) == 1.0
     assert all(0 < size < 10 for _, size in MOTION_UNITS.values())
 
 
 def test_what_is_no_motion_has_no_derivatives() -> None:
-    assert [each.derivatives for each in Quantity if each is not Quantity.OTHER] == [0, 1, 2]
+    assert [each.derivatives for each in MotionQuantity if each is not MotionQuantity.OTHER] == [0, 1, 2]
     with pytest.raises(ValueError, match="not known how the signal follows"):
-        _ = Quantity.OTHER.derivatives
+        _ = MotionQuantity.OTHER.derivatives
 
 
 def test_a_part_of_a_signal_keeps_its_times() -> None:

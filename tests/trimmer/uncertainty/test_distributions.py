@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.distributions import JointScatter, Normal, Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.points import Plan, within_cube
 
 SHARES = np.array([1e-6, 0.1, 0.5, 0.9, 1 - 1e-6])
@@ -35,7 +35,7 @@ def test_samples_have_the_moments_that_were_asked_for(plan: Plan) -> None:
         Scatter("b", "N", Uniform(2.0, 5.0)),
         Scatter("c", "kg", Normal(-3.0, 1.0)),
     )
-    uncertainty = Uncertainty(scatters, (Joint(("a", "c"), covariance),))
+    uncertainty = Uncertainty(scatters, (JointScatter(("a", "c"), covariance),))
     values = uncertainty.values(plan.points(2**14, 3, 7))
     np.testing.assert_allclose(values.mean(axis=0), [1.0, 3.5, -3.0], atol=0.02)
     found = np.cov(values.T)
@@ -46,7 +46,7 @@ def test_samples_have_the_moments_that_were_asked_for(plan: Plan) -> None:
 
 def test_two_numbers_that_are_one_scatter_as_one() -> None:
     scatters = (Scatter("a", "m", Normal(0.0, 1.0)), Scatter("b", "m", Normal(5.0, 2.0)))
-    values = Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 2.0), (2.0, 4.0))),)).values(
+    values = Uncertainty(scatters, (JointScatter(("a", "b"), ((1.0, 2.0), (2.0, 4.0))),)).values(
         Plan.LATIN_HYPERCUBE.points(50, 2, 1)
     )
     np.testing.assert_allclose(values[:, 1] - 5.0, 2.0 * values[:, 0], atol=1e-7)
@@ -55,8 +55,8 @@ def test_two_numbers_that_are_one_scatter_as_one() -> None:
 def test_only_numbers_that_tell_of_each_other_are_dependent() -> None:
     scatters = (Scatter("a", "m", Normal(0.0, 1.0)), Scatter("b", "m", Normal(5.0, 2.0)))
     assert Uncertainty(scatters).independent
-    assert Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 0.0), (0.0, 4.0))),)).independent
-    assert not Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 0.1), (0.1, 4.0))),)).independent
+    assert Uncertainty(scatters, (JointScatter(("a", "b"), ((1.0, 0.0), (0.0, 4.0))),)).independent
+    assert not Uncertainty(scatters, (JointScatter(("a", "b"), ((1.0, 0.1), (0.1, 4.0))),)).independent
 
 
 def test_a_latin_hypercube_has_one_point_in_each_slice() -> None:
@@ -92,7 +92,7 @@ def test_a_uniform_distribution_ends() -> None:
 def test_values_are_placed_by_column_each_with_its_own_mean() -> None:
     """Those that scatter together are drawn by a root of their covariance, whatever their order."""
     covariance = np.array([[0.25, 0.0, 0.3], [0.0, 4.0, 1.2], [0.3, 1.2, 1.0]])
-    joint = Joint(("c", "a", "b"), tuple(map(tuple, covariance.tolist())))
+    joint = JointScatter(("c", "a", "b"), tuple(map(tuple, covariance.tolist())))
     scatters = tuple(
         Scatter(name, "m", each)
         for name, each in zip(

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from trimmer.errors import UncertaintyError
-from trimmer.uncertainty.distributions import Joint, Normal, Scatter, Uncertainty
+from trimmer.uncertainty.distributions import JointScatter, Normal, Scatter, Uncertainty
 from trimmer.uncertainty.indices import indices_of, require_independent, saltelli_points
 
 pytest.importorskip("SALib")
@@ -69,4 +69,4 @@ def test_without_salib_it_is_told_how_to_get_it(monkeypatch: pytest.MonkeyPatch)
 def test_dependent_numbers_are_refused() -> None:
     scatters = (Scatter("a", "m", Normal(0.0, 1.0)), Scatter("b", "m", Normal(5.0, 2.0)))
     with pytest.raises(UncertaintyError, match="has a covariance"):
-        require_independent(Uncertainty(scatters, (Joint(("a", "b"), ((1.0, 0.1), (0.1, 4.0))),)))
+        require_independent(Uncertainty(scatters, (JointScatter(("a", "b"), ((1.0, 0.1), (0.1, 4.0))),)))

@@ -12,19 +12,16 @@ from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
 from trimmer.command_line.main import main
 from trimmer.ensembles.limit_cycles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
-from trimmer.parameter_files import parameters_as_toml
 from trimmer.parameters import ParameterError
 from trimmer.uncertainty.loop_samples import LoopSamples, read_loop_file, sample_loop
 from trimmer.uncertainty.points import Plan
-from trimmer.uncertainty.samples import SampleSettings
+from trimmer.uncertainty.sample_inputs import SampleSettings
 
 GAP = 4e-5
 
 
 def written(path, lines: str):
-    path.write_text(
-        f"{parameters_as_toml(TrimmerParameters.thesis())}\n[uncertainty]\n{lines}\n", encoding="utf-8"
-    )
+    path.write_text(f"{TrimmerParameters.thesis().to_toml()}\n[uncertainty]\n{lines}\n", encoding="utf-8")
     return path
 
 

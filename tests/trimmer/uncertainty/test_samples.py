@@ -12,15 +12,16 @@ import pytest
 from trimmer import MotionKind, respond
 from trimmer.command_line.main import main
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, Trial
+from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
-from trimmer.uncertainty.kept import Keeping
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.sample_file import sample_file_of_text
-from trimmer.uncertainty.samples import SampleSettings, sample_mechanism
+from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.sample_records import Keeping
+from trimmer.uncertainty.samples import sample_mechanism
 from trimmer.uncertainty.study import study_samples
 
 TEXT = """
@@ -43,7 +44,7 @@ stroke_at_least = 0.9
 """
 FILE = sample_file_of_text(TEXT, "stop.toml")
 SETTINGS = SampleSettings(count=10, seed=4, most_periods=60)
-STROKE = Asked(Measure.STROKE, "x")
+STROKE = MeasureOfPart(Measure.STROKE, "x")
 
 
 @pytest.fixture(scope="module")

@@ -9,11 +9,12 @@ from trimmer.arguments import finite_number, positive_number, whole_number
 from trimmer.arrays import Reals
 from trimmer.branches.special import SpecialKind
 from trimmer.choices import Choice
+from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, arrays
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    pass
 
 
 class LocusEnd(Choice):
@@ -87,10 +88,12 @@ class LocusRanges:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Locus(Tabular):
+class Locus(Tabular, Drawn):
     """Where a special point lies over two numbers: of each pair the exact orbit is known.
 
     Each point is located as on a branch, to some 1e-10 of the numbers.
+
+    ``plot`` draws it over both numbers, in their units, such as over a map.
 
     Attributes:
         kind: What happens there.
@@ -135,19 +138,6 @@ class Locus(Tabular):
         """What it is, with the parts, for a legend."""
         parts = f", {' and '.join(self.parts)}" if self.parts else ""
         return f"{self.kind.word}{parts}"
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the locus over both numbers, in their units.
-
-        Args:
-            ax: Where to draw, such as over a map; new axes if not given.
-
-        Raises:
-            WrongTypeError: if ``ax`` is no Matplotlib axes.
-        """
-        from trimmer.drawing.mechanisms.curves import draw_curves
-
-        return draw_curves([(self.name, self.values)], self.places, self.units, ax)
 
     def _told(self) -> str:
         over, points = " and ".join(self.places), counted(len(self.values), "point")

@@ -27,8 +27,8 @@ from trimmer.files import SAMPLES
 
 if TYPE_CHECKING:
     from trimmer.uncertainty.sample_file import SampleFile
-    from trimmer.uncertainty.samples import SampleSettings
-    from trimmer.uncertainty.study import Study
+    from trimmer.uncertainty.sample_inputs import SampleSettings
+    from trimmer.uncertainty.study import SampleStudy
 
 COUNT = 512
 CHANNELS = ("both", "displacement")
@@ -145,8 +145,8 @@ def _check(arguments: Namespace) -> None:
     check_targets(arguments, targets, {"file": "the file of the mechanism"})
 
 
-def _study(arguments: Namespace, file: SampleFile) -> Study:
-    from trimmer.uncertainty.kept import Keeping
+def _study(arguments: Namespace, file: SampleFile) -> SampleStudy:
+    from trimmer.uncertainty.sample_records import Keeping
     from trimmer.uncertainty.study import study_samples
 
     return study_samples(
@@ -162,7 +162,7 @@ def _study(arguments: Namespace, file: SampleFile) -> Study:
 
 def _settings(arguments: Namespace) -> SampleSettings:
     from trimmer.uncertainty.points import Plan
-    from trimmer.uncertainty.samples import SampleSettings
+    from trimmer.uncertainty.sample_inputs import SampleSettings
 
     plan = Plan.chosen(arguments.plan, "plan")
     return SampleSettings(arguments.count, plan, arguments.seed, arguments.periods)

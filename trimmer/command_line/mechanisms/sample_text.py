@@ -16,16 +16,16 @@ from trimmer.uncertainty.statistics import Distribution, Quantile, Share, distri
 from trimmer.uncertainty.study import name_of
 
 if TYPE_CHECKING:
-    from trimmer.uncertainty.balance import Balanced
+    from trimmer.uncertainty.balance import BalancedSamples
     from trimmer.uncertainty.indices import Index, Indices
     from trimmer.uncertainty.samples import Samples
-    from trimmer.uncertainty.study import Study
+    from trimmer.uncertainty.study import SampleStudy
 
 MOST_LINES = 8
 """Numbers that the text lists for each quantity."""
 
 
-def as_text(study: Study) -> str:
+def as_text(study: SampleStudy) -> str:
     """Return what samples tell, for people."""
     samples = study.samples
     lines = [*_yield_lines(samples), "what it settles to"]
@@ -100,7 +100,7 @@ def index_lines(indices: Indices) -> Iterator[str]:
     yield f"  {indices.message}"
 
 
-def _balanced_lines(balanced: Balanced) -> Iterator[str]:
+def _balanced_lines(balanced: BalancedSamples) -> Iterator[str]:
     if not balanced.numbers:
         yield "harmonic balance: no sample repeats, so there is nothing to hold it against"
         return
@@ -111,7 +111,7 @@ def _balanced_lines(balanced: Balanced) -> Iterator[str]:
     )
 
 
-def as_json(study: Study) -> str:
+def as_json(study: SampleStudy) -> str:
     """Return what samples tell, for programs; see docs/json.md."""
     samples = study.samples
     total = len(samples.trials)
@@ -196,7 +196,7 @@ def index_data(index: Index) -> dict[str, Any]:
     }
 
 
-def _balanced(balanced: Balanced) -> dict[str, Any]:
+def _balanced(balanced: BalancedSamples) -> dict[str, Any]:
     return {
         "harmonics": balanced.harmonics,
         "samples": list(balanced.numbers),

@@ -1,1 +1,1 @@
-"""The subcommand for measured signals, with its options and texts."""
+"""The subcommands for measured signals, with their options and texts."""

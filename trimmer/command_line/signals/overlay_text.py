@@ -16,7 +16,7 @@ from trimmer.command_line.table import table
 
 if TYPE_CHECKING:
     from trimmer.command_line.signals.signal_options import ChosenRecording
-    from trimmer.spectra.comparison import Comparison
+    from trimmer.spectra.comparison import MotionComparison
 
 _OTHER_FREQUENCY = 2e-3
 _SMALLEST = 1e-4
@@ -24,7 +24,7 @@ _SMALLEST = 1e-4
 
 @dataclass(frozen=True)
 class Compared:
-    """What is shown of a comparison.
+    """A comparison with what its text and JSON say of the two motions.
 
     Attributes:
         file: File of the measurement.
@@ -40,7 +40,7 @@ class Compared:
     output: str
     settled: str
     chosen: ChosenRecording
-    comparison: Comparison
+    comparison: MotionComparison
 
 
 def as_text(compared: Compared) -> str:
@@ -75,7 +75,7 @@ def as_json(compared: Compared) -> str:
     return document(content)
 
 
-def _line_json(comparison: Comparison, place: int) -> dict[str, Any]:
+def _line_json(comparison: MotionComparison, place: int) -> dict[str, Any]:
     difference = float(comparison.decibels[place])
     return {
         "order": [place + 1, comparison.period_count],
@@ -144,7 +144,7 @@ def _alignment(compared: Compared) -> Iterator[str]:
     )
 
 
-def _lines(comparison: Comparison) -> Iterator[str]:
+def _lines(comparison: MotionComparison) -> Iterator[str]:
     unit, count = comparison.signal.unit, comparison.period_count
     largest = max(float(np.abs(comparison.measured).max()), float(np.abs(comparison.simulated).max()))
     rows = [

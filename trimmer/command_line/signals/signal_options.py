@@ -276,10 +276,10 @@ def _with_unit(arguments: Namespace, signal: Signal) -> Signal:
 
 
 def _refuse_clipped(arguments: Namespace, found: tuple[Fault, ...]) -> None:
-    from trimmer.signals.fault import Certainty, Clipping
+    from trimmer.signals.fault import Clipping, FaultCertainty
 
     for fault in found:
-        clipped = isinstance(fault, Clipping) and fault.certainty is not Certainty.POSSIBLE
+        clipped = isinstance(fault, Clipping) and fault.certainty is not FaultCertainty.POSSIBLE
         if clipped and arguments.clipped == "refuse":
             raise OptionError(f"{arguments.file}: {fault.sentence}")
 

@@ -23,7 +23,7 @@ from trimmer.files import CSV, STANDARD_INPUT, WAV
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.command_line.signals.spectrum_text import Predictions
+    from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
     from trimmer.signals.signal import Signal
     from trimmer.signals.wav import WavFile
     from trimmer.spectra.analysis import SpectrumAnalysis
@@ -84,7 +84,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.command_line.signals.spectrum_text import Shown, as_json, as_text
+    from trimmer.command_line.signals.spectrum_text import ShownSignal, as_json, as_text
     from trimmer.signals.signal import SignalError
 
     _check(arguments)
@@ -99,7 +99,7 @@ def _run(arguments: Namespace) -> int:
         _write_csv(arguments, signal)
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
-    shown = Shown(arguments.file, analysis, predictions, chosen, averaged, wav)
+    shown = ShownSignal(arguments.file, analysis, predictions, chosen, averaged, wav)
     show((as_json if arguments.json else as_text)(shown), arguments.plot, arguments.wav, arguments.csv)
     return 0
 
@@ -116,17 +116,17 @@ def _check(arguments: Namespace) -> None:
     check_targets(arguments, {"plot": PICTURES, "wav": {".wav": WAV}, "csv": {"": CSV}}, sources)
 
 
-def _predictions(arguments: Namespace) -> Predictions:
+def _predictions(arguments: Namespace) -> PredictedFrequencies:
     """Find natural modes, and limit cycles if a gap is given."""
     from trimmer.balance.solve import harmonic_balance
-    from trimmer.command_line.signals.spectrum_text import Predictions
+    from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
     from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
     from trimmer.linear.modes import modes
 
     cycles: tuple[LimitCycle, ...] = ()
     if arguments.gap is not None:
         cycles = harmonic_balance(linear_part(arguments), FrictionBacklash(arguments.gap)).limit_cycles
-    return Predictions(
+    return PredictedFrequencies(
         source="the thesis's trimmer" if arguments.parameters is None else str(arguments.parameters),
         natural_frequencies=tuple(mode.frequency for mode in modes(chosen_parameters(arguments))),
         gap=arguments.gap,
@@ -134,7 +134,7 @@ def _predictions(arguments: Namespace) -> Predictions:
     )
 
 
-def _analysis(arguments: Namespace, signal: Signal, predictions: Predictions) -> SpectrumAnalysis:
+def _analysis(arguments: Namespace, signal: Signal, predictions: PredictedFrequencies) -> SpectrumAnalysis:
     from trimmer.errors import SignalWarning
     from trimmer.spectra.analysis import analyse_signal
 

@@ -37,7 +37,7 @@ _SMALLEST_HARMONIC = 1e-4
 
 
 @dataclass(frozen=True)
-class Predictions:
+class PredictedFrequencies:
     """Frequencies that the model predicts.
 
     Attributes:
@@ -54,7 +54,7 @@ class Predictions:
 
 
 @dataclass(frozen=True)
-class Shown:
+class ShownSignal:
     """What is shown of a signal.
 
     Attributes:
@@ -68,13 +68,13 @@ class Shown:
 
     file: Path
     analysis: SpectrumAnalysis
-    predictions: Predictions
+    predictions: PredictedFrequencies
     chosen: ChosenRecording
     averaged: AveragedSpectrum | None
     wav: WavFile | None
 
 
-def as_text(shown: Shown) -> str:
+def as_text(shown: ShownSignal) -> str:
     """Return spectrum, harmonics and peaks as short tables: Hz, degrees, the unit of the signal."""
     analysis, predictions = shown.analysis, shown.predictions
     sections = [list(_head(shown))]
@@ -89,7 +89,7 @@ def as_text(shown: Shown) -> str:
     return "\n\n".join("\n".join(lines) for lines in sections)
 
 
-def as_json(shown: Shown) -> str:
+def as_json(shown: ShownSignal) -> str:
     """Return spectrum, harmonics and peaks as JSON: full precision, Hz, rad, the unit of the signal.
 
     Phases are those of cosines.
@@ -113,7 +113,7 @@ def as_json(shown: Shown) -> str:
     return document(content)
 
 
-def _head(shown: Shown) -> Iterator[str]:
+def _head(shown: ShownSignal) -> Iterator[str]:
     signal, spectrum = shown.analysis.signal, shown.analysis.spectrum
     yield (
         f"{signal.heading} of {shown.file}: {signal.values.size} samples at {signal.sample_rate:.9g} Hz, "
@@ -160,7 +160,7 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
     yield from table(heads, rows)
 
 
-def _candidates(analysis: SpectrumAnalysis, predictions: Predictions) -> Iterator[str]:
+def _candidates(analysis: SpectrumAnalysis, predictions: PredictedFrequencies) -> Iterator[str]:
     yield "Candidates"
     if analysis.harmonics is not None:
         yield f"  harmonics of {analysis.harmonics.frequency:.9g} Hz"

@@ -8,9 +8,11 @@ from __future__ import annotations
 import itertools
 from typing import TYPE_CHECKING
 
+from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.special import SpecialKind
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import new_figure
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis
 from trimmer.errors import MechanismError
@@ -21,7 +23,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from trimmer.branches.followed import FollowedBranch
 
 WIDTH, HEIGHT = 7.2, 3.4
 MARKERS = {
@@ -43,10 +44,10 @@ def branch_figure(branch: FollowedBranch) -> Figure:
     return figure
 
 
-def draw_branch(branch: FollowedBranch, ax: Axes | None = None, output: str | None = None) -> Axes:
-    """Draw peak to peak of an output over the number that is varied; see ``FollowedBranch.plot``."""
+@draw.register(FollowedBranch)
+def draw_branch(branch: FollowedBranch, axes: Axes, output: str | None = None) -> None:
+    """Draw peak to peak of an output over the number that is varied."""
     name = _chosen(branch, output)
-    axes = axes_for(ax)
     shown = [each for each in branch.all() if each.points]
     periods = sorted({each.periods for each in shown})
     for each in shown:
@@ -57,7 +58,6 @@ def draw_branch(branch: FollowedBranch, ax: Axes | None = None, output: str | No
     name_axis(axes.yaxis, f"{name}, peak to peak", branch.units[name])
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
 def _outputs(branch: FollowedBranch) -> list[str]:

@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.lines import Line2D
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.branches.loci.locus import Locus
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK
 from trimmer.drawing.units import name_axis
+from trimmer.maps.special_curve import SpecialCurve, SpecialCurves
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -24,21 +27,35 @@ if TYPE_CHECKING:
 STYLES: tuple[Dashes, ...] = ("-", "--", "-.", ":")
 
 
+@draw.register(Locus)
+def draw_locus(locus: Locus, axes: Axes) -> None:
+    """Draw a locus over both numbers."""
+    draw_curves(axes, [(locus.name, locus.values)], locus.places, locus.units)
+
+
+@draw.register(SpecialCurve)
+def draw_special_curve(curve: SpecialCurve, axes: Axes) -> None:
+    """Draw a curve over both numbers."""
+    draw_special_curves(SpecialCurves((curve,), ""), axes)
+
+
+@draw.register(SpecialCurves)
+def draw_special_curves(curves: SpecialCurves, axes: Axes) -> None:
+    """Draw the curves over both numbers."""
+    draw_curves(axes, curves.drawn, *curves.places_and_units)
+
+
 def draw_curves(
-    curves: Iterable[tuple[str, ArrayLike]],
-    places: tuple[str, str],
-    units: tuple[str, str],
-    ax: Axes | None = None,
-) -> Axes:
-    """Draw curves over two numbers; see ``SpecialCurves.plot``.
+    axes: Axes, curves: Iterable[tuple[str, ArrayLike]], places: tuple[str, str], units: tuple[str, str]
+) -> None:
+    """Draw curves over two numbers.
 
     Args:
+        axes: Where; the limits of axes that hold a map stay.
         curves: What each is, and its values of the two numbers, SI units, (points, 2).
         places: Dotted places of the numbers.
         units: Their units, empty for a number.
-        ax: Where; new axes if not given. The limits of axes that hold a map stay.
     """
-    axes = axes_for(ax)
     held = axes.has_data()
     handles = add_curves(axes, curves, hold=held)
     if not held:
@@ -48,7 +65,6 @@ def draw_curves(
     legend = axes.get_legend()
     before = [] if legend is None else list(legend.legend_handles)
     add_legend(axes, [*(each for each in before if each is not None), *handles])
-    return axes
 
 
 def add_curves(axes: Axes, curves: Iterable[tuple[str, ArrayLike]], *, hold: bool) -> list[Line2D]:

@@ -28,7 +28,7 @@ HATCHES |= {"not settled": "||", "diverging": "++"}
 
 @dataclass(frozen=True)
 class Category:
-    """What areas of a map have in common.
+    """A kind of motion in a map, with its look.
 
     Attributes:
         name: What it is, in plain words.

@@ -7,11 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
 from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.mechanisms.curves import add_curves
 from trimmer.drawing.mechanisms.kinds import Category, categories, category, legend_of
 from trimmer.drawing.units import name_axis
+from trimmer.errors import MapError
+from trimmer.maps.basin import Basin
+from trimmer.maps.result import MotionMap
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
@@ -22,17 +26,15 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers
-    from trimmer.maps.basin import Basin
-    from trimmer.maps.result import MotionMap
 
 BASIN_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
 """Of the motions of a basin in turn: the colours of Okabe and Ito."""
 BASIN_HATCHES = ("", "", "//", "..", "\\\\", "xx", "")
 
 
-def draw_map(result: MotionMap, ax: Axes | None = None, curves: Iterable[tuple[str, ArrayLike]] = ()) -> Axes:
-    """Draw the kinds of motion of a map; see ``MotionMap.plot``."""
-    axes = axes_for(ax)
+@draw.register(MotionMap)
+def draw_map(result: MotionMap, axes: Axes, curves: Iterable[tuple[str, ArrayLike]] = ()) -> None:
+    """Draw the kinds of motion of a map."""
     motions = [cell.motions[0] for cell in result.cells]
     found = {category(motion) for motion in motions}
     legend = [each for each in categories() if each in found]
@@ -44,7 +46,6 @@ def draw_map(result: MotionMap, ax: Axes | None = None, curves: Iterable[tuple[s
         draw_areas(axes, result, numbers, legend)
         lines = add_curves(axes, curves, hold=True)
     add_legend(axes, [*legend_of(legend, result.inputs.settings.most_periods), *lines])
-    return axes
 
 
 def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
@@ -71,13 +72,14 @@ def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequenc
     name_axis(axes.xaxis, result.places[0], result.units[0])
 
 
-def draw_basin(basin: Basin, ax: Axes | None = None) -> Axes:
-    """Draw which motion is reached from where; see ``Basin.plot``."""
-    axes = axes_for(ax)
+@draw.register(Basin)
+def draw_basin(basin: Basin, axes: Axes) -> None:
+    """Draw which motion is reached from where."""
+    if len(basin.result.places) != 2:
+        raise MapError("only a basin over two initial values can be drawn: vary two")
     legend = [_of_basin(basin, number) for number in range(len(basin.motions))]
     draw_areas(axes, basin.result, basin.number, legend)
     add_legend(axes, legend_of(legend, basin.result.inputs.settings.most_periods))
-    return axes
 
 
 def _of_basin(basin: Basin, number: int) -> Category:

@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.motion.part import TOUCHING, Phase
 from trimmer.motion.signals import Readout, Steady, rate, read, while_status
+from trimmer.response.motion import MechanismMotion
+from trimmer.response.orbit import Orbit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -34,9 +37,20 @@ def signals_of(flow: Flow) -> Mapping[str, Readout]:
     return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}
 
 
-def draw_motion(flow: Flow, course: Course, ax: Axes | None = None) -> Axes:
-    """Draw outputs over time, s, with contact and stick marked; see ``Response.plot``."""
-    axes = axes_for(ax)
+@draw.register(MechanismMotion)
+def draw_simulated(motion: MechanismMotion, axes: Axes) -> None:
+    """Draw a simulated motion over time."""
+    draw_motion(motion.flow, motion.course, axes)
+
+
+@draw.register(Orbit)
+def draw_orbit(orbit: Orbit, axes: Axes) -> None:
+    """Draw an orbit in the phase plane."""
+    draw_phase_plane(orbit.flow, orbit.course, axes)
+
+
+def draw_motion(flow: Flow, course: Course, axes: Axes) -> None:
+    """Draw outputs over time, s, with contact and stick marked."""
     times = np.linspace(0.0, course.duration, POINTS)
     states, rows = course.states(times), _rows(course, times)
     signals = signals_of(flow)
@@ -50,7 +64,6 @@ def draw_motion(flow: Flow, course: Course, ax: Axes | None = None) -> Axes:
     axes.grid(alpha=0.3)
     draw_strips(axes, strips_of(flow, course))
     add_legend(axes)
-    return axes
 
 
 def _rows(course: Course, times: Reals) -> Integers:
@@ -70,9 +83,8 @@ def strips_of(flow: Flow, course: Course) -> list[Strip]:
     return found
 
 
-def draw_phase_plane(flow: Flow, course: Course, ax: Axes | None = None) -> Axes:
+def draw_phase_plane(flow: Flow, course: Course, axes: Axes) -> None:
     """Draw the rate of the first output over itself; dots mark the starts of drive periods."""
-    axes = axes_for(ax)
     (name, first), *_ = signals_of(flow).items()
     plane = first, replace(first, signal=rate(flow.modes, first.signal))
     times = np.linspace(0.0, course.duration, POINTS)
@@ -84,7 +96,6 @@ def draw_phase_plane(flow: Flow, course: Course, ax: Axes | None = None) -> Axes
         axes.plot(*points, "o", color=BLACK, markersize=4, label="start of a drive period")
     _name_plane(axes, name, first.unit)
     add_legend(axes)
-    return axes
 
 
 def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int = 0) -> None:

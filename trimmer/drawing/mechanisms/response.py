@@ -8,7 +8,9 @@ import numpy as np
 
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.mechanisms.motions import draw_motion, draw_phase_plane, draw_section
+from trimmer.response.response import Response
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
     from trimmer.motion.flow import Course, Flow
     from trimmer.response.motion import MechanismMotion
-    from trimmer.response.response import Response, SettledMotion
+    from trimmer.response.response import SettledMotion
 
 SIZE = (7.6, 7.2)
 CLOSE = 0.05
@@ -25,9 +27,10 @@ SHOWN = 8
 """Drive periods that are shown of a motion that does not repeat."""
 
 
-def draw_settled(motion: SettledMotion, ax: Axes | None = None) -> Axes:
-    """Draw what one motion does over time; see ``Response.plot``."""
-    return draw_motion(*shown(motion), ax)
+@draw.register(Response)
+def draw_response(response: Response, axes: Axes) -> None:
+    """Draw what the motion of the first start does over time."""
+    draw_motion(*shown(response.motion), axes)
 
 
 def response_figure(response: Response) -> Figure:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from trimmer.design.trial import Asked
+    from trimmer.design.trial import MeasureOfPart
     from trimmer.uncertainty.samples import Samples
 
 COLUMNS = 2
@@ -37,7 +37,7 @@ def sample_figure(samples: Samples) -> Figure:
     return figure
 
 
-def draw_distribution(samples: Samples, asked: Asked, axes: Axes) -> Axes:
+def draw_distribution(samples: Samples, asked: MeasureOfPart, axes: Axes) -> Axes:
     """Draw the histogram of a measure; what misses its target is hatched."""
     values = samples.measured(asked)
     values = values[np.isfinite(values)]

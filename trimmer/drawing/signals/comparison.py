@@ -6,18 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import new_figure
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.signals.spectrum import outline
 from trimmer.drawing.units import name_axis
+from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.spectrum import amplitude_spectrum
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from trimmer.spectra.comparison import Comparison
 
 SIZE = (7.2, 6.8)
 SAMPLES = 2000
@@ -25,7 +26,7 @@ SAMPLES = 2000
 MEASURED, SIMULATED = "0.45", COLOURS[1]
 
 
-def comparison_figure(comparison: Comparison) -> Figure:
+def comparison_figure(comparison: MotionComparison) -> Figure:
     """Draw spectra over each other, and waveforms aligned in time."""
     figure = new_figure(*SIZE)
     above, below = figure.subplots(2)
@@ -34,9 +35,10 @@ def comparison_figure(comparison: Comparison) -> Figure:
     return figure
 
 
-def draw_comparison(comparison: Comparison, ax: Axes | None = None) -> Axes:
-    """Draw the measured spectrum and the lines of both; see ``Comparison.plot``."""
-    axes, signal = axes_for(ax), comparison.signal
+@draw.register(MotionComparison)
+def draw_comparison(comparison: MotionComparison, axes: Axes) -> None:
+    """Draw the measured spectrum and the lines of both."""
+    signal = comparison.signal
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate)
     frequency, amplitude = outline(spectrum, float(comparison.frequencies[-1]))
     axes.semilogy(frequency, amplitude, color=MEASURED, linewidth=0.9, label="measured")
@@ -49,12 +51,11 @@ def draw_comparison(comparison: Comparison, ax: Axes | None = None) -> Axes:
     axes.set_ylabel(f"amplitude, {signal.unit}", parse_math=False)
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
-def draw_waveforms(comparison: Comparison, ax: Axes | None = None) -> Axes:
+def draw_waveforms(comparison: MotionComparison, axes: Axes) -> None:
     """Draw samples, and the lines of both added up, over a period of the simulation."""
-    axes, signal = axes_for(ax), comparison.signal
+    signal = comparison.signal
     times, measured, simulated = comparison.waveforms()
     places = np.linspace(0, signal.values.size - 1, min(SAMPLES, signal.values.size)).astype(int)
     folded = np.mod(places / signal.sample_rate, comparison.period)
@@ -70,4 +71,3 @@ def draw_waveforms(comparison: Comparison, ax: Axes | None = None) -> Axes:
     )
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes

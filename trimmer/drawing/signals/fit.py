@@ -6,17 +6,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import new_figure
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.units import name_axis
+from trimmer.fitting.result import Fit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from trimmer.arrays import Reals
-    from trimmer.fitting.result import Fit
 
 WIDTH, HEIGHT = 6.6, 8.0
 """Inches of the picture of one output."""
@@ -37,9 +38,15 @@ def fit_figure(fit: Fit) -> Figure:
     return figure
 
 
-def draw_waveform(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
-    """Draw the measurement averaged over its periods, and the fitted motion; see ``Fit.plot``."""
-    axes, signal = axes_for(ax), fit.measured.signals[output]
+@draw.register(Fit)
+def draw_fit(fit: Fit, axes: Axes) -> None:
+    """Draw the first output over a period."""
+    draw_waveform(fit, fit.measured.outputs[0], axes)
+
+
+def draw_waveform(fit: Fit, output: str, axes: Axes) -> None:
+    """Draw the measurement averaged over its periods, and the fitted motion."""
+    signal = fit.measured.signals[output]
     times, _, simulated = fit.waveforms(output)
     folded, means = averaged(fit, output)
     count = int(fit.measured.periods / fit.measured.period_count)
@@ -50,12 +57,11 @@ def draw_waveform(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     name_axis(axes.yaxis, f"{output}, {signal.quantity.word}", signal.unit)
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
-def draw_rest(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
+def draw_rest(fit: Fit, output: str, axes: Axes) -> None:
     """Draw averaged measurement less fitted motion over a period, and how much noise that mean has."""
-    axes, signal = axes_for(ax), fit.measured.signals[output]
+    signal = fit.measured.signals[output]
     place = fit.measured.outputs.index(output)
     times, measured, simulated = fit.waveforms(output)
     noise = float(np.linalg.norm(fit.measured.deviations[:, place]))
@@ -67,12 +73,11 @@ def draw_rest(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     name_axis(axes.yaxis, "left", signal.unit)
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
-def draw_lines(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
+def draw_lines(fit: Fit, output: str, axes: Axes) -> None:
     """Draw measured and fitted lines, what is left of them, and the noise between them."""
-    axes, signal = axes_for(ax), fit.measured.signals[output]
+    signal = fit.measured.signals[output]
     place = fit.measured.outputs.index(output)
     frequencies = fit.measured.frequencies
     measured, simulated = fit.measured.lines[:, place], fit.simulated[:, place]
@@ -98,7 +103,6 @@ def draw_lines(fit: Fit, output: str, ax: Axes | None = None) -> Axes:
     axes.set_ylabel(f"amplitude, {signal.unit}", parse_math=False)
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
 def averaged(fit: Fit, output: str) -> tuple[Reals, Reals]:

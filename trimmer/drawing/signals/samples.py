@@ -6,39 +6,26 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line, plain_label
 from trimmer.drawing.units import name_axis
+from trimmer.signals.signal import Signal
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
-    from trimmer.linear.in_time import TimeResponse
-    from trimmer.signals.signal import Signal
 
 MOST_POINTS = 8000
 """Samples up to which each is drawn; of more, the lowest and the highest of each block."""
 
 
-def draw_signal(signal: Signal, ax: Axes | None = None) -> Axes:
-    """Draw samples over time, s; see ``Signal.plot``."""
-    axes = axes_for(ax)
+@draw.register(Signal)
+def draw_signal(signal: Signal, axes: Axes) -> None:
+    """Draw samples over time, s."""
     axes.plot(*thinned(signal.times, signal.values), label=plain_label(signal.name), linewidth=1.0, **line(0))
-    _finish(axes)
+    finish_time(axes)
     name_axis(axes.yaxis, signal.name, signal.unit)
-    return axes
-
-
-def draw_time_response(response: TimeResponse, ax: Axes | None = None) -> Axes:
-    """Draw inputs and outputs over time, s; see ``TimeResponse.plot``."""
-    axes = axes_for(ax)
-    for number, (name, values) in enumerate(response.named.items()):
-        axes.plot(*thinned(response.time, values), label=plain_label(name), **line(number))
-    _finish(axes)
-    name_axis(axes.yaxis, "signal, in its unit", "")
-    add_legend(axes)
-    return axes
 
 
 def thinned(times: Reals, values: Reals) -> tuple[Reals, Reals]:
@@ -57,7 +44,8 @@ def thinned(times: Reals, values: Reals) -> tuple[Reals, Reals]:
     return times[kept], values[kept]
 
 
-def _finish(axes: Axes) -> None:
+def finish_time(axes: Axes) -> None:
+    """Name the axis of time, which has no margins."""
     axes.margins(x=0.0)
     name_axis(axes.xaxis, "time", "s")
     axes.grid(alpha=0.3)

@@ -6,9 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend, axes_for
+from trimmer.drawing.axes import add_legend
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, colour
+from trimmer.spectra.analysis import SpectrumAnalysis
+from trimmer.spectra.averaged import AveragedSpectrum
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
+from trimmer.spectra.harmonics import HarmonicFit
+from trimmer.spectra.spectrum import Spectrum
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,11 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Reals
-    from trimmer.spectra.analysis import SpectrumAnalysis
-    from trimmer.spectra.averaged import AveragedSpectrum
-    from trimmer.spectra.harmonics import HarmonicFit
     from trimmer.spectra.peaks import Peak
-    from trimmer.spectra.spectrum import Spectrum
 
 POINTS = 4000
 LABELLED = 6
@@ -36,30 +37,28 @@ MARKERS = {
 }
 
 
-def draw_spectrum(
-    spectrum: Spectrum, ax: Axes | None = None, unit: str = "", highest: float = np.inf
-) -> Axes:
-    """Draw the amplitude over frequency, Hz; see ``Spectrum.plot``.
+@draw.register(Spectrum)
+def draw_spectrum(spectrum: Spectrum, axes: Axes, unit: str = "", highest: float = np.inf) -> None:
+    """Draw the amplitude over frequency, Hz.
 
     Args:
         spectrum: The spectrum.
-        ax: Where to draw; new axes if not given.
+        axes: Where to draw.
         unit: Unit of the amplitude, if it is known.
         highest: Frequency up to a little above which it is drawn, Hz.
     """
-    axes = axes_for(ax)
     axes.semilogy(*outline(spectrum, highest), linewidth=0.9, color="0.4")
     axes.set_xlabel("frequency, Hz")
     axes.set_ylabel(f"amplitude, {unit}" if unit else "amplitude", parse_math=False)
     axes.set_title(f"{spectrum.window.word} window, bins {spectrum.bin_width:.4g} Hz apart", fontsize="small")
     axes.grid(alpha=0.3)
-    return axes
 
 
-def draw_analysis(analysis: SpectrumAnalysis, ax: Axes | None = None) -> Axes:
-    """Draw a spectrum with its peaks, marked by their best explanation; see ``SpectrumAnalysis.plot``."""
+@draw.register(SpectrumAnalysis)
+def draw_analysis(analysis: SpectrumAnalysis, axes: Axes) -> None:
+    """Draw a spectrum with its peaks, marked by their best explanation."""
     highest = max((each.peak.frequency for each in analysis.peaks), default=np.inf)
-    axes = draw_spectrum(analysis.spectrum, ax, analysis.signal.unit, highest)
+    draw_spectrum(analysis.spectrum, axes, analysis.signal.unit, highest)
     axes.margins(x=0.01, y=0.12)
     for number, (kind, (marker, label)) in enumerate(MARKERS.items()):
         found = [each.peak for each in analysis.peaks if type(_origin(each)) is kind]
@@ -69,7 +68,6 @@ def draw_analysis(analysis: SpectrumAnalysis, ax: Axes | None = None) -> Axes:
     _mark_unsteady(axes, [each.peak for each in analysis.peaks if not each.peak.resolved])
     _write_frequencies(axes, analysis)
     add_legend(axes)
-    return axes
 
 
 def _mark_unsteady(axes: Axes, peaks: Sequence[Peak]) -> None:
@@ -105,9 +103,9 @@ def _origin(classified: ClassifiedPeak) -> object:
     return classified.explanation.origin if classified.explanation else None
 
 
-def draw_harmonics(fit: HarmonicFit, ax: Axes | None = None) -> Axes:
-    """Draw the amplitude of each harmonic over its order; see ``HarmonicFit.plot``."""
-    axes = axes_for(ax)
+@draw.register(HarmonicFit)
+def draw_harmonics(fit: HarmonicFit, axes: Axes) -> None:
+    """Draw the amplitude of each harmonic over its order."""
     orders, amplitudes = np.array(fit.orders), fit.amplitudes
     floor = DYNAMIC_RANGE * (float(amplitudes.max()) or 1.0)
     seen = amplitudes > floor
@@ -118,12 +116,11 @@ def draw_harmonics(fit: HarmonicFit, ax: Axes | None = None) -> Axes:
     axes.set_ylabel("amplitude, unit of the signal")
     axes.locator_params(axis="x", integer=True)
     axes.grid(alpha=0.3)
-    return axes
 
 
-def draw_averaged(spectrum: AveragedSpectrum, ax: Axes | None = None) -> Axes:
-    """Draw the power density over frequency, with its confidence; see ``AveragedSpectrum.plot``."""
-    axes = axes_for(ax)
+@draw.register(AveragedSpectrum)
+def draw_averaged(spectrum: AveragedSpectrum, axes: Axes) -> None:
+    """Draw the power density over frequency, with its confidence."""
     frequency, density = spectrum.frequency[1:], spectrum.density[1:]
     low, high = (factor * density for factor in spectrum.interval)
     axes.fill_between(frequency, low, high, color="0.85", linewidth=0, label="interval of 95 %, of noise")
@@ -132,7 +129,6 @@ def draw_averaged(spectrum: AveragedSpectrum, ax: Axes | None = None) -> Axes:
     axes.set_ylabel("density, unit² of the signal/Hz")
     axes.grid(alpha=0.3)
     add_legend(axes)
-    return axes
 
 
 def outline(spectrum: Spectrum, highest_peak: float) -> tuple[Reals, Reals]:

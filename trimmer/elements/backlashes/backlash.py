@@ -23,7 +23,7 @@ from trimmer.elements.backlashes.backlash_motion import (
 from trimmer.elements.backlashes.contact_equation import largest_ratio, steady_motion
 from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, Sensitivity, Variation
+from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -64,25 +64,25 @@ class Backlash(Element):
         """
         return largest_ratio(self.gamma(self._omegas(omega)))[()]
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> Sensitivity:
+    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Return 2/π, which is |dN/du| everywhere, and a bound that follows from the longest flight."""
         shape = range_shape(u_range, omega_range)
         by_u = np.full(shape, SLOPE_BY_RATIO)[()]
         if not self.depends_on_frequency:
-            return Sensitivity(by_u, np.zeros(shape)[()])
+            return GainSensitivity(by_u, np.zeros(shape)[()])
         with np.errstate(all="ignore"):
             bounds = self._box(shape, u_range, omega_range).slope_by_log_gamma()
-        return Sensitivity(by_u, bounds.reshape(shape)[()])
+        return GainSensitivity(by_u, bounds.reshape(shape)[()])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return bounds that follow from the range of the impact's phase."""
         shape = range_shape(u_range, omega_range)
         with np.errstate(all="ignore"):
             box = self._box(shape, u_range, omega_range)
             by_u = box.change_of_slope_by_ratio().reshape(shape)[()]
             if not self.depends_on_frequency:
-                return Variation(by_u, np.zeros(shape)[()])
-            return Variation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
+                return GainVariation(by_u, np.zeros(shape)[()])
+            return GainVariation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
 
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return 1: the load follows the mean of the pin, wherever that is."""

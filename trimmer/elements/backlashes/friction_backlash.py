@@ -17,7 +17,7 @@ from trimmer.elements.backlashes.backlash_motion import (
     separation,
 )
 from trimmer.elements.bounds import range_shape
-from trimmer.elements.expansion import Expansion, Variation
+from trimmer.elements.expansion import Expansion, GainVariation
 from trimmer.elements.small_arguments import argument_less_sine
 from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
 
@@ -45,21 +45,16 @@ class FrictionBacklash(Backlash):
         ValueError: if the gap is not positive and finite.
     """
 
-    @property
-    def depends_on_frequency(self) -> bool:
-        """False: without inertia the load has no time constant."""
-        return False
-
     def domain(self, omega: ArrayLike | None = None) -> Reals:
         """Return 2, in the shape of ``omega``: the load moves if the amplitude exceeds half of the gap."""
         return np.full(self._omegas(omega).shape, 2.0)[()]
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> Variation:
+    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Return the change of dN/du = (2/π) exp(-jθ_c) with the impact at θ_c = π/2 + acos(1 - u); and 0."""
         shape = range_shape(u_range, omega_range)
         earliest, latest = (np.arccos(1.0 - np.minimum(u, 2.0)) for u in u_range)
         by_u = ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * (latest - earliest + PHASE_ERROR))
-        return Variation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        return GainVariation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
 
     def small_gains(self) -> SmallGains:
         """Tell that N falls to 0 along the negative imaginary axis."""

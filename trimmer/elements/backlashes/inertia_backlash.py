@@ -30,11 +30,6 @@ class InertiaBacklash(Backlash):
         ValueError: if the gap is not positive and finite.
     """
 
-    @property
-    def depends_on_frequency(self) -> bool:
-        """False: without friction the load has no time constant."""
-        return False
-
     def gamma(self, omega: Reals) -> Reals:
         """Return the upper one of ``GAMMA_LIMITS`` in place of infinity, for which formulas give NaN."""
         return np.full(omega.shape, GAMMA_LIMITS[1])

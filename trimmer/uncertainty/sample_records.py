@@ -17,18 +17,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.design.targets import Measure
-from trimmer.design.trial import Asked, Trial, all_measures
+from trimmer.design.trial import MeasureOfPart, Trial, all_measures
 from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
 from trimmer.messages import shown_value
 from trimmer.response.response import MotionKind
-from trimmer.runners.record_file import Records, appended, cut
+from trimmer.runners.record_file import RecordFile, appended, cut
 
 if TYPE_CHECKING:
-    from trimmer.uncertainty.samples import SampleInputs
+    from trimmer.uncertainty.sample_inputs import SampleInputs
 
 FORMAT = 1
-_SAMPLES = Records(
+_SAMPLES = RecordFile(
     kind=SAMPLES,
     key="trimmer sample",
     version=FORMAT,
@@ -46,7 +46,7 @@ _SAMPLES = Records(
 
 @dataclass(frozen=True)
 class Keeping:
-    """Where samples are kept as soon as they are done.
+    """The file in which samples are kept as soon as they are done.
 
     Attributes:
         path: The file; None to keep none.
@@ -85,11 +85,11 @@ def header(inputs: SampleInputs) -> dict[str, object]:
 
 
 def begin(path: Path, inputs: SampleInputs, *, overwrite: bool = False) -> None:
-    """Write a file with the header alone; errors are those of ``Records.begin``."""
+    """Write a file with the header alone; errors are those of ``RecordFile.begin``."""
     _SAMPLES.begin(path, header(inputs), overwrite=overwrite)
 
 
-def resumed(path: Path, inputs: SampleInputs, asked: tuple[Asked, ...]) -> dict[int, Trial]:
+def resumed(path: Path, inputs: SampleInputs, asked: tuple[MeasureOfPart, ...]) -> dict[int, Trial]:
     """Return the samples that a file holds by their numbers, and cut off what is half-written.
 
     Raises:
@@ -133,7 +133,7 @@ class _Kept:
     measures: tuple[float | str | None, ...]
 
 
-def _trial(said: _Kept, inputs: SampleInputs, asked: tuple[Asked, ...]) -> Trial:
+def _trial(said: _Kept, inputs: SampleInputs, asked: tuple[MeasureOfPart, ...]) -> Trial:
     if not 0 <= said.number < len(inputs.values):
         raise DataError(f"number is {said.number}, and there are {len(inputs.values)} samples, from 0 on")
     if len(said.measures) != len(asked):

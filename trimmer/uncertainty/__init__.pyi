@@ -1,0 +1,31 @@
+"""The public names of this room, each imported on first use."""
+
+from .balance import BalancedSamples as BalancedSamples
+from .distributions import JointScatter as JointScatter
+from .distributions import Normal as Normal
+from .distributions import Scatter as Scatter
+from .distributions import Uncertainty as Uncertainty
+from .distributions import Uniform as Uniform
+from .indices import Index as Index
+from .indices import Indices as Indices
+from .loop_samples import LoopFile as LoopFile
+from .loop_samples import LoopNumbers as LoopNumbers
+from .loop_samples import LoopSamples as LoopSamples
+from .loop_samples import read_loop_file as read_loop_file
+from .loop_samples import sample_loop as sample_loop
+from .points import Plan as Plan
+from .sample_file import SampleFile as SampleFile
+from .sample_file import read_sample_file as read_sample_file
+from .sample_inputs import SampleInputs as SampleInputs
+from .sample_inputs import SampleSettings as SampleSettings
+from .sample_records import Keeping as Keeping
+from .samples import Samples as Samples
+from .samples import sample_mechanism as sample_mechanism
+from .statistics import Distribution as Distribution
+from .statistics import Quantile as Quantile
+from .statistics import Share as Share
+from .statistics import distribution_of as distribution_of
+from .statistics import share_of as share_of
+from .study import QuantityOfInterest as QuantityOfInterest
+from .study import SampleStudy as SampleStudy
+from .study import study_samples as study_samples

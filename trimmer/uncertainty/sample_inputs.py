@@ -1,0 +1,108 @@
+"""What the samples of a mechanism depend on: how they are drawn, and which of them a mechanism can have."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.errors import MechanismError, UncertaintyError
+from trimmer.maps.inputs import varied
+from trimmer.uncertainty.points import Plan
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Flags, Reals
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.uncertainty.distributions import Uncertainty
+
+MOST_IMPOSSIBLE = 0.01
+"""Share of samples that may be impossible, such as a negative gap, before the distributions are refused."""
+MOST_SAMPLES = 1_000_000
+
+
+@dataclass(frozen=True)
+class SampleSettings:
+    """How many samples are drawn, how they are spread, and how long each may take to settle.
+
+    Attributes:
+        count: How many; of Sobol points the next power of two.
+        plan: How points are chosen.
+        seed: Of the points.
+        most_periods: Drive periods to wait for each to settle.
+
+    Raises:
+        UncertaintyError: if there are more than ``MOST_SAMPLES``.
+    """
+
+    count: int = 512
+    plan: Plan = Plan.LATIN_HYPERCUBE
+    seed: int = 0
+    most_periods: int = 300
+
+    def __post_init__(self) -> None:
+        if self.count > MOST_SAMPLES:
+            raise UncertaintyError(
+                f"{self.count} samples do not fit into memory: draw at most {MOST_SAMPLES}"
+            )
+
+
+@dataclass(frozen=True, eq=False)
+class SampleInputs:
+    """All that the samples depend on.
+
+    Attributes:
+        mechanism: The mechanism.
+        uncertainty: What scatters.
+        settings: How samples are drawn and looked at.
+        values: The samples, SI units, shape (n, numbers that scatter).
+        possible: Whether a mechanism can have such numbers, shape (n,).
+    """
+
+    mechanism: Mechanism
+    uncertainty: Uncertainty
+    settings: SampleSettings
+    values: Reals
+    possible: Flags
+
+
+def sample_inputs(mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:
+    """Draw samples.
+
+    Raises:
+        UncertaintyError: if too many of them are impossible, or the mechanism has no drive.
+    """
+    count = settings.plan.count(settings.count)
+    shares = settings.plan.points(count, len(uncertainty.scatters), settings.seed)
+    return inputs_at(mechanism, uncertainty, settings, uncertainty.values(shares))
+
+
+def inputs_at(
+    mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
+) -> SampleInputs:
+    """Return samples of given values, shape (n, numbers), after it was checked which are possible.
+
+    Raises:
+        UncertaintyError: as ``sample_inputs`` does.
+    """
+    if mechanism.frequency is None:
+        raise UncertaintyError(
+            "the mechanism has no frequency, and samples are of driven motions: give it one"
+        )
+    reasons = [_reason_against(mechanism, uncertainty.places, tuple(row)) for row in values.tolist()]
+    possible = np.array([not reason for reason in reasons], dtype=bool)
+    if (~possible).mean() > MOST_IMPOSSIBLE:
+        reason = next(reason for reason in reasons if reason)
+        raise UncertaintyError(
+            f"{(~possible).mean():.1%} of the samples are impossible, the first one because {reason}; "
+            "let the number scatter less, or uniformly between values that it can have"
+        )
+    return SampleInputs(mechanism, uncertainty, settings, values, possible)
+
+
+def _reason_against(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> str:
+    try:
+        varied(mechanism, places, values)
+    except MechanismError as error:
+        return str(error)
+    return ""
