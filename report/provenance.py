@@ -7,8 +7,8 @@ import subprocess
 from importlib.metadata import version
 from pathlib import Path
 
+from report.data.text_copy import read_build_time
 from report.document.thesis import Provenance
-from report.text_copy import read_build_time
 
 LIBRARIES = (
     *("sympy", "mpmath", "numpy", "scipy", "numba", "control", "matplotlib"),

@@ -13,10 +13,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from report.collect import collect
+from report.building.collect import collect
 from report.copy.places import Places
 from report.copy.reading import split
-from report.inventory import read_inventory
+from report.data.statements import read_inventory
 
 UNNUMBERED = {
     **{f"eq-A.1.{index}": ("A.1", index) for index in range(1, 5)},

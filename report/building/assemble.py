@@ -7,25 +7,25 @@ from dataclasses import dataclass
 
 from derivations.latex import latex
 from derivations.symbols import PARAMETERS
-from report.claim import Statement
+from report.data.mutation import read_mutation
+from report.data.sections import read_sections
+from report.data.statements import FURTHER, read_follows
+from report.data.text_copy import read_text_copy
 from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
 from report.document.derivation import DerivationStep, ParameterRow, Program
 from report.document.document import Document
 from report.document.explorable import Explorable
-from report.document.figure import Equation, Figure
 from report.document.overview import Answer, CorrectedResult, Opening
 from report.document.robustness import Robustness
 from report.document.thesis import Chapter
 from report.document.twin import TwinChapter
-from report.finding import Finding
-from report.inventory import FURTHER, read_inventory
-from report.mutation import read_mutation
+from report.judging.claim import Statement
+from report.judging.finding import Finding
+from report.judging.inventory import read_statements
+from report.pages.figure import Equation, Figure
 from report.provenance import provenance
-from report.sections import read_sections
-from report.spread import read_follows
-from report.text_copy import read_text_copy
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -111,7 +111,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         mutation=read_mutation(),
         twin=parts.twin,
         sections=read_sections(),
-        further_statements=len(read_inventory(FURTHER)),
+        further_statements=len(read_statements(FURTHER)),
     )
 
 

@@ -12,22 +12,23 @@ from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from report.building.assemble import Parts, assemble
 from report.building.background import begun
+from report.building.collect import Records, collect
 from report.building.progress import Progress
 from report.building.tasks import Task, done
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
-from report.claim import Statement
-from report.collect import Records, collect
+from report.data.statements import read_inventory
 from report.derivation.code_lines import with_lines
 from report.derivation.number_steps import number_steps
 from report.derivation.pictures import waveform_pictures
 from report.document.document import Document
-from report.evidence import Evidence, derive, solve
 from report.explorable.make import explorable
-from report.finding import Finding
 from report.folders import templates
-from report.inventory import read_inventory
-from report.judge import judge
+from report.judging.claim import Statement
+from report.judging.finding import Finding
+from report.judging.judge import judge
+from report.judging.record import ClaimRecord
+from report.numbers.evidence import Evidence, derive, solve
 from report.numbers.twin.kept_files import digest_of_files
 from report.numbers.twin_numbers import solve_twin
 from report.octave.listings import corrected_programs
@@ -36,7 +37,6 @@ from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
 from report.overview.opening_figure import opening_figure
 from report.provenance import libraries
-from report.record import ClaimRecord
 from report.robustness.page import robustness
 from report.twin.cell_check import seed_of
 from report.twin.chapter import twin_chapter
@@ -79,7 +79,7 @@ def make_document(progress: Progress, store: StageStore) -> Document:
 
 
 def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Evidence:
-    key = _key(tree, ["report.evidence"])
+    key = _key(tree, ["report.numbers.evidence"])
     kept: Evidence | None = store.load("evidence", key)
     if kept is not None:
         return kept
@@ -101,7 +101,7 @@ def _tasks(
         (path.name, path.read_text(encoding="utf-8")) for path in sorted((templates() / "octave").iterdir())
     ]
     key = partial(_key, tree)
-    of_twin = key(["report.twin.chapter", "report.evidence"])
+    of_twin = key(["report.twin.chapter", "report.numbers.evidence"])
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
         Task(
@@ -113,7 +113,7 @@ def _tasks(
         Task(
             "trimmer-steps",
             "prove",
-            key(["derivations.narrative", "report.evidence"]),
+            key(["derivations.narrative", "report.numbers.evidence"]),
             partial(with_lines, narrative, evidence.derivation),
         ),
         Task("twin", "observe", of_twin, partial(twin_chapter, evidence, seed_of(of_twin))),
@@ -128,7 +128,7 @@ def _tasks(
         Task(
             "programs",
             "print",
-            key(["report.octave.listings", "report.evidence"], octave),
+            key(["report.octave.listings", "report.numbers.evidence"], octave),
             print_programs,
         ),
         *(
@@ -144,7 +144,7 @@ def _tasks(
             Task(
                 f"figure-{figure.id}",
                 "draw",
-                key([figure.draw.__module__, "report.evidence", "report.record"]),
+                key([figure.draw.__module__, "report.numbers.evidence", "report.judging.record"]),
                 partial(figure.finished, evidence),
             )
             for figure in reversed(records.figures)
@@ -153,7 +153,7 @@ def _tasks(
             Task(
                 f"claims-{module}",
                 "judge",
-                key([module, "report.evidence"], inventory),
+                key([module, "report.numbers.evidence"], inventory),
                 partial(_judged, group, evidence, inventory),
             )
             for module, group in reversed(tuple(records.claims.items()))

@@ -17,7 +17,7 @@ from derivations.step import Step
 from derivations.symbols import QUANTITIES
 from report.derivation.symbols_of_text import formulas, symbols
 from report.document.derivation import NomenclatureRow
-from report.finding import Finding
+from report.judging.finding import Finding
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent.parent / "data" / "nomenclature.csv"

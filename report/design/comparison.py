@@ -21,7 +21,7 @@ from report.design.words import (
     measure_words,
     number_words,
 )
-from report.document.figure import Figure
+from report.pages.figure import Figure
 from report.rendering.escaping import Markdown, code, markdown
 from trimmer.design.comparison import Comparison
 from trimmer.design.targets import Measure

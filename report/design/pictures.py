@@ -25,7 +25,7 @@ from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
-    from report.document.figure import Figure
+    from report.pages.figure import Figure
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState

@@ -15,7 +15,7 @@ from report.rendering.request import Format, Paper
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore
     from report.design.origin import Origin
-    from report.document.figure import Figure
+    from report.pages.figure import Figure
 
 
 class Shown(Protocol):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from report.design.origin import Origin
 from report.document.derivation import DerivationStep
-from report.document.figure import Figure
+from report.pages.figure import Figure
 from trimmer.design.design import Design
 
 

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from report.data.mutation import MutationMeasurement
+from report.data.sections import Section
+from report.data.text_copy import TextCopy
 from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
 from report.document.explorable import Explorable
-from report.document.figure import Figure
-from report.document.mutation import MutationMeasurement
-from report.document.overview import Answer, CorrectedResult, Follows, Opening
+from report.document.overview import Answer, CorrectedResult, Opening
 from report.document.robustness import Robustness
-from report.document.thesis import Chapter, Provenance, Section
+from report.document.thesis import Chapter, Provenance
 from report.document.twin import TwinChapter
-from report.finding import Finding
-from report.text_copy import TextCopy
+from report.judging.finding import Finding
+from report.judging.spread import Follows
+from report.pages.figure import Figure
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.document.figure import Figure
+from report.pages.figure import Figure
 
 
 @dataclass(frozen=True)
@@ -55,12 +55,3 @@ class CorrectedResult:
     exact_orbit: str
     unit: str = ""
     remark: str = ""
-
-
-@dataclass(frozen=True)
-class Follows:
-    """A claim (its id) that follows from another in the thesis, and how, in a few words of plain text."""
-
-    claim: str
-    source: str
-    how: str

@@ -4,17 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.finding import Finding
-from report.text_copy import BuildTime
-
-
-@dataclass(frozen=True)
-class Section:
-    """A section of the thesis: number, title, and the ids of the figures in it."""
-
-    number: str
-    title: str
-    figures: tuple[str, ...] = ()
+from report.data.text_copy import BuildTime
+from report.judging.finding import Finding
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.document.figure import Figure
+from report.pages.figure import Figure
 
 
 @dataclass(frozen=True)

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from report.document.explorable import Explorable, Panel, Slider
-from report.document.figure import Figure
-from report.drawing.plane import OMEGA, critical_point, inverse
-from report.drawing.style import BLACK, LINES, panels, style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
 from report.explorable.formulas import functions
 from report.explorable.script import script
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import exact_values
-from report.text import filled
+from report.pages.drawing.plane import OMEGA, critical_point, inverse
+from report.pages.drawing.style import BLACK, LINES, panels, style
+from report.pages.drawing.svg import to_svg
+from report.pages.figure import Figure
 from trimmer import LimitCycle, ViscousBacklash, limit_cycles, response_at
 
 if TYPE_CHECKING:

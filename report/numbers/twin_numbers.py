@@ -7,6 +7,7 @@ from typing import Final
 
 import numpy as np
 
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
 from report.numbers.twin.cases import (
     PHASES,
     SHOWN,
@@ -31,7 +32,6 @@ from report.numbers.twin.mechanism import (
     STROKE,
     twin,
 )
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
 from trimmer import TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from report.document.overview import Answer
-from report.evidence import Evidence
-from report.text import filled
-from report.thesis import EXPERIMENT_GAP
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 
 
 def answers(known: Evidence) -> tuple[Answer, ...]:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from report.document.figure import Figure
 from report.document.overview import Highlight, Opening
-from report.evidence import Evidence
-from report.finding import Finding
-from report.items import items
+from report.judging.finding import Finding
+from report.judging.items import items
+from report.judging.text import filled
+from report.judging.verdict import Verdict
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.mechanism import FREQUENCY, SMALL_FORCE
-from report.text import filled
-from report.thesis import EXPERIMENT_GAP
-from report.verdict import Verdict
+from report.pages.figure import Figure
 
 BOUND = 1.0
 """Of friction in the thesis, N."""

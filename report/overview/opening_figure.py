@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document.figure import Figure
-from report.drawing.style import new_figure, style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
+from report.numbers.evidence import Evidence
+from report.pages.drawing.style import new_figure, style
+from report.pages.drawing.svg import to_svg
+from report.pages.figure import Figure
 from trimmer.drawing.cells import draw_cells
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.copy.reading import ReaderCopy
 from report.document.document import Document
-from report.grade import grade
+from report.judging.grade import grade
 from report.octave.archive import archive
 from report.rendering.markdown import ARCHIVE
 from report.rendering.passages import passages

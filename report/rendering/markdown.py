@@ -10,8 +10,9 @@ from typing import Any
 from jinja2 import Environment, Template
 
 from report.document.document import Document
-from report.finding import Finding
-from report.grade import Grade, grade
+from report.judging.finding import Finding
+from report.judging.grade import Grade, grade
+from report.judging.shown import Mathematics, Number, Shown, Words
 from report.rendering import (
     certificate,
     errata,
@@ -28,7 +29,6 @@ from report.rendering.links import check_claims, check_links
 from report.rendering.pictures import spread_picture, verdict_picture
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
-from report.shown import Mathematics, Number, Shown, Words
 
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""

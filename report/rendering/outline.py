@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Kind
-from report.document.thesis import Chapter, Section
-from report.finding import Finding
+from report.data.sections import Section
+from report.document.thesis import Chapter
+from report.judging.claim import Kind
+from report.judging.finding import Finding
 
 _KINDS = tuple(Kind)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.finding import Finding
+from report.judging.finding import Finding
 from report.rendering.escaping import Markdown
 from report.rendering.outline import Group
 

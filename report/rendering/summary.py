@@ -7,13 +7,13 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Kind
 from report.document.document import Document
 from report.document.thesis import Chapter
-from report.finding import Finding, JudgedPart
-from report.grade import Grade, grade
-from report.items import Item, items
-from report.verdict import Certainty
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.grade import Grade, grade
+from report.judging.items import Item, items
+from report.judging.verdict import Certainty
 
 SYMBOLS = {
     Grade.CONCLUSION: "✗",

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from report.document.figure import Figure
 from report.document.robustness import Digits, EffectRow, Robustness, SurvivalRow
-from report.drawing.style import style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
+from report.numbers.evidence import Evidence
+from report.pages.drawing.style import style
+from report.pages.drawing.svg import to_svg
+from report.pages.figure import Figure
 from report.robustness.findings import Survival, survivals
 from report.robustness.picture import BARS, bars
 from report.robustness.printed_parameters import PRINTED, left_open, significant_digits

@@ -5,7 +5,7 @@
         yield text("The exponent is [[ exponent | f2 ]].").given(exponent=...)
         yield so("it exceeds three standard errors", exponent > 3 * error)
 
-Each confirmation is a check of ``report.parts`` that must hold, or the build stops.
+Each confirmation is a check of ``report.judging.parts`` that must hold, or the build stops.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final
 
-from report.claim import Confirmation
 from report.document.twin import Observation
-from report.evidence import Evidence
-from report.record import FigureRecord, Text
-from report.text import RecordError, filled
+from report.judging.claim import Confirmation
+from report.judging.record import FigureRecord, Text
+from report.judging.text import RecordError, filled
+from report.numbers.evidence import Evidence
 
 Observed = Iterator[Text | Confirmation]
 """What the function of an observation yields: one text, and at least one check."""

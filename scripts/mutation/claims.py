@@ -29,7 +29,7 @@ PARTS: Mapping[str, tuple[str, ...]] = {
     "twin": ("report.numbers.twin_numbers",),
 }
 """The modules that each part of the evidence rests on, with all that they import."""
-EVIDENCE = "report/evidence.py"
+EVIDENCE = "report/numbers/evidence.py"
 DEAR = ("motion", "orbits", "twin")
 
 
@@ -141,9 +141,9 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
     """Yield what is judged, by the module that does it."""
     from derivations.elements.narrative import element_narrative
     from derivations.narrative import narrative
-    from report.collect import collect
+    from report.building.collect import collect
+    from report.data.statements import read_inventory
     from report.derivation.number_steps import number_steps
-    from report.inventory import read_inventory
     from report.overview.answers import answers
     from report.overview.corrected_results import corrected_results
     from report.robustness.page import robustness
@@ -166,7 +166,7 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
 
 
 def _claims(records: Iterable[Any], evidence: Any, inventory: Any) -> tuple[dict[str, str], dict[str, str]]:
-    from report.judge import judge
+    from report.judging.judge import judge
 
     findings = [judge(record.claim(evidence), inventory[record.id]) for record in records]
     verdicts = {each.id: ", ".join(part.verdict.value for part in each.parts) for each in findings}
@@ -186,7 +186,7 @@ def _digest(shown: object) -> str:
 
 
 class LazyEvidence:
-    """What ``report.evidence.Evidence`` holds, each part solved when it is first asked for."""
+    """What ``report.numbers.evidence.Evidence`` holds, each part solved when it is first asked for."""
 
     def __init__(self) -> None:
         self.asked: set[str] = set()

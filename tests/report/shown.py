@@ -12,15 +12,15 @@ from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
+from report.data.statements import read_inventory
 from report.derivation.number_steps import number_steps
-from report.document.figure import Figure
-from report.evidence import Evidence, gather
-from report.finding import Finding
-from report.inventory import read_inventory
-from report.judge import judge
+from report.judging.finding import Finding
+from report.judging.judge import judge
+from report.numbers.evidence import Evidence, gather
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
+from report.pages.figure import Figure
 from report.twin.chapter import SECTIONS
 from report.twin.observation import ObservationRecord
 
@@ -82,7 +82,7 @@ def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]
 
 
 def _renew() -> None:
-    from report.collect import collect
+    from report.building.collect import collect
 
     known, inventory = gather(), read_inventory()
     records = collect(inventory).by_id

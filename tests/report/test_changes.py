@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from report.changes import ClaimsFileError, differences, parsed_claims, read_claims
+from report.judging.changes import ClaimsFileError, differences, parsed_claims, read_claims
 from report.rendering.json import to_json
 from report.rendering.selection import select
 from tests.report.rendering.sample import sample

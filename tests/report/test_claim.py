@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from report.claim import Claim, Confirmation, CopyFault, Kind, Part, Slip, Statement, Uncheckable
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import PrintedDigits
-from report.judge import ContradictionError, UngradedError, judge
-from report.shown import Words
-from report.verdict import Certainty, Severity, Verdict
+from report.judging.claim import Claim, Confirmation, CopyFault, Kind, Part, Slip, Statement, Uncheckable
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.judge import ContradictionError, UngradedError, judge
+from report.judging.shown import Words
+from report.judging.verdict import Certainty, Severity, Verdict
 
 ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject")
 RIGHT = Part("right", PrintedDigits("1.25", 1.2501))

@@ -8,10 +8,10 @@ import csv
 from itertools import groupby
 from pathlib import Path
 
-from report.claim import Uncheckable
-from report.comparisons.expression import SameExpression, SameMatrix
-from report.inventory import PATH
-from report.verdict import Impact
+from report.data.statements import PATH
+from report.judging.claim import Uncheckable
+from report.judging.comparisons.expression import SameExpression, SameMatrix
+from report.judging.verdict import Impact
 
 REVIEWED = Path(PATH).with_name("reviewed_verdicts.csv")
 

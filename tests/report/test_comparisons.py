@@ -9,8 +9,8 @@ import sympy
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from report.comparisons.digits import CloseNumbers, PrintedDigits
-from report.comparisons.expression import SameExpression, SameMatrix
+from report.judging.comparisons.digits import CloseNumbers, PrintedDigits
+from report.judging.comparisons.expression import SameExpression, SameMatrix
 
 x, y, z = sympy.symbols("x y z", positive=True)
 

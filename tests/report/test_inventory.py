@@ -6,15 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from report.collect import ClaimIdError, by_id, collect
-from report.inventory import FURTHER, PATH, InventoryError, read_inventory, titled
-from report.record import ClaimRecord
+from report.building.collect import ClaimIdError, by_id, collect
+from report.data.statements import FURTHER, PATH, read_inventory
+from report.judging.inventory import InventoryError, read_statements, titled
+from report.judging.record import ClaimRecord
 
 HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
 
 
 def test_it_lists_every_statement_once():
-    inventory = read_inventory(PATH)
+    inventory = read_statements(PATH)
     assert len(inventory) == 253
     assert Counter(entry.kind.value for entry in inventory.values())["equation"] == 92
 
@@ -26,7 +27,7 @@ def test_it_is_the_one_handed_over():
 
 
 def test_further_statements_follow_those_handed_over():
-    handed_over, further = read_inventory(PATH), read_inventory(FURTHER)
+    handed_over, further = read_statements(PATH), read_statements(FURTHER)
     assert list(read_inventory()) == [*handed_over, *further]
     assert all(claim_id.startswith(f"txt-{entry.section}-") for claim_id, entry in further.items())
     assert {entry.chapter for entry in further.values()} <= {entry.chapter for entry in handed_over.values()}
@@ -36,7 +37,7 @@ def test_a_further_statement_may_not_repeat_an_id(tmp_path):
     path = tmp_path / "further.csv"
     path.write_text("id,kind,section,subject\neq-2.1,equation,2.2.1,a\n", encoding="utf-8")
     with pytest.raises(InventoryError, match=r"further\.csv, line 2: the id eq-2\.1 stands there twice"):
-        read_inventory(PATH, path)
+        read_statements(PATH, path)
 
 
 @pytest.mark.parametrize(
@@ -50,7 +51,7 @@ def test_faults_are_named_by_line(tmp_path, rows, message):
     path = tmp_path / "inventory.csv"
     path.write_text("id,kind,section,subject\n" + rows, encoding="utf-8")
     with pytest.raises(InventoryError, match=message):
-        read_inventory(path)
+        read_statements(path)
 
 
 ASCII_MATHEMATICS = re.compile(
@@ -75,7 +76,7 @@ def test_a_title_belongs_to_one_statement(tmp_path, rows, message):
     path = tmp_path / "titles.csv"
     path.write_text("id,title\n" + rows, encoding="utf-8")
     with pytest.raises(InventoryError, match=message):
-        titled(read_inventory(PATH), path)
+        titled(read_statements(PATH), path)
 
 
 def record(claim_id):

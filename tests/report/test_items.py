@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from report.claim import Kind
-from report.finding import Finding, JudgedPart
-from report.items import items
-from report.shown import Number
-from report.verdict import Impact, Severity, Verdict
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.items import items
+from report.judging.shown import Number
+from report.judging.verdict import Impact, Severity, Verdict
 
 
 def finding(claim_id: str, section: str, *parts: tuple[str, Verdict, Severity]) -> Finding:

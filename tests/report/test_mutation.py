@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from report.document.mutation import MutationMeasurement
-from report.mutation import MutationDataError, read_mutation
+from report.data.mutation import MutationDataError, MutationMeasurement, read_mutation
 from report.rendering.markdown import to_markdown
 from tests.report.rendering.sample import sample
 

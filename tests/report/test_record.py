@@ -2,10 +2,10 @@
 
 import pytest
 
-from report.parts import close, digits, equal, made_here, repeated, small, so, uncheckable
-from report.record import ClaimRecord, claim, text
-from report.text import RecordError
-from report.verdict import Certainty, Impact, Severity
+from report.judging.parts import close, digits, equal, made_here, repeated, small, so, uncheckable
+from report.judging.record import ClaimRecord, claim, text
+from report.judging.text import RecordError
+from report.judging.verdict import Certainty, Impact, Severity
 
 
 @claim("txt-1", source="trimmer/files.py", impact=Impact.LOCAL, lines=(3, 7), severity=Severity.RESULT)

@@ -5,9 +5,8 @@ from collections.abc import Mapping
 
 import pytest
 
-from report.claim import Kind, Statement
-from report.document.thesis import Section
-from report.sections import read_sections
+from report.data.sections import Section, read_sections
+from report.judging.claim import Kind, Statement
 
 
 @pytest.fixture(scope="module")

@@ -6,11 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from report.document.overview import Follows
-from report.inventory import read_inventory
+from report.data.statements import read_follows, read_inventory
+from report.judging.spread import Follows, SpreadError, in_order, read_edges
+from report.judging.verdict import Verdict
 from report.rendering.pictures.spread_picture import description, spread, spread_picture
-from report.spread import SpreadError, in_order, read_follows
-from report.verdict import Verdict
 from tests.report.rendering.sample import sample
 
 EDGES = (
@@ -37,7 +36,7 @@ def test_an_edge_to_nowhere_is_an_error(tmp_path):
     path = tmp_path / "edges.csv"
     path.write_text("id,follows_from,how\neq-2.46,eq-99,read\n", encoding="utf-8")
     with pytest.raises(SpreadError, match="eq-99"):
-        read_follows(read_inventory(), path)
+        read_edges(read_inventory(), path)
 
 
 def test_a_circle_is_an_error():

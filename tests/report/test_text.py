@@ -3,7 +3,7 @@
 import pytest
 import sympy
 
-from report.text import TextError, filled
+from report.judging.text import TextError, filled
 
 
 @pytest.mark.parametrize(

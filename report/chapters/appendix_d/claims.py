@@ -8,11 +8,11 @@ from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u,
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_1 import MOTOR_ITEM
 from report.chapters.chapter_2.claims.section_2_2_2 import transformed_state_space
-from report.comparisons.expression import SameExpression
-from report.comparisons.printed import total
-from report.evidence import Evidence
-from report.parts import expression, lost_in_the_copy, same
-from report.record import Record, claim, text
+from report.judging.comparisons.expression import SameExpression
+from report.judging.comparisons.printed import total
+from report.judging.parts import expression, lost_in_the_copy, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 
 SOURCE = "derivations/equations_of_motion.py"
 V1, V2, *_ = velocities

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop_harmonic
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, digits
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import RIPPLE, ripple_behind_backlash
-from report.parts import assertion, close, digits
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LARGE_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA, LARGE_GAP
 
 PREDICTED = {3e-4: "0.0025", 4e-4: "0.0033", 5e-4: "0.0041", 6e-4: "0.0050"}
 """Amplitudes of table 5.2 for the gaps of figure E.1, m."""

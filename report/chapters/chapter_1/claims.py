@@ -6,10 +6,10 @@ import sympy
 
 from derivations.symbols import coordinates, stiffnesses, u, velocities
 from report.chapters.chapter_2.claims.section_2_2_1 import by_newton, matrix_of
-from report.evidence import Evidence
-from report.parts import assertion, equal, same
-from report.record import Record, claim, text
-from report.verdict import Certainty
+from report.judging.parts import assertion, equal, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 
 MOVING_PARTS = ("motor with its shell", "driving bridge", "cutter", "guard", "guard housing")
 

@@ -12,14 +12,25 @@ from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import (
+    assertion,
+    close,
+    digits,
+    expression,
+    made_here,
+    repeated,
+    small,
+    so,
+    uncheckable,
+)
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers import listed_blocks as blocks
+from report.numbers.evidence import Evidence
 from report.numbers.independent import load_in_play
-from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,
@@ -28,7 +39,6 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, InertiaBacklash
 
 SOURCE, BLOCKS = (

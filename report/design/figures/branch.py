@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from report.design.quantities import place_words, scale_for
-from report.drawing.style import BLACK, LINES, panels
+from report.pages.drawing.style import BLACK, LINES, panels
 from trimmer.branches.special import SpecialKind
 from trimmer.drawing.look import plain_label
 

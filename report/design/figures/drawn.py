@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from report.document.figure import Figure
-from report.drawing.style import style
-from report.drawing.svg import to_svg
+from report.pages.drawing.style import style
+from report.pages.drawing.svg import to_svg
+from report.pages.figure import Figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing

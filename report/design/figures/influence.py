@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from report.design.quantities import place_words
-from report.drawing.style import BLACK, LINES, panels
+from report.pages.drawing.style import BLACK, LINES, panels
 from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.style import FAINT, LINES, panels
+from report.pages.drawing.style import FAINT, LINES, panels
 from trimmer.design.linear import Contacts
 
 if TYPE_CHECKING:

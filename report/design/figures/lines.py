@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 from report.design.quantities import scale_for
-from report.drawing.style import BLACK, panels
+from report.pages.drawing.style import BLACK, panels
 from trimmer.design.spectrum import LineKind
 from trimmer.drawing.look import plain_label
 

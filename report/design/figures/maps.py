@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from report.design.quantities import place_words, scale_for
-from report.drawing.style import new_figure
+from report.pages.drawing.style import new_figure
 from trimmer.drawing.cells import draw_cells
 from trimmer.drawing.look import plain_label
 from trimmer.drawing.mechanisms.kinds import categories, category, legend_of

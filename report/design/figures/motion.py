@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from report.design.quantities import scale_for
-from report.drawing.style import LINES, panels
+from report.pages.drawing.style import LINES, panels
 from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from report.design.quantities import place_words, scale_for
-from report.drawing.style import FAINT, LINES, panels
+from report.pages.drawing.style import FAINT, LINES, panels
 from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:

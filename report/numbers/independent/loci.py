@@ -9,7 +9,7 @@ import control
 import numpy as np
 from matplotlib.path import Path
 
-from report.thesis import PLOT_OFFSET
+from report.numbers.thesis import PLOT_OFFSET
 from trimmer import FrictionBacklash, InertiaBacklash, LimitCycle, ViscousBacklash, response_at
 from trimmer.arrays import Complexes
 from trimmer.elements import Element

@@ -9,8 +9,8 @@ import numpy as np
 
 from report.numbers.independent.twin_motion import PlayedTrimmer, integrated
 from report.numbers.record import harmonics
+from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.mechanism import BLADE, BRIDGE, CUTTER, FREQUENCY, MOTOR, STROKE, twin
-from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import Mechanism, MechanismMotion, MotionKind, OrbitNotFoundError, TrimmerParameters, respond
 from trimmer.arrays import Reals
 from trimmer.contact.flow import Course, ExactFlow

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.style import LINES, panels
-from report.evidence import Evidence
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
 from report.numbers.twin.grids import BRANCH_FORCE, COURSES
 from report.numbers.twin.kept_branch import KeptBranch
-from report.record import figure
+from report.pages.drawing.style import LINES, panels
 from report.twin.figures.maps import COLOURS, numbers_of
 from trimmer.drawing.cells import draw_cells
 

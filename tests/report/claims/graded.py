@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from report.claim import Claim
-from report.verdict import Severity
+from report.judging.claim import Claim
+from report.judging.verdict import Severity
 
 
 def graded(claim: Claim) -> Claim:

@@ -16,9 +16,9 @@ from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from derivations.step import Formula, Step
 from derivations.symbols import A
+from report.building.collect import collect
 from report.cache.source_closure import ROOT
-from report.claim import Kind
-from report.collect import collect
+from report.data.statements import read_inventory
 from report.derivation.code_lines import code_lines
 from report.derivation.nomenclature import (
     NomenclatureError,
@@ -31,10 +31,10 @@ from report.derivation.pictures import sampled, waveform_pictures
 from report.derivation.places_of_claims import UnknownStepError, named_steps, places
 from report.derivation.symbols_of_text import formulas, symbols
 from report.derivation.waveform_svg import first_harmonic
-from report.finding import Finding
-from report.inventory import read_inventory
+from report.judging.claim import Kind
+from report.judging.finding import Finding
+from report.judging.verdict import Impact, Verdict
 from report.numbers.newton_by_hand import newton_by_hand
-from report.verdict import Impact, Verdict
 
 CONSTANTS = frozenset({r"\pi"})
 

@@ -24,8 +24,8 @@ from report.design.figures.drawn import drawn
 from report.design.markdown import comparison_to_markdown, environment
 from report.design.origin import Origin, origin_of
 from report.design.render import SCRIPTS, STYLES, rendered
-from report.document.figure import Figure
-from report.drawing.style import new_figure
+from report.pages.drawing.style import new_figure
+from report.pages.figure import Figure
 from report.provenance import provenance
 from report.rendering.escaping import markdown, plain, shown_characters
 from report.rendering.html import Look, page

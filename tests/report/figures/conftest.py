@@ -4,9 +4,9 @@ from functools import cache
 
 import pytest
 
-from report.collect import collect
-from report.drawing.letters import letter_panels
-from report.inventory import read_inventory
+from report.building.collect import collect
+from report.data.statements import read_inventory
+from report.pages.drawing.letters import letter_panels
 from report.twin.figures.branch import branches_over_gap
 from report.twin.figures.bridge import bridge_in_slot
 from report.twin.figures.design import design_limits

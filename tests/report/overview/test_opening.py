@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from report.document.figure import Figure
-from report.items import items
+from report.judging.items import items
 from report.overview.opening import opening
+from report.pages.figure import Figure
 
 MOST_CHARACTERS = 1300
 

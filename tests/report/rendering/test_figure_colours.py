@@ -6,7 +6,7 @@ import colorsys
 
 import pytest
 
-from report.drawing.style import LINES
+from report.pages.drawing.style import LINES
 from report.rendering.pictures.figure_colours import contrast, in_the_dark, variables, with_variables
 
 GROUND = in_the_dark("ffffff")

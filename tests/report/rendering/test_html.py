@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from report.document.document import Document
-from report.grade import grade
+from report.judging.grade import grade
 from report.octave.archive import files
 from report.rendering.request import Format
 from report.rendering.sources import identifier

@@ -5,12 +5,14 @@ from functools import partial
 
 import pytest
 
-from report.claim import Kind
 from report.document.derivation import DerivationStep
 from report.document.document import Document
-from report.document.figure import Equation
-from report.document.overview import Follows
-from report.finding import Finding, JudgedPart
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.shown import Mathematics, Number, Words
+from report.judging.spread import Follows
+from report.judging.verdict import Impact, Verdict
+from report.pages.figure import Equation
 from report.rendering.links import BrokenLinkError
 from report.rendering.markdown import (
     BACK,
@@ -24,8 +26,6 @@ from report.rendering.markdown import (
 from report.rendering.pandoc import PandocError
 from report.rendering.pieces import Converter
 from report.rendering.selection import select
-from report.shown import Mathematics, Number, Words
-from report.verdict import Impact, Verdict
 from tests.report.rendering.sample_formulas import long_coefficient
 
 

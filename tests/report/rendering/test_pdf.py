@@ -11,7 +11,7 @@ import pytest
 
 from report.document.derivation import DerivationStep
 from report.document.document import Document
-from report.document.figure import Equation
+from report.pages.figure import Equation
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import Head, TypesettingError, to_pdf, typeset
 from report.rendering.pieces import Converter

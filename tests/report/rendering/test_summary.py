@@ -2,14 +2,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from report.claim import Kind
 from report.document.document import Document
-from report.finding import Finding, JudgedPart
-from report.grade import Grade, grade
-from report.items import items
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.grade import Grade, grade
+from report.judging.items import items
+from report.judging.shown import Number
+from report.judging.verdict import Certainty, Impact, Verdict
 from report.rendering import summary
-from report.shown import Number
-from report.verdict import Certainty, Impact, Verdict
 
 
 def part(label: str, method: str, slip: str = "") -> JudgedPart:

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from report.document.figure import Figure
 from report.document.twin import Observation, TwinChapter, TwinSection
+from report.pages.figure import Figure
 from report.rendering.html import to_html
 from report.rendering.links import BrokenLinkError
 from report.rendering.markdown import to_markdown

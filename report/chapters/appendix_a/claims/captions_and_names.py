@@ -12,18 +12,18 @@ from derivations.elements.friction import FORCE
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.chapters.second_ways import REPEATED
-from report.comparisons.assertion import Assertion
-from report.evidence import Evidence
+from report.judging.comparisons.assertion import Assertion
+from report.judging.parts import assertion, close, lost_in_the_copy, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.listed_blocks import (
     PERIOD,
     friction_block,
     friction_by_python_control,
     inertia_block_on_a_sine,
 )
-from report.parts import assertion, close, lost_in_the_copy, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer import InertiaBacklash
 
 SOURCE = "report/chapters/appendix_a/claims/captions_and_names.py"

@@ -15,13 +15,13 @@ from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
 from report.chapters.second_ways import by_quadrature
-from report.comparisons.printed import product
-from report.evidence import Evidence
+from report.judging.comparisons.printed import product
+from report.judging.parts import assertion, close, expression, matrix, same, small
+from report.judging.record import ClaimRecord, Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import integral as quadrature_integral
-from report.parts import assertion, close, expression, matrix, same, small
-from report.record import ClaimRecord, Record, claim, text
-from report.thesis import LIMIT_CYCLE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LIMIT_CYCLE_OMEGA
 from trimmer import linear_model, response_at
 
 LAPLACE = "derivations/algebra/laplace.py"

@@ -5,12 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.chapters.second_ways import NEWTON, by_waveform
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, digits, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed
-from report.parts import assertion, close, digits, so
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_OMEGA,
     LARGE_GAP,
     LISTING_DENOMINATOR,
@@ -18,7 +19,6 @@ from report.thesis import (
     PLOT_OFFSET,
     SMALL_GAP,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import ViscousBacklash, limit_cycles, response_at
 
 SOURCE = "report/numbers/limit_cycle_numbers.py"

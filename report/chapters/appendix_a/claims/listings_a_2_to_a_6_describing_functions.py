@@ -22,14 +22,14 @@ from derivations.latex import latex
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
 from report.chapters.second_ways import REPEATED, by_quadrature
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, expression, made_here, repeated, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.listed_functions import friction_listing, inertia_formula, inertia_listing
-from report.parts import assertion, close, expression, made_here, repeated, same
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 
 BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)

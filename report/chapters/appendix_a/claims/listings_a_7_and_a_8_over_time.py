@@ -12,10 +12,23 @@ from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.claim import Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import (
+    More,
+    assertion,
+    close,
+    digits,
+    expression,
+    lost_in_the_copy,
+    made_here,
+    part,
+    so,
+)
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.listed_blocks import (
     PERIOD,
@@ -26,10 +39,7 @@ from report.numbers.listed_blocks import (
     inertia_block_on_a_sine,
     inertia_difference,
 )
-from report.octave.formulas import LOAD, PIN, friction_step
-from report.parts import More, assertion, close, digits, expression, lost_in_the_copy, made_here, part, so
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,
@@ -39,7 +49,7 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
-from report.verdict import Impact, Severity
+from report.octave.formulas import LOAD, PIN, friction_step
 from trimmer import InertiaBacklash
 
 SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/backlashes/inertia_backlash.py"

@@ -10,14 +10,14 @@ from derivations.equations_of_motion import euler_lagrange
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.claim import Part
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import digits, equal, expression, made_here, matrix, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import symbolic
-from report.parts import digits, equal, expression, made_here, matrix, same
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import response_at
 
 SYMBOLS = "derivations/symbols.py"

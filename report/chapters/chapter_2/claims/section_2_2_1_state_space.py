@@ -8,11 +8,11 @@ from derivations.state_space import output_row
 from derivations.symbols import coordinates, masses, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.claim import Confirmation
-from report.comparisons.printed import over, product, total
-from report.evidence import Evidence
-from report.parts import expression, matrix, same
-from report.record import Record, claim, text
+from report.judging.claim import Confirmation
+from report.judging.comparisons.printed import over, product, total
+from report.judging.parts import expression, matrix, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 
 STATE_SPACE = "derivations/state_space.py"
 STATE = sympy.ImmutableMatrix([*coordinates, *velocities])

@@ -11,16 +11,16 @@ from derivations.algebra.laplace import transform_of_derivative
 from derivations.dimensions import dimension_of
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.second_ways import EXACTLY
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.parts import assertion, close, expression, matrix, part
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
 from report.numbers.independent.linear_trimmer import matrix_formula, settled_gain
 from report.numbers.independent.symbolic import laplace_integral
-from report.parts import assertion, close, expression, matrix, part
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import response_at
 
 SOURCE = "derivations/algebra/laplace.py"

@@ -6,14 +6,14 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations.algebra import stability
-from report.claim import Part
-from report.comparisons.digits import PrintedDigits
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.parts import assertion, close, digits, equal, expression, lost_in_the_copy
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
-from report.parts import assertion, close, digits, equal, expression, lost_in_the_copy
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 
 SOURCE = "derivations/algebra/stability.py"
 

@@ -7,15 +7,15 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import EXACTLY
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, expression, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.examples import van_der_pol_third_harmonic
 from report.numbers.textbook_loops import relay_loop
-from report.parts import assertion, close, expression, same
-from report.record import Record, claim, text
-from report.thesis import LIMIT_CYCLE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LIMIT_CYCLE_OMEGA
 from trimmer.linear import filtering_ratio
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_and_2_3_2.py"

@@ -7,15 +7,15 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from report.claim import Confirmation, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, expression, made_here, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import sampled_gain
-from report.parts import assertion, close, expression, made_here, same
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA
 from trimmer import FrictionBacklash, ViscousBacklash
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_3.py"

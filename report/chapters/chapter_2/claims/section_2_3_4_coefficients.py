@@ -28,13 +28,13 @@ from report.chapters.chapter_2.claims.section_2_3_4_friction import (
     b,
 )
 from report.chapters.second_ways import by_quadrature
-from report.claim import Confirmation, Part
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import close, expression, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import coefficient, integral
-from report.parts import close, expression, repeated
-from report.record import Record, claim, text
-from report.verdict import Impact, Severity
 from trimmer import FrictionBacklash
 
 COSINE_ITEM = "4b/π (b/A − 1), a₁ of friction-controlled backlash"

@@ -11,15 +11,15 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
-from report.claim import Confirmation
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, digits, equal, expression, made_here, matrix, same, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
 from report.numbers.independent.symbolic import first_root
 from report.numbers.independent.waveforms import Values
-from report.parts import assertion, close, digits, equal, expression, made_here, matrix, same, so
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"

@@ -17,13 +17,13 @@ from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
 from report.chapters.chapter_2.claims.section_2_3_4_friction import LINES, SINE, continuous
 from report.chapters.second_ways import by_quadrature
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, expression, made_here, matrix, same, so
+from report.judging.record import Record, claim, text
+from report.judging.text import filled
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain, sampled_gain
-from report.parts import assertion, expression, made_here, matrix, same, so
-from report.record import Record, claim, text
-from report.text import filled
-from report.verdict import Certainty, Impact, Severity
 from trimmer import InertiaBacklash
 
 SOURCE = "derivations/elements/backlash.py"

@@ -21,18 +21,18 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.second_ways import by_quadrature
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.comparisons.expression import SameExpression
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import close, expression, lost_in_the_copy, made_here, part, same, so
+from report.judging.record import Record, claim, text
+from report.judging.shown import Words
+from report.judging.text import filled
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values, quadrature_gain
-from report.parts import close, expression, lost_in_the_copy, made_here, part, same, so
-from report.record import Record, claim, text
-from report.shown import Words
-from report.text import filled
-from report.verdict import Impact, Severity
 from trimmer import ViscousBacklash
 
 SOURCE = "derivations/elements/backlash.py"

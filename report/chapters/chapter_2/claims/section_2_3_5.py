@@ -10,15 +10,15 @@ from derivations.elements.waveform import THETA, segment_integral
 from derivations.elements.waveform import describing_function as derived_function
 from derivations.symbols import A
 from report.chapters.second_ways import by_quadrature
-from report.comparisons.expression import SameExpression
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.comparisons.expression import SameExpression
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, expression, lost_in_the_copy, made_here
+from report.judging.record import Record, claim, text
+from report.judging.text import filled
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.symbolic import zeros_in_turn
 from report.numbers.independent.waveforms import coefficient, quadrature_gain
-from report.parts import assertion, close, expression, lost_in_the_copy, made_here
-from report.record import Record, claim, text
-from report.text import filled
-from report.verdict import Certainty, Impact, Severity
 from trimmer import CoulombFriction, Relay
 
 SOURCE = "derivations/elements/friction.py"

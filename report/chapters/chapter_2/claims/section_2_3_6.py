@@ -8,10 +8,15 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, digits, equal, expression, made_here, part
+from report.judging.record import Record, claim, text
+from report.judging.shown import Words
+from report.judging.text import filled
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import decays, feedback_poles
 from report.numbers.independent.symbolic import first_root
 from report.numbers.listed_functions import friction_listing
@@ -23,11 +28,6 @@ from report.numbers.textbook_loops import (
     growing_poles,
     relay_loop,
 )
-from report.parts import assertion, close, digits, equal, expression, made_here, part
-from report.record import Record, claim, text
-from report.shown import Words
-from report.text import filled
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, response_at
 
 SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"

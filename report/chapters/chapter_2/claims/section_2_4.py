@@ -14,15 +14,15 @@ from derivations.elements.waveform import THETA, describing_function, simplified
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_coefficients import BRACKET, printed_sine_terms
 from report.chapters.second_ways import by_quadrature
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, equal, expression, made_here, part, so
+from report.judging.record import Record, claim, text
+from report.judging.shown import Words
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain
-from report.parts import assertion, close, equal, expression, made_here, part, so
-from report.record import Record, claim, text
-from report.shown import Words
-from report.verdict import Certainty, Impact, Severity
 from trimmer import CoulombFriction, FrictionBacklash
 from trimmer.elements import SumOfElements
 

@@ -9,15 +9,16 @@ import numpy as np
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
-from report.claim import Part, Uncheckable
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Part, Uncheckable
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_peaks
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import guard_over_cutter
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
-from report.parts import assertion, close, digits, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     EXPERIMENT_GAP,
     LARGER_GAP,
@@ -27,7 +28,6 @@ from report.thesis import (
     SAMPLE_RATE,
     TABLE_2,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
 OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"

@@ -11,14 +11,14 @@ from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
 from report.chapters.chapter_3.claims.measured_peaks import BIN, on_a_bin, tabulated
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, digits, equal, expression, made_here, repeated, same, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import gains_where_phases_match
 from report.numbers.independent.spectrum_bins import bins, fitting_samples
-from report.parts import assertion, close, digits, equal, expression, made_here, repeated, same, so
-from report.record import Record, claim, text
-from report.thesis import SAMPLE_RATE
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import SAMPLE_RATE
 from trimmer import FrictionBacklash, limit_cycles
 
 SOURCE = "report/chapters/chapter_3/claims/measured_peaks.py"

@@ -12,15 +12,15 @@ from derivations.symbols import velocities
 from report.chapters.chapter_1.claims import MOVING_PARTS
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims import measured_peaks as peaks
-from report.claim import Confirmation
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, equal, lost_in_the_copy, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
-from report.parts import assertion, close, digits, equal, lost_in_the_copy, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
 PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"

@@ -7,13 +7,13 @@ import sympy
 
 from derivations.elements.friction import FORCE
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers.driven_motion import FORCES
+from report.numbers.evidence import Evidence
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
-from report.parts import assertion, close, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, OPEN_LOOP_PEAK
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import EXPERIMENT_GAP, LARGEST_GAP, OPEN_LOOP_PEAK
 
 SOURCE = "report/numbers/released_motion.py"
 PEAK, PREDICTED = "350", "488"

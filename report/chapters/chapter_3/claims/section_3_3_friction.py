@@ -9,11 +9,11 @@ from derivations.elements.coulomb_contact import friction_forces, power, relativ
 from derivations.elements.friction import FORCE
 from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
-from report.comparisons.printed import over, product, total
-from report.evidence import Evidence
-from report.parts import assertion, expression, made_here, same, so
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
+from report.judging.comparisons.printed import over, product, total
+from report.judging.parts import assertion, expression, made_here, same, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 
 SOURCE = "derivations/elements/coulomb_contact.py"
 PRINTED_RATE = velocities[1] - velocities[0]

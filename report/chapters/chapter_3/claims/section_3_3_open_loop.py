@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.measured_peaks import TABLE_1
-from report.evidence import Evidence
+from report.judging.parts import assertion, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers.driven_motion import FORCES, transient_peaks
-from report.parts import assertion, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import EXPERIMENT_GAP, LARGER_GAP, MEASURED_DRIVE_FREQUENCY, OPEN_LOOP_PEAK, TABLE_2
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import (
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    OPEN_LOOP_PEAK,
+    TABLE_2,
+)
 
 FIFTH = "549.999"
 """The other peak of figure 3.8, Hz."""

@@ -19,13 +19,13 @@ from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.chapter_5.claims.section_5_2_5_friction_term import coulomb_part
 from report.chapters.second_ways import NEWTON, by_matching_real_parts
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, digits, expression, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
 from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
-from report.parts import assertion, close, digits, expression, repeated
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
 SOURCE = "report/numbers/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)

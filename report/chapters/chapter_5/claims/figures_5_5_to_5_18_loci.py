@@ -10,9 +10,12 @@ from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
 from report.chapters.second_ways import LOEB, NEWTON, by_waveform
-from report.claim import Part, Slip
-from report.comparisons.printed import power, power_of
-from report.evidence import Evidence
+from report.judging.claim import Part, Slip
+from report.judging.comparisons.printed import power, power_of
+from report.judging.parts import assertion, close, digits, equal, made_here, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
 from report.numbers.independent.loci import (
     LIBRARY_GAP,
@@ -22,10 +25,7 @@ from report.numbers.independent.loci import (
 from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, intersections, listing_contour
-from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,

@@ -10,14 +10,14 @@ from report.chapters.chapter_5.claims.section_5_2_1_impulses import one_impulse_
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
 from report.chapters.chapter_5.claims.section_5_2_2_simulated import peak_parts as peaks_of_inertia
 from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
-from report.claim import Confirmation
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.parts import assertion, close, digits, repeated, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
-from report.parts import assertion, close, digits, repeated, so
-from report.record import Record, claim, text
-from report.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
 DRIVEN, RELAY = "report/numbers/drive_amplitudes.py", "report/numbers/relay_loop.py"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.linear_trimmer import deviation_from_pin
 from report.numbers.linear_numbers import LinearNumbers
-from report.parts import assertion, close, digits
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
 from trimmer.linear import steady_state
 
 SOURCE = "trimmer/linear/in_time.py"

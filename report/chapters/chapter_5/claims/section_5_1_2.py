@@ -8,15 +8,15 @@ import control
 import numpy as np
 
 from report.chapters.second_ways import EXACTLY
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import linear_trimmer
 from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio
 from report.numbers.linear_numbers import LinearNumbers
-from report.parts import assertion, close, digits, equal, made_here, repeated, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks
 from trimmer.linear import (
     asymptotic_roll_off,

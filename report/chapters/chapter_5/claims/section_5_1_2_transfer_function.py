@@ -8,14 +8,14 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import CopyFault
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.printed import power
-from report.evidence import Evidence
+from report.judging.claim import CopyFault
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power
+from report.judging.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import linear_trimmer
-from report.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import linear_model
 from trimmer.thesis import TrimmerBody
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from report.chapters.second_ways import EXACTLY
-from report.claim import Confirmation, Part
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.parts import assertion, close, digits, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
-from report.parts import assertion, close, digits, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks
 from trimmer.linear import filtering_ratio
 from trimmer.linear.extrema import Extremum

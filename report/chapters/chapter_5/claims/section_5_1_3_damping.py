@@ -17,7 +17,10 @@ from report.chapters.chapter_5.claims.section_5_1_3 import (
     nearest,
     peak_part,
 )
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, made_here, matrix, small
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import peak
 from report.numbers.independent.linear_trimmer import (
     antiresonances,
@@ -30,9 +33,6 @@ from report.numbers.linear_numbers import (
     lightly_damped_response,
     sum_of_displacements,
 )
-from report.parts import assertion, close, made_here, matrix, small
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import linear_model, resonance_peaks, response_at
 from trimmer.thesis import Displacement, TrimmerBody
 

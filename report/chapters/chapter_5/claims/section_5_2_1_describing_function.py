@@ -10,13 +10,13 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform
 from derivations.elements.waveform import describing_function
 from derivations.symbols import A
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, expression, made_here
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.symbolic import least_amplitude_with_contact
 from report.numbers.independent.waveforms import quadrature_gain
-from report.parts import assertion, close, digits, expression, made_here
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
 SOURCE = "trimmer/elements/backlashes/friction_backlash.py"

@@ -9,16 +9,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from report.claim import Confirmation, Part
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.parts import assertion, close, made_here, small, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers.drive_amplitudes import SAMPLES, AmplitudeRun
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
 from report.numbers.record import change
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
 from report.numbers.time_stepping import lines_in_steps, steps
-from report.parts import assertion, close, made_here, small, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
 SOURCE = "report/numbers/drive_amplitudes.py"

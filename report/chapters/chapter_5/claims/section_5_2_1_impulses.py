@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
-from report.claim import Part
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, equal
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.impulse_response import ABOVE, CHECKED
-from report.parts import assertion, close, equal
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, limit_cycles
 
 NO_OSCILLATION = "no oscillation for 1e-8 m and oscillation for 3e-8 m, simulated closed loop"

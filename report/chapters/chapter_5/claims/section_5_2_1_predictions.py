@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
-from report.claim import Confirmation, Part
-from report.comparisons.printed import power
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.printed import power
+from report.judging.parts import assertion, close, digits, made_here, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
-from report.parts import assertion, close, digits, made_here, repeated
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, LimitCycle, limit_cycles
 
 SOURCE = "trimmer/balance/solve.py"

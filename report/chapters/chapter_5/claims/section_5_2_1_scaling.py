@@ -10,13 +10,13 @@ from report.chapters.chapter_5.claims.section_5_2_1_predictions import (
     TINY_GAP,
     at_the_tiny_gap,
 )
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers
-from report.parts import assertion, close, digits
-from report.record import Record, claim, text
-from report.thesis import PLOT_OFFSET
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import PLOT_OFFSET
 from trimmer import FrictionBacklash, limit_cycles
 
 SMALLEST_GAP = "2e-8 m, smallest gap with a limit cycle"

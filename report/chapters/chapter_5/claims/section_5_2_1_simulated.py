@@ -8,14 +8,14 @@ from fractions import Fraction
 import numpy as np
 
 from report.chapters.second_ways import TWO_DURATIONS
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits, made_here, repeated, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.record import Record as Samples
-from report.parts import assertion, close, digits, made_here, repeated, so
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LARGE_GAP, SMALL_GAP
 
 SOURCE = "report/numbers/exact_orbits.py"
 STATED = Samples(0.1, 1_000_231)

@@ -8,15 +8,15 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import LOEB, NEWTON, by_division_back, by_floquet
-from report.claim import Part
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, digits, expression, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import inertia_exactly
 from report.numbers.independent.loci import distance_from_curve
-from report.parts import assertion, close, digits, expression, so
-from report.record import Record, claim, text
-from report.thesis import TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import TURN
 from trimmer import InertiaBacklash, harmonic_leakage
 
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"

@@ -10,14 +10,14 @@ import numpy as np
 from report.chapters.chapter_5.claims.section_5_2_1_driven import LOOP_CLOSED
 from report.chapters.chapter_5.claims.section_5_2_2 import BY_DURATIONS
 from report.chapters.second_ways import TWO_DURATIONS
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits, made_here
+from report.judging.record import Record, claim, text
+from report.judging.text import filled
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
-from report.parts import assertion, close, digits, made_here
-from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
 from trimmer import InertiaBacklash
 
 OBSERVED = 660.0

@@ -12,16 +12,16 @@ from derivations.elements.steps.limits import step as limits_step
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
 from report.chapters.chapter_5.claims.section_5_2_2 import balance_part
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
-from report.claim import Confirmation, Part
-from report.comparisons.assertion import Assertion
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.parts import assertion, close, digits, expression, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
 from report.numbers.independent.loci import lies_between_the_limits
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
-from report.parts import assertion, close, digits, expression, repeated
-from report.record import Record, claim, text
-from report.thesis import ROUNDED, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
 SOLVER = "trimmer/balance/solve.py"

@@ -12,17 +12,17 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
-from report.claim import Confirmation, Part
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, expression, made_here, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles, relay_and_friction
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
+from report.numbers.thesis import LARGE_GAP, RELAY_LEVEL, SMALL_GAP
 from report.numbers.time_stepping import FINE_STEP
-from report.parts import assertion, close, digits, expression, made_here, so
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, RELAY_LEVEL, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
 from trimmer.linear import real_axis_crossings
 
 SIMULATED = "report/numbers/relay_loop.py"

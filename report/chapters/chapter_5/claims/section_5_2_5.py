@@ -7,16 +7,16 @@ from fractions import Fraction
 
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.second_ways import NEWTON
-from report.claim import Confirmation, Part
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
 from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point
+from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles
 from report.numbers.listed_functions import equivalent_listing
 from report.numbers.released_bodies import RECORD
-from report.parts import assertion, close, digits, equal, made_here, repeated, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP
 from trimmer import LimitCycle, response_at
 
 BODIES = "report/numbers/released_bodies.py"

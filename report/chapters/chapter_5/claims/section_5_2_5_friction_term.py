@@ -10,11 +10,11 @@ from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
-from report.claim import Part, Slip
-from report.evidence import Evidence
-from report.parts import expression, made_here, repeated, same
-from report.record import Record, claim, text
-from report.verdict import Impact, Severity
+from report.judging.claim import Part, Slip
+from report.judging.parts import expression, made_here, repeated, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 
 OPERATOR = "derivations/elements/friction.py"
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)

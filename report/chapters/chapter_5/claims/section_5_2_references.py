@@ -7,16 +7,16 @@ import math
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
 from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
-from report.claim import Part
-from report.comparisons.digits import PrintedDigits
-from report.evidence import Evidence
-from report.inventory import read_inventory
+from report.data.sections import read_sections
+from report.data.statements import read_inventory
+from report.judging.claim import Part
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.parts import assertion, close, digits, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed
-from report.parts import assertion, close, digits, repeated
-from report.record import Record, claim, text
-from report.sections import read_sections
-from report.thesis import SMALL_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import SMALL_GAP, TURN
 
 SOURCE = "report/chapters/chapter_5/claims/section_5_2_references.py"
 PREDICTED = "3.3138e-5"

@@ -9,15 +9,15 @@ import sympy
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
 from report.chapters.second_ways import ALL_LOADS, by_matching_real_parts, by_quadrature
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, lost_in_the_copy
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import loci
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.waveforms import coefficient
-from report.parts import assertion, close, digits, lost_in_the_copy
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, harmonic_leakage, limit_cycles
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
 from trimmer.linear import asymptotic_roll_off

@@ -10,11 +10,11 @@ import sympy
 from derivations.elements import backlash
 from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
 from derivations.symbols import A
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, expression
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import examples
-from report.parts import assertion, close, expression
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage
 
 GAP_HERE, TIME_CONSTANT = 0.2, 1.0

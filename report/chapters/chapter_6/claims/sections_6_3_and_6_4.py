@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from report.comparisons.printed import power
-from report.evidence import Evidence
+from report.judging.comparisons.printed import power
+from report.judging.parts import assertion, close
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import LetGoLoad
-from report.parts import assertion, close
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
 
 LARGEST_FORCE = 1.0
 """Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.evidence import Evidence
+from report.judging.parts import assertion, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers.equivalent_nonlinearity import FORCES
-from report.parts import assertion, so
-from report.record import Record, claim, text
-from report.thesis import EXPERIMENT_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
 

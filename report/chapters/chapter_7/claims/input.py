@@ -12,17 +12,17 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.evidence import Evidence
+from report.judging.parts import assertion, close
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
 from report.numbers.drive_amplitudes import SAMPLES
+from report.numbers.evidence import Evidence
 from report.numbers.record import change, line_amplitudes
-from report.parts import assertion, close
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
     LARGE_GAP,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.second_ways import ALL_LOADS, by_floquet
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import feedback_poles
-from report.parts import assertion, close, so
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 
 SOURCE = "report/numbers/exact_orbits.py"
 OVERALL = "backlash leaves the stability of the whole system as it is"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from report.chapters.second_ways import EXACTLY
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import gain, gain_ratio
 from report.numbers.linear_numbers import lightly_damped_response
-from report.parts import assertion, close, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks, response_at
 
 PRECISELY = 0.5

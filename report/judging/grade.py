@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 from typing import Protocol
 
-from report.verdict import Severity, Verdict
+from report.judging.verdict import Severity, Verdict
 
 
 class Grade(Enum):

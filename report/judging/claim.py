@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any, Protocol, Self
 
-from report.shown import Shown
-from report.verdict import Certainty, Impact, Severity, Verdict
+from report.judging.shown import Shown
+from report.judging.verdict import Certainty, Impact, Severity, Verdict
 
 
 class Kind(Enum):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from report.claim import Agreement, Claim, Part, Statement, Uncheckable
-from report.finding import Finding, JudgedPart
-from report.shown import Words
-from report.verdict import Certainty, Severity, Verdict
+from report.judging.claim import Agreement, Claim, Part, Statement, Uncheckable
+from report.judging.finding import Finding, JudgedPart
+from report.judging.shown import Words
+from report.judging.verdict import Certainty, Severity, Verdict
 
 
 class UngradedError(Exception):

@@ -5,7 +5,7 @@
         yield expression("", printed, derived, left=r)
         yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
 
-``report.collect`` finds the records by looking through the modules of ``report.chapters``.
+``known`` is whatever the claims are judged with; ``report.building.collect`` finds the records.
 """
 
 from __future__ import annotations
@@ -13,20 +13,19 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Any, final
 
-from report.claim import Claim, Part, Uncheckable
-from report.document.figure import Figure
-from report.drawing.style import style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
-from report.text import RecordError, filled
-from report.verdict import Certainty, Impact, Severity
+from report.judging.claim import Claim, Part, Uncheckable
+from report.judging.text import RecordError, filled
+from report.judging.verdict import Certainty, Impact, Severity
+from report.pages.drawing.style import style
+from report.pages.drawing.svg import to_svg
+from report.pages.figure import Figure
 
 if TYPE_CHECKING:
     import matplotlib.figure
 
-    Draw = Callable[[Evidence], matplotlib.figure.Figure]
+    Draw = Callable[[Any], matplotlib.figure.Figure]
 
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
@@ -43,7 +42,7 @@ class Text:
     statement changes elsewhere.
 
     Attributes:
-        prose: With a place for each number; see ``report.text.filled``.
+        prose: With a place for each number; see ``report.judging.text.filled``.
         numbers: By the names that the prose uses.
     """
 
@@ -91,14 +90,14 @@ class ClaimRecord:
 
     id: str
     source: str
-    items: Callable[[Evidence], Record]
+    items: Callable[[Any], Record]
     impact: Impact = Impact.NONE
     lines: tuple[int, int] | None = None
     severity: Severity | None = None
     certainty: Certainty | None = None
     paragraph: int | None = None
 
-    def claim(self, known: Evidence) -> Claim:
+    def claim(self, known: Any) -> Claim:
         """Return the claim with its numbers.
 
         Raises:
@@ -135,7 +134,7 @@ def claim(
     severity: Severity | None = None,
     certainty: Certainty | None = None,
     paragraph: int | None = None,
-) -> Callable[[Callable[[Evidence], Record]], ClaimRecord]:
+) -> Callable[[Callable[[Any], Record]], ClaimRecord]:
     """Make a claim of a function that yields what it consists of, and give it the function's name.
 
     For the arguments see ``ClaimRecord``.
@@ -146,7 +145,7 @@ def claim(
 def text(prose: str) -> Text:
     """Return the text of a claim; one with numbers goes on with ``given``.
 
-    For the places and filters of the numbers see ``report.text.filled``.
+    For the places and filters of the numbers see ``report.judging.text.filled``.
     """
     return Text(prose)
 
@@ -162,7 +161,7 @@ class FigureRecord:
     alternative_text: str
     draw: Draw = field(repr=False)
 
-    def finished(self, known: Evidence) -> Figure:
+    def finished(self, known: Any) -> Figure:
         """Draw the figure; it is then an SVG with its words."""
         svg = to_svg(self.draw(known), self.id, self.title, self.alternative_text)
         return Figure(self.id, self.title, self.caption, self.alternative_text, svg)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.claim import Kind
-from report.shown import Shown
-from report.verdict import Certainty, Impact, Severity, Verdict
+from report.judging.claim import Kind
+from report.judging.shown import Shown
+from report.judging.verdict import Certainty, Impact, Severity, Verdict
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ import sympy
 
 from derivations.algebra.identity import Proof, prove_equal, prove_equal_matrices
 from derivations.latex import latex
-from report.claim import Agreement
-from report.shown import Mathematics
-from report.verdict import Certainty
+from report.judging.claim import Agreement
+from report.judging.shown import Mathematics
+from report.judging.verdict import Certainty
 
 VALUE = re.compile(r"(?<![\w$])([A-Za-z]\w*'*) = (-?\d+(?:/\d+)?)")
 PROVEN: Final = "both sides are the same, proven by algebra"

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import dataclass
 from pathlib import Path
 
-from report.document.thesis import Section
+PATH = Path(__file__).parent / "sections.csv"
 
-PATH = Path(__file__).parent / "data" / "sections.csv"
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the thesis: number, title, and the ids of the figures in it."""
+
+    number: str
+    title: str
+    figures: tuple[str, ...] = ()
 
 
 def read_sections(path: Path = PATH) -> tuple[Section, ...]:

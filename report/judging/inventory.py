@@ -1,4 +1,4 @@
-"""The list of every statement of the thesis that is to be judged: ids, kinds, sections and subjects."""
+"""Lists of the statements that are to be judged: ids, kinds, sections and subjects."""
 
 from __future__ import annotations
 
@@ -7,40 +7,30 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from report.claim import Kind, Statement
+from report.judging.claim import Kind, Statement
 from trimmer.errors import TrimmerError
-
-PATH = Path(__file__).parent / "data" / "inventory.csv"
-"""The statements that were handed over with the thesis."""
-FURTHER = PATH.with_name("further_statements.csv")
-"""Statements that the inventory lacks, found by reading the thesis again; same columns."""
-TITLES = PATH.with_name("titles.csv")
-"""What the report calls statements whose subject there has abbreviations or ASCII mathematics."""
 
 
 class InventoryError(TrimmerError, ValueError):
     """The inventory holds an id twice, or a kind that is not known, or a title has no statement."""
 
 
-def read_inventory(*paths: Path) -> Mapping[str, Statement]:
-    """Read the statements, by id, in their own order: those handed over, then the further ones.
-
-    Args:
-        paths: Files to read instead of these two, with the subjects as titles.
+def read_statements(*paths: Path) -> Mapping[str, Statement]:
+    """Read the statements of some files together, by id, in their order, with the subjects as titles.
 
     Raises:
-        InventoryError: naming file, line and value, if an id stands twice or is not known, or a kind is not.
+        InventoryError: naming file, line and value, if an id stands twice, or a kind is not known.
     """
     entries: dict[str, Statement] = {}
-    for path in paths or (PATH, FURTHER):
+    for path in paths:
         for line, entry in _entries(path):
             if entry.id in entries:
                 raise InventoryError(f"{path.name}, line {line}: the id {entry.id} stands there twice")
             entries[entry.id] = entry
-    return entries if paths else titled(entries)
+    return entries
 
 
-def titled(entries: Mapping[str, Statement], path: Path = TITLES) -> Mapping[str, Statement]:
+def titled(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statement]:
     """Return the statements with the titles that the report gives them.
 
     Args:

@@ -9,10 +9,10 @@ from xml.sax.saxutils import escape, quoteattr
 
 from matplotlib.ticker import ScalarFormatter
 
-from report.drawing.letters import letter_panels
-from report.drawing.placed import name_parts
-from report.drawing.read_out import read_out
-from report.drawing.style import style
+from report.pages.drawing.letters import letter_panels
+from report.pages.drawing.placed import name_parts
+from report.pages.drawing.read_out import read_out
+from report.pages.drawing.style import style
 from trimmer.drawing.content import unwarned
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     """Return a figure as SVG; the same figure gives the same text in every process.
 
     Args:
-        figure: the figure, drawn inside ``report.drawing.style.style()``.
+        figure: the figure, drawn inside ``report.pages.drawing.style.style()``.
         identifier: prefix of every id, so that two figures in one page do not share one.
         title: short name of the figure, for readers who do not see it.
         alternative_text: what the figure shows, in words.

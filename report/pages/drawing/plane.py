@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.marks import beside, limit_cycle
-from report.drawing.style import LINES, Look
+from report.pages.drawing.marks import beside, limit_cycle
+from report.pages.drawing.style import LINES, Look
 from trimmer import response_at
 from trimmer.drawing.along import Along
 from trimmer.drawing.marks import critical_point as critical_point

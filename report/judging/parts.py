@@ -15,13 +15,13 @@ from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.claim import Check, Comparison, Confirmation, CopyFault, Part, Slip, Uncheckable
-from report.comparisons.assertion import Assertion
-from report.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
-from report.comparisons.expression import SameExpression, SameMatrix
-from report.shown import Mathematics, Shown, Words
-from report.text import RecordError, filled
-from report.verdict import Certainty, Severity, Verdict
+from report.judging.claim import Check, Comparison, Confirmation, CopyFault, Part, Slip, Uncheckable
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
+from report.judging.comparisons.expression import SameExpression, SameMatrix
+from report.judging.shown import Mathematics, Shown, Words
+from report.judging.text import RecordError, filled
+from report.judging.verdict import Certainty, Severity, Verdict
 
 DECIMAL = re.compile(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?")
 
@@ -79,7 +79,7 @@ def assertion(
         derived: whether it holds.
         evidence: what shows it, as Markdown.
         method: how it was found.
-        numbers: those that the evidence asks for; see ``report.text.filled``.
+        numbers: those that the evidence asks for; see ``report.judging.text.filled``.
         asserted: False where the thesis denies the property.
         more: see ``More``.
     """

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.lines import Line2D
 
-from report.drawing.marks import Names
-from report.drawing.peaks import peaks
-from report.drawing.placed import axes_name, placed
+from report.pages.drawing.marks import Names
+from report.pages.drawing.peaks import peaks
+from report.pages.drawing.placed import axes_name, placed
 from trimmer.drawing.along import Along as Along
 from trimmer.drawing.along import CurveAlong
 from trimmer.drawing.along import plot_along as plot_along
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from report.drawing.placed import Place
+    from report.pages.drawing.placed import Place
     from trimmer.arrays import Reals
 
 SCALES: Final = ("linear", "log")

@@ -3,15 +3,45 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
-from report.document.mutation import MutationMeasurement
 from trimmer.errors import TrimmerError
 
-PATH = Path(__file__).parent / "data" / "mutation.json"
+PATH = Path(__file__).parent / "mutation.json"
 """Written by ``python -m scripts.mutation summary --write``; absent until it is measured."""
 COUNTS = ("drawn", "equivalent", "claims", "tests", "nothing")
+
+
+@dataclass(frozen=True)
+class MutationMeasurement:
+    """How many changes of this program, made at random, were noticed.
+
+    Attributes:
+        date: When it was measured, year-month-day.
+        command: With what.
+        drawn: How many changes were made.
+        equivalent: How many of them have no effect.
+        claims: How many another verdict, or a check that stopped the report, has shown first.
+        tests: How many a test has shown first.
+        nothing: How many nothing has shown, of those with an effect.
+        interval: 95 % interval of the share that is noticed among those with an effect.
+    """
+
+    date: str
+    command: str
+    drawn: int
+    equivalent: int
+    claims: int
+    tests: int
+    nothing: int
+    interval: tuple[float, float]
+
+    @property
+    def noticed(self) -> int:
+        """How many were noticed."""
+        return self.claims + self.tests
 
 
 class MutationDataError(TrimmerError, ValueError):

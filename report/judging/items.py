@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import final
 
-from report.finding import Finding, JudgedPart
-from report.verdict import Severity, Verdict
+from report.judging.finding import Finding, JudgedPart
+from report.judging.verdict import Severity, Verdict
 
 
 @final

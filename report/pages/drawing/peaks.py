@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.marks import STABLE, UNSTABLE
+from report.pages.drawing.marks import STABLE, UNSTABLE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 from jinja2 import Environment, StrictUndefined, Template, TemplateError, Undefined, meta, nodes
 
-from report.comparisons.printed import power, power_of
+from report.judging.comparisons.printed import power, power_of
 from trimmer.errors import TrimmerError
 
 SPACE = re.compile(r"[ \n]+")

@@ -9,8 +9,8 @@ from typing import Self, final
 
 import mpmath
 
-from report.claim import Agreement
-from report.shown import Number
+from report.judging.claim import Agreement
+from report.judging.shown import Number
 
 LEAST_DIGITS_SHOWN = 6
 GUARD_DIGITS = 3

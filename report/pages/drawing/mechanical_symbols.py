@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.marks import arrow
-from report.drawing.style import BLACK, new_figure
+from report.pages.drawing.marks import arrow
+from report.pages.drawing.style import BLACK, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Self, final
 
-from report.claim import Agreement
-from report.shown import Words
+from report.judging.claim import Agreement
+from report.judging.shown import Words
 
 
 @final

@@ -8,9 +8,9 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 from report import chapters
-from report.claim import Statement
-from report.record import ClaimRecord, FigureRecord
-from report.text import RecordError
+from report.judging.claim import Statement
+from report.judging.record import ClaimRecord, FigureRecord
+from report.judging.text import RecordError
 
 
 class ClaimIdError(RecordError):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, final
 
-PATH = Path(__file__).parent / "data" / "thesis.toml"
+PATH = Path(__file__).parent / "thesis.toml"
 
 
 @final

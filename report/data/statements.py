@@ -1,0 +1,37 @@
+"""The statements of the thesis that are to be judged, with their titles, and which follows from which."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from report.judging.claim import Statement
+from report.judging.inventory import read_statements, titled
+from report.judging.spread import Follows, read_edges
+
+PATH = Path(__file__).parent / "inventory.csv"
+"""The statements that were handed over with the thesis."""
+FURTHER = PATH.with_name("further_statements.csv")
+"""Statements that the inventory lacks, found by reading the thesis again; same columns."""
+TITLES = PATH.with_name("titles.csv")
+"""What the report calls statements whose subject there has abbreviations or ASCII mathematics."""
+FOLLOWS_FROM = PATH.with_name("follows_from.csv")
+"""Which statement follows from which, where a slip spreads from one to the next."""
+
+
+def read_inventory() -> Mapping[str, Statement]:
+    """Read the statements, by id, in their own order: those handed over, then the further ones.
+
+    Raises:
+        InventoryError: naming file, line and value, if an id stands twice or is not known, or a kind is not.
+    """
+    return titled(read_statements(PATH, FURTHER), TITLES)
+
+
+def read_follows(inventory: Mapping[str, Statement]) -> tuple[Follows, ...]:
+    """Read which statement follows from which, in the order of the file.
+
+    Raises:
+        SpreadError: naming what is unknown, or the circle.
+    """
+    return read_edges(inventory, FOLLOWS_FROM)
