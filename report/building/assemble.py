@@ -10,22 +10,22 @@ from derivations.symbols import PARAMETERS
 from report.data.mutation import read_mutation
 from report.data.sections import read_sections
 from report.data.statements import FURTHER, read_follows
-from report.data.text_copy import read_text_copy
+from report.data.text_copy import read_build_time, read_text_copy
 from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
-from report.document.derivation import DerivationStep, ParameterRow, Program
 from report.document.document import Document
 from report.document.explorable import Explorable
 from report.document.overview import Answer, CorrectedResult, Opening
 from report.document.robustness import Robustness
-from report.document.thesis import Chapter
+from report.document.thesis import Chapter, Program
 from report.document.twin import TwinChapter
 from report.judging.claim import Statement
 from report.judging.finding import Finding
 from report.judging.inventory import read_statements
+from report.pages.derivation import DerivationStep, ParameterRow
 from report.pages.figure import Equation, Figure
-from report.provenance import provenance
+from report.pages.provenance import provenance
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -97,7 +97,7 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
             ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
-        provenance=provenance(),
+        provenance=provenance(read_build_time()),
         text_copy=read_text_copy(),
         programs=parts.programs,
         describing_functions=tuple(told[each.step.id] for each in parts.element_steps),

@@ -15,6 +15,7 @@ from report.building.background import begun
 from report.building.collect import Records, collect
 from report.building.progress import Progress
 from report.building.tasks import Task, done
+from report.cache.libraries import libraries
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
 from report.data.statements import read_inventory
@@ -36,7 +37,6 @@ from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
 from report.overview.opening_figure import opening_figure
-from report.provenance import libraries
 from report.robustness.page import robustness
 from report.twin.cell_check import seed_of
 from report.twin.chapter import twin_chapter

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, final
 
+from report.pages.provenance import BuildTime
+
 PATH = Path(__file__).parent / "thesis.toml"
 
 
@@ -30,15 +32,6 @@ class TextCopy:
     kind: str = ""
     institution: str = ""
     lacks: tuple[str, ...] = ()
-
-
-@final
-@dataclass(frozen=True)
-class BuildTime:
-    """Processor time that the report took from nothing, s, when that version was measured."""
-
-    seconds: float
-    version: str
 
 
 def read_text_copy() -> TextCopy:

@@ -16,8 +16,8 @@ from derivations.latex import latex
 from derivations.step import Step
 from derivations.symbols import QUANTITIES
 from report.derivation.symbols_of_text import formulas, symbols
-from report.document.derivation import NomenclatureRow
 from report.judging.finding import Finding
+from report.pages.derivation import NomenclatureRow
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent.parent / "data" / "nomenclature.csv"

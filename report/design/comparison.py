@@ -21,8 +21,8 @@ from report.design.words import (
     measure_words,
     number_words,
 )
+from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
-from report.rendering.escaping import Markdown, code, markdown
 from trimmer.design.comparison import Comparison
 from trimmer.design.targets import Measure
 

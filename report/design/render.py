@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Protocol
 
-from report.rendering.html import Look, page, with_drawings
-from report.rendering.pdf import Head, typeset
-from report.rendering.pictures.figure_colours import with_variables
-from report.rendering.pieces import Converter
-from report.rendering.request import Format, Paper
+from report.pages.figure_colours import with_variables
+from report.pages.formats import Format, Paper
+from report.pages.html import Look, page, with_drawings
+from report.pages.pdf import Head, typeset
+from report.pages.pieces import Converter
 
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore

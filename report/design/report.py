@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.design.origin import Origin
-from report.document.derivation import DerivationStep
+from report.pages.derivation import DerivationStep
 from report.pages.figure import Figure
 from trimmer.design.design import Design
 

@@ -8,15 +8,16 @@ from dataclasses import dataclass, field
 from report.data.mutation import MutationMeasurement
 from report.data.sections import Section
 from report.data.text_copy import TextCopy
-from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
 from report.document.explorable import Explorable
 from report.document.overview import Answer, CorrectedResult, Opening
 from report.document.robustness import Robustness
-from report.document.thesis import Chapter, Provenance
+from report.document.thesis import Chapter, Program
 from report.document.twin import TwinChapter
 from report.judging.finding import Finding
 from report.judging.spread import Follows
+from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow
 from report.pages.figure import Figure
+from report.pages.provenance import Provenance
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from report.document.derivation import Program
+from report.document.thesis import Program
 from report.octave.readme import NAME, readme
 from trimmer.files import write_atomically
 

@@ -14,7 +14,7 @@ from derivations.elements.waveform import THETA
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.state_space import output_row
 from derivations.symbols import PARAMETERS, A
-from report.document.derivation import Program
+from report.document.thesis import Program
 from report.folders import templates
 from report.numbers.thesis import (
     DRIVE_AMPLITUDE,

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from report.document.derivation import Program
+from report.document.thesis import Program
 from report.folders import templates
 
 NAME = "README.md"

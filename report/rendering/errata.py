@@ -13,7 +13,7 @@ from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.shown import Shown, Words
 from report.judging.verdict import Certainty, Severity, Verdict
-from report.rendering.escaping import plain
+from report.pages.escaping import plain
 from report.rendering.outline import grouped
 from report.rendering.summary import short_reference
 

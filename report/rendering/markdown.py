@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -13,19 +12,15 @@ from report.document.document import Document
 from report.judging.finding import Finding
 from report.judging.grade import Grade, grade
 from report.judging.shown import Mathematics, Number, Shown, Words
-from report.rendering import (
-    certificate,
-    errata,
-    escaping,
-    outline,
-    places,
-    summary,
-)
-from report.rendering.environment import MarkdownEnvironment
-from report.rendering.escaping import Markdown, markdown
-from report.rendering.formulas.latex import width
-from report.rendering.formulas.line_breaking import fit
-from report.rendering.links import check_claims, check_links
+from report.pages import escaping
+from report.pages.displayed import code_block, formula
+from report.pages.environment import MarkdownEnvironment
+from report.pages.escaping import Markdown, markdown
+from report.pages.formulas.latex import width
+from report.pages.formulas.line_breaking import fit
+from report.pages.links import check_links
+from report.rendering import certificate, errata, outline, places, summary
+from report.rendering.links import check_claims
 from report.rendering.pictures import spread_picture, verdict_picture
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
@@ -116,19 +111,6 @@ def in_line(content: Shown, line: float) -> Markdown:
             return markdown(r"[{}\ {}]{{.number}}", shown_digits, unit) if unit else shown_digits
         case Words(text):
             return escaping.prose(text)
-
-
-def formula(latex: str, name: str, line: float) -> Markdown:
-    """Return a displayed formula, broken to fit the line, in a Div that carries its name."""
-    broken = escaping.display_mathematics(fit(escaping.checked(latex), line))
-    return Markdown(f"::: {{.formula name={escaping.attribute(name)}}}\n{broken}\n:::")
-
-
-def code_block(text: str) -> Markdown:
-    """Return text as a code block, fenced by more backticks than stand in it."""
-    longest = max((len(run) for run in re.findall("`+", text)), default=0)
-    fence = "`" * max(3, longest + 1)
-    return Markdown(f"{fence}\n{text.rstrip()}\n{fence}")
 
 
 def side_by_side(finding: Finding) -> bool:

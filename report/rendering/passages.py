@@ -12,7 +12,7 @@ from report.copy.reading import ReaderCopy
 from report.document.document import Document
 from report.judging.claim import Kind
 from report.judging.finding import Finding
-from report.rendering.formulas.foreign_mathematics import to_mathml
+from report.pages.formulas.foreign_mathematics import to_mathml
 
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from report.judging.finding import Finding
-from report.rendering.escaping import Markdown
+from report.pages.escaping import Markdown
 from report.rendering.outline import Group
 
 

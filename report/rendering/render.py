@@ -8,13 +8,14 @@ from pathlib import Path
 
 from report.cache.stage_store import StageStore
 from report.document.document import Document
+from report.pages.formats import Format
+from report.pages.pieces import Converter
 from report.rendering.errata import to_csv
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
-from report.rendering.pieces import Converter
-from report.rendering.request import WHOLE_REPORT, Format, Request
+from report.rendering.request import WHOLE_REPORT, Request
 from trimmer.files import write_atomically
 
 NAMES = {

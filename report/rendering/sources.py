@@ -8,7 +8,7 @@ from report.cache.source_closure import ROOT
 from report.document.document import Document
 from report.document.twin import Observation
 from report.judging.finding import Finding
-from report.rendering.links import BrokenLinkError
+from report.pages.links import BrokenLinkError
 
 
 @dataclass(frozen=True)

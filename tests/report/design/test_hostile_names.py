@@ -25,11 +25,11 @@ from report.design.markdown import comparison_to_markdown, environment
 from report.design.origin import Origin, origin_of
 from report.design.render import SCRIPTS, STYLES, rendered
 from report.pages.drawing.style import new_figure
+from report.pages.escaping import markdown, plain, shown_characters
 from report.pages.figure import Figure
-from report.provenance import provenance
-from report.rendering.escaping import markdown, plain, shown_characters
-from report.rendering.html import Look, page
-from report.rendering.request import Format, Paper
+from report.pages.formats import Format, Paper
+from report.pages.html import Look, page
+from report.pages.provenance import provenance
 from tests.report.rendering.page_checks import lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
 from trimmer.design.comparison import compared

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.rendering.pandoc import read, write
+from report.pages.pandoc import read, write
 
 
 def converted(markdown: str, target: str, *arguments: str) -> str:

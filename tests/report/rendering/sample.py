@@ -7,12 +7,13 @@ import dataclasses
 import sympy
 
 from report.data.sections import Section
-from report.data.text_copy import BuildTime, TextCopy
-from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
+from report.data.text_copy import TextCopy
 from report.document.document import Document
 from report.document.overview import Answer, CorrectedResult, Highlight, Opening
-from report.document.thesis import Chapter, Provenance
+from report.document.thesis import Chapter, Program
+from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow
 from report.pages.figure import Equation, Figure
+from report.pages.provenance import BuildTime, Provenance
 from tests.report.rendering.sample_derivation import CODE, SPREAD, explorable, picture
 from tests.report.rendering.sample_figures import figures
 from tests.report.rendering.sample_findings import appendix_a, chapter_five, chapter_two

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from report.rendering import escaping
-from report.rendering.environment import MarkdownEnvironment
-from report.rendering.pandoc import PandocError, read, write
+from report.pages import escaping
+from report.pages.environment import MarkdownEnvironment
+from report.pages.pandoc import PandocError, read, write
 from tests.report.rendering.conversion import converted
 from tests.report.rendering.sample_formulas import SPECIAL
 

@@ -7,7 +7,7 @@ import colorsys
 import pytest
 
 from report.pages.drawing.style import LINES
-from report.rendering.pictures.figure_colours import contrast, in_the_dark, variables, with_variables
+from report.pages.figure_colours import contrast, in_the_dark, variables, with_variables
 
 GROUND = in_the_dark("ffffff")
 COLOURS = [line["color"].removeprefix("#") for line in LINES]

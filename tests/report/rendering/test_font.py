@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from fontTools.ttLib import TTFont
 
-from report.rendering.html import FONT
+from report.pages.html import FONT
 
 NEEDED = "√∫∑∂∞±×·≤≥≠≈→˙¨ˆ˜¯αβγδεζηθκλμνξπρστφχψωΓΔΘΛΞΠΣΦΨΩ𝐴𝑞𝜔𝜃ℝ⌊⌋()[]{}|−"
 

@@ -9,8 +9,8 @@ import typst
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from report.rendering.formulas.latex import Role, atoms, width
-from report.rendering.formulas.line_breaking import fit
+from report.pages.formulas.latex import Role, atoms, width
+from report.pages.formulas.line_breaking import fit
 from tests.report.rendering.conversion import converted
 from tests.report.rendering.sample_formulas import (
     CASES,

@@ -5,15 +5,17 @@ from functools import partial
 
 import pytest
 
-from report.document.derivation import DerivationStep
 from report.document.document import Document
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.shown import Mathematics, Number, Words
 from report.judging.spread import Follows
 from report.judging.verdict import Impact, Verdict
+from report.pages.derivation import DerivationStep
 from report.pages.figure import Equation
-from report.rendering.links import BrokenLinkError
+from report.pages.links import BrokenLinkError
+from report.pages.pandoc import PandocError
+from report.pages.pieces import Converter
 from report.rendering.markdown import (
     BACK,
     FULL_LINE,
@@ -23,8 +25,6 @@ from report.rendering.markdown import (
     side_by_side,
     to_markdown,
 )
-from report.rendering.pandoc import PandocError
-from report.rendering.pieces import Converter
 from report.rendering.selection import select
 from tests.report.rendering.sample_formulas import long_coefficient
 

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from report.rendering.formulas.mathml import repaired
+from report.pages.formulas.mathml import repaired
 from tests.report.rendering.conversion import converted
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from report.rendering.pandoc import read, write
-from report.rendering.pieces import UNITS_FILTER
+from report.pages.pandoc import read, write
+from report.pages.pieces import UNITS_FILTER
 
 
 def plain(markdown: str) -> str:

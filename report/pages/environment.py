@@ -8,9 +8,9 @@ from typing import Any
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, nodes
 from markupsafe import Markup
 
-from report.rendering import escaping
-from report.rendering.escaping import Markdown
-from report.rendering.pieces import TEMPLATES
+from report.pages import escaping
+from report.pages.escaping import Markdown
+from report.pages.pieces import TEMPLATES
 
 
 class MarkdownEnvironment(Environment):

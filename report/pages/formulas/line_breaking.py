@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.rendering.formulas.latex import Atom, Role, atoms, width
+from report.pages.formulas.latex import Atom, Role, atoms, width
 
 _OPENING = Atom("(", 0.4)
 _INDENT = 2.0

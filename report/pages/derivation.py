@@ -52,17 +52,3 @@ class ParameterRow:
     meaning: str
     value: str
     unit: str
-
-
-@dataclass(frozen=True)
-class Program:
-    """A corrected program of appendix A: file name, id of the claim on what it corrects (or empty), text.
-
-    ``title`` says what it computes, ``faults`` what was wrong in the thesis's listing; both are plain text.
-    """
-
-    name: str
-    claim: str
-    title: str
-    faults: tuple[str, ...]
-    text: str

@@ -7,7 +7,7 @@ import re
 import subprocess
 from collections.abc import Sequence
 
-from report.rendering.formulas.mathml import repaired
+from report.pages.formulas.mathml import repaired
 
 _PARAGRAPH = re.compile(r"<p>(.*?)</p>", re.DOTALL)
 _NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")

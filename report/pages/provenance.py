@@ -2,23 +2,47 @@
 
 from __future__ import annotations
 
-import platform
 import subprocess
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
+from typing import final
 
-from report.data.text_copy import read_build_time
-from report.document.thesis import Provenance
+from report.cache.libraries import libraries
 
-LIBRARIES = (
-    *("sympy", "mpmath", "numpy", "scipy", "numba", "control", "matplotlib"),
-    *("Jinja2", "pypandoc_binary", "typst"),
-)
 RELEASED = "2026-11-21"
 """Date of this version, for a report that is not made in a git checkout."""
 
 
-def provenance() -> Provenance:
+@final
+@dataclass(frozen=True)
+class BuildTime:
+    """Processor time that the report took from nothing, s, when that version was measured."""
+
+    seconds: float
+    version: str
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """What the report was made from; nothing in it depends on the time or the machine of the build.
+
+    ``build_time`` is the processor time it took when that was last measured.
+    """
+
+    version: str
+    commit: str
+    date: str
+    libraries: tuple[tuple[str, str], ...]
+    build_time: BuildTime | None = None
+
+    @property
+    def line(self) -> str:
+        """The line below a report's title."""
+        return f"trimmer {self.version}, commit {self.commit}, {self.date[:10]}"
+
+
+def provenance(build_time: BuildTime | None = None) -> Provenance:
     """Describe the code that is running; in a git checkout by its commit, elsewhere by its version."""
     commit, date = _commit()
     return Provenance(
@@ -26,13 +50,8 @@ def provenance() -> Provenance:
         commit=commit,
         date=date,
         libraries=libraries(),
-        build_time=read_build_time(),
+        build_time=build_time,
     )
-
-
-def libraries() -> tuple[tuple[str, str], ...]:
-    """Return name and version of Python and of each library that a result depends on."""
-    return (("Python", platform.python_version()), *((name, version(name)) for name in LIBRARIES))
 
 
 def _commit() -> tuple[str, str]:

@@ -11,7 +11,7 @@ from report.data.statements import FURTHER, PATH, read_inventory
 from report.judging.inventory import InventoryError, read_statements, titled
 from report.judging.record import ClaimRecord
 
-HANDED_OVER = Path(__file__).parents[3] / "shared" / "inventory.csv"
+HANDED_OVER = Path(__file__).parents[4] / "shared" / "inventory.csv"
 
 
 def test_it_lists_every_statement_once():

@@ -18,8 +18,8 @@ from typing import Self, TypeVar
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
 from report.folders import templates
-from report.rendering.formulas.mathml import repaired
-from report.rendering.pandoc import read, write
+from report.pages.formulas.mathml import repaired
+from report.pages.pandoc import read, write
 
 Piece = TypeVar("Piece", str, bytes)
 Form = TypeVar("Form", str, bytes)
