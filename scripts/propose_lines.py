@@ -13,7 +13,6 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from report.building.collect import collect
 from report.copy.places import Places
 from report.copy.reading import split
 from report.data.statements import read_inventory
@@ -66,9 +65,7 @@ def _paragraphs(places: Places) -> Iterator[tuple[object, ...]]:
 
 
 def _missing() -> Iterator[tuple[object, ...]]:
-    inventory = read_inventory()
-    records = collect(inventory).by_id
-    yield from ((claim,) for claim in inventory if records[claim].lines is None)
+    yield from ((claim,) for claim, entry in read_inventory().items() if entry.lines is None)
 
 
 if __name__ == "__main__":

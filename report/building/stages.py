@@ -153,10 +153,11 @@ def _tasks(
             Task(
                 f"claims-{module}",
                 "judge",
-                key([module, "report.numbers.evidence"], inventory),
-                partial(_judged, group, evidence, inventory),
+                key([module, "report.numbers.evidence"], statements),
+                partial(_judged, group, evidence, statements),
             )
             for module, group in reversed(tuple(records.claims.items()))
+            for statements in [{record.id: inventory[record.id] for record in group}]
         ),
     ]
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from report.judging.claim import Statement
-from report.judging.inventory import read_statements, titled
+from report.judging.inventory import filed, read_statements, titled
 from report.judging.spread import Follows, read_edges
 
 PATH = Path(__file__).parent / "inventory.csv"
@@ -15,6 +15,8 @@ FURTHER = PATH.with_name("further_statements.csv")
 """Statements that the inventory lacks, found by reading the thesis again; same columns."""
 TITLES = PATH.with_name("titles.csv")
 """What the report calls statements whose subject there has abbreviations or ASCII mathematics."""
+CLAIMS = PATH.with_name("claims.csv")
+"""What derives each statement, where it stands in the text that was read, and how much it matters."""
 FOLLOWS_FROM = PATH.with_name("follows_from.csv")
 """Which statement follows from which, where a slip spreads from one to the next."""
 
@@ -23,9 +25,9 @@ def read_inventory() -> Mapping[str, Statement]:
     """Read the statements, by id, in their own order: those handed over, then the further ones.
 
     Raises:
-        InventoryError: naming file, line and value, if an id stands twice or is not known, or a kind is not.
+        InventoryError: naming file, line and value, if a file says what cannot be used.
     """
-    return titled(read_statements(PATH, FURTHER), TITLES)
+    return filed(titled(read_statements(PATH, FURTHER), TITLES), CLAIMS)
 
 
 def read_follows(inventory: Mapping[str, Statement]) -> tuple[Follows, ...]:

@@ -25,12 +25,31 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Statement:
-    """A statement to judge: its kind, where it stands in the thesis, and what it is about."""
+    """A statement to judge, and what is known of it as data.
+
+    Attributes:
+        id: Unique.
+        kind: What sort of thing it is.
+        section: Where it stands.
+        title: What it is about.
+        source: Path of the file of this project that derives the right side.
+        impact: How far a wrong statement reaches.
+        lines: First and last line of the passage in the text that was read; None where they are not given.
+        paragraph: Of the section, as counted in that text.
+        severity: How much it matters that a part is wrong, where the part does not say it itself.
+        certainty: How sure the finding is, where it is not what the comparisons of the parts say.
+    """
 
     id: str
     kind: Kind
     section: str
     title: str
+    source: str = ""
+    impact: Impact = Impact.NONE
+    lines: tuple[int, int] | None = None
+    paragraph: int | None = None
+    severity: Severity | None = None
+    certainty: Certainty | None = None
 
     @property
     def chapter(self) -> str:
@@ -113,7 +132,7 @@ class Part:
 
     ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where it works
     on an instance of what is printed. ``item`` names the printed thing that the part judges; parts of any
-    claims with the same item count once. ``severity`` and ``certainty`` stand in place of those of the claim.
+    claims with the same item count once. ``severity`` and ``certainty`` stand in place of the statement's.
     """
 
     label: str
@@ -140,21 +159,12 @@ class Uncheckable:
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement of the thesis with all that is needed to judge it.
+    """What a statement is held against: its parts, and what is said of them.
 
-    ``explanation`` and ``consequence`` are pandoc Markdown with TeX mathematics between dollar signs;
-    ``source`` names the file of this project that derives the right side. ``lines`` are the first and the
-    last of the passage in the text that was read, ``paragraph`` its number in the section. ``severity`` is
-    that of the parts that are wrong, ``certainty`` that of all parts where they do not say it themselves.
+    ``explanation`` and ``consequence`` are pandoc Markdown with TeX mathematics between dollar signs.
     """
 
     id: str
     parts: tuple[Part | Uncheckable, ...]
     explanation: str
-    source: str
-    impact: Impact = Impact.NONE
     consequence: str = ""
-    lines: tuple[int, int] | None = None
-    paragraph: int | None = None
-    severity: Severity | None = None
-    certainty: Certainty | None = None

@@ -9,7 +9,7 @@ from report.judging.verdict import Certainty, Severity, Verdict
 
 
 class UngradedError(Exception):
-    """A part is wrong, and neither it nor its claim says how much that matters."""
+    """A part is wrong, and neither it nor its statement says how much that matters."""
 
 
 class ContradictionError(Exception):
@@ -30,7 +30,7 @@ def judge(claim: Claim, entry: Statement) -> Finding:
     """
     if not claim.parts:
         raise ValueError(f"claim {claim.id} has no part to judge")
-    parts = tuple(_judge_part(claim, part) for part in claim.parts)
+    parts = tuple(_judge_part(claim, entry, part) for part in claim.parts)
     return Finding(
         id=claim.id,
         kind=entry.kind,
@@ -39,15 +39,15 @@ def judge(claim: Claim, entry: Statement) -> Finding:
         verdict=max((part.verdict for part in parts), key=lambda verdict: verdict.rank),
         explanation=claim.explanation,
         consequence=claim.consequence,
-        impact=claim.impact,
-        source=claim.source,
+        impact=entry.impact,
+        source=entry.source,
         parts=parts,
-        lines=claim.lines,
-        paragraph=claim.paragraph,
+        lines=entry.lines,
+        paragraph=entry.paragraph,
     )
 
 
-def _judge_part(claim: Claim, part: Part | Uncheckable) -> JudgedPart:
+def _judge_part(claim: Claim, entry: Statement, part: Part | Uncheckable) -> JudgedPart:
     item = part.item or _own_item(claim, part)
     if isinstance(part, Uncheckable):
         return JudgedPart(
@@ -64,8 +64,8 @@ def _judge_part(claim: Claim, part: Part | Uncheckable) -> JudgedPart:
         slip=slip,
         decided_by=part.copy_fault.decided_by if part.copy_fault and verdict is Verdict.COPY else "",
         item=item,
-        severity=_severity(claim, part) if verdict.is_wrong else Severity.NONE,
-        certainty=_certainty(claim, part, outcome, verdict),
+        severity=_severity(entry, part) if verdict.is_wrong else Severity.NONE,
+        certainty=_certainty(entry, part, outcome, verdict),
     )
 
 
@@ -77,17 +77,17 @@ def _own_item(claim: Claim, part: Part | Uncheckable) -> str:
     return f"{claim.id}, {part.label or f'part {number}'}"
 
 
-def _severity(claim: Claim, part: Part) -> Severity:
-    severity = part.severity or claim.severity
+def _severity(entry: Statement, part: Part) -> Severity:
+    severity = part.severity or entry.severity
     if severity is None:
-        raise UngradedError(f"{claim.id}, {part.label or 'only part'}: it is wrong, and has no severity")
+        raise UngradedError(f"{entry.id}, {part.label or 'only part'}: it is wrong, and has no severity")
     return severity
 
 
-def _certainty(claim: Claim, part: Part, outcome: Agreement, verdict: Verdict) -> Certainty:
+def _certainty(entry: Statement, part: Part, outcome: Agreement, verdict: Verdict) -> Certainty:
     if verdict is Verdict.COPY:
         return Certainty.READING
-    return part.certainty or claim.certainty or outcome.certainty
+    return part.certainty or entry.certainty or outcome.certainty
 
 
 def _confirmed(claim_id: str, part: Part, method: str) -> str:

@@ -35,7 +35,7 @@ class More(TypedDict, total=False):
     ``form`` is TeX that is shown on both sides in place of what the comparison holds, ``printed_form`` and
     ``derived_form`` are shown on one side, as TeX if they are strings. ``item`` names the printed thing that
     the part judges; parts of any claims with the same item count once. ``copy_fault`` is what the machine
-    that read the page may have lost; ``severity`` and ``certainty`` stand in place of those of the claim.
+    that read the page may have lost; ``severity`` and ``certainty`` stand in place of those of the statement.
     """
 
     second: Confirmation | None

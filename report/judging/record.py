@@ -1,6 +1,6 @@
 """A claim, or a figure, as one record: id, text and parts together, read from top to bottom.
 
-    @claim("eq-5.6", source="derivations/mechanism.py")
+    @claim("eq-5.6")
     def external_input(known: Evidence) -> Record:
         yield expression("", printed, derived, left=r)
         yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any, final
 
 from report.judging.claim import Claim, Part, Uncheckable
 from report.judging.text import RecordError, filled
-from report.judging.verdict import Certainty, Impact, Severity
 from report.pages.drawing.style import style
 from report.pages.drawing.svg import to_svg
 from report.pages.figure import Figure
@@ -79,23 +78,11 @@ class ClaimRecord:
 
     Attributes:
         id: As in the inventory.
-        source: Path of the file of this project that derives the right side.
         items: Yields what the claim consists of.
-        impact: How far a wrong statement reaches.
-        lines: First and last line of the passage in the text that was read; None if they are not given.
-        severity: How much it matters that a part is wrong, where the part does not say it itself.
-        certainty: How sure the finding is, where it is not what the comparisons of the parts say.
-        paragraph: Of the section, as counted in the text that was read; None where it is not given.
     """
 
     id: str
-    source: str
     items: Callable[[Any], Record]
-    impact: Impact = Impact.NONE
-    lines: tuple[int, int] | None = None
-    severity: Severity | None = None
-    certainty: Certainty | None = None
-    paragraph: int | None = None
 
     def claim(self, known: Any) -> Claim:
         """Return the claim with its numbers.
@@ -111,35 +98,13 @@ class ClaimRecord:
         if len(texts) != 1:
             raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")
         explanation, *consequence = texts[0]
-        return Claim(
-            id=self.id,
-            parts=tuple(item for item in items if isinstance(item, Part | Uncheckable)),
-            explanation=explanation,
-            source=self.source,
-            impact=self.impact,
-            consequence="".join(consequence),
-            lines=self.lines,
-            severity=self.severity,
-            certainty=self.certainty,
-            paragraph=self.paragraph,
-        )
+        parts = tuple(item for item in items if isinstance(item, Part | Uncheckable))
+        return Claim(self.id, parts, explanation, "".join(consequence))
 
 
-def claim(
-    claim_id: str,
-    *,
-    source: str,
-    impact: Impact = Impact.NONE,
-    lines: tuple[int, int] | None = None,
-    severity: Severity | None = None,
-    certainty: Certainty | None = None,
-    paragraph: int | None = None,
-) -> Callable[[Callable[[Any], Record]], ClaimRecord]:
-    """Make a claim of a function that yields what it consists of, and give it the function's name.
-
-    For the arguments see ``ClaimRecord``.
-    """
-    return lambda items: ClaimRecord(claim_id, source, items, impact, lines, severity, certainty, paragraph)
+def claim(claim_id: str) -> Callable[[Callable[[Any], Record]], ClaimRecord]:
+    """Make a claim of a function that yields what it consists of, and give it the function's name."""
+    return lambda items: ClaimRecord(claim_id, items)
 
 
 def text(prose: str) -> Text:

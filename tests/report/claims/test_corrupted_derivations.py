@@ -95,7 +95,7 @@ CORRUPTIONS = {
 
 def _verdicts(record: ClaimRecord, evidence: Evidence, inventory) -> tuple[str, ...]:
     try:
-        finding = judge(graded(record.claim(evidence)), inventory[record.id])
+        finding = judge(record.claim(evidence), graded(inventory[record.id]))
     except ContradictionError:
         return ("contradiction",)
     return tuple(part.verdict.value for part in finding.parts)

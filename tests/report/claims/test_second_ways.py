@@ -25,7 +25,7 @@ CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index
 def test_a_second_way_that_leads_elsewhere_stops_the_judgement(inventory):
     finding = Assertion(statement="it is so", derived=True, evidence="", method="one way")
     sound, unsound = (
-        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "", "") for holds in (True, False)
+        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "") for holds in (True, False)
     )
     (part,) = judge(sound, inventory["eq-2.1"]).parts
     assert part.method == "one way; confirmed by another"

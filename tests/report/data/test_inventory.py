@@ -8,8 +8,9 @@ import pytest
 
 from report.building.collect import ClaimIdError, by_id, collect
 from report.data.statements import FURTHER, PATH, read_inventory
-from report.judging.inventory import InventoryError, read_statements, titled
+from report.judging.inventory import InventoryError, filed, read_statements, titled
 from report.judging.record import ClaimRecord
+from report.judging.verdict import Certainty, Impact, Severity
 
 HANDED_OVER = Path(__file__).parents[4] / "shared" / "inventory.csv"
 
@@ -79,8 +80,41 @@ def test_a_title_belongs_to_one_statement(tmp_path, rows, message):
         titled(read_statements(PATH), path)
 
 
+HEAD = "id,source,impact,first_line,last_line,paragraph,severity,certainty\n"
+
+
+def statement(tmp_path, rows):
+    path = tmp_path / "claims.csv"
+    path.write_text(HEAD + rows, encoding="utf-8")
+    return filed({"eq-2.1": read_statements(PATH)["eq-2.1"]}, path)["eq-2.1"]
+
+
+def test_a_table_says_what_is_known_of_a_statement(tmp_path):
+    full = statement(tmp_path, "eq-2.1,a.py,local,3,7,2,result,proven\n")
+    assert (full.source, full.impact, full.lines, full.paragraph) == ("a.py", Impact.LOCAL, (3, 7), 2)
+    assert (full.severity, full.certainty) == (Severity.RESULT, Certainty.PROVEN)
+    bare = statement(tmp_path, "eq-2.1,a.py,,,,,,\n")
+    assert (bare.impact, bare.lines, bare.paragraph) == (Impact.NONE, None, None)
+    assert (bare.severity, bare.certainty) == (None, None)
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("", r"claims\.csv: has one line for each statement; see eq-2\.1"),
+        ("eq-2.1,a,,,,,,\neq-2.1,a,,,,,,\n", r"claims\.csv: has one line for each statement; see eq-2\.1"),
+        ("eq-2.1,a,,,,,,\neq-9,a,,,,,,\n", r"statement; see eq-9$"),
+        ("eq-2.1,a,,1,,,,\n", r"claims\.csv, line 2: invalid literal for int"),
+        ("eq-2.1,a,,1,2,,bad,\n", r"claims\.csv, line 2: 'bad' is not a valid Severity"),
+    ],
+)
+def test_a_table_has_one_line_for_each_statement(tmp_path, rows, message):
+    with pytest.raises(InventoryError, match=message):
+        statement(tmp_path, rows)
+
+
 def record(claim_id):
-    return ClaimRecord(claim_id, "", lambda _: iter(()))
+    return ClaimRecord(claim_id, lambda _: iter(()))
 
 
 def test_unknown_and_repeated_ids_are_errors():

@@ -16,7 +16,6 @@ from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from derivations.step import Formula, Step
 from derivations.symbols import A
-from report.building.collect import collect
 from report.cache.source_closure import ROOT
 from report.data.statements import read_inventory
 from report.derivation.code_lines import code_lines
@@ -52,9 +51,8 @@ def finding(claim: str, source: str = "none.py", explanation: str = "") -> Findi
 
 def test_every_claim_has_a_step(steps):
     inventory = read_inventory()
-    records = collect(inventory).by_id
-    found = places([finding(claim, records[claim].source) for claim in inventory], steps)
-    lost = [f"{claim} ({records[claim].source})" for claim in inventory if claim not in found]
+    found = places([finding(claim, entry.source) for claim, entry in inventory.items()], steps)
+    lost = [f"{claim} ({entry.source})" for claim, entry in inventory.items() if claim not in found]
     assert not lost, f"add the claims or their sources to report/data/steps.csv: {lost}"
     assert found["eq-2.46"] == "df-load"
     assert found["txt-5.2.1-prediction"] == "solution"

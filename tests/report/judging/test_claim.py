@@ -11,7 +11,7 @@ from report.judging.judge import ContradictionError, UngradedError, judge
 from report.judging.shown import Words
 from report.judging.verdict import Certainty, Severity, Verdict
 
-ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject")
+ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject", severity=Severity.RESULT)
 RIGHT = Part("right", PrintedDigits("1.25", 1.2501))
 WRONG = Part("wrong", PrintedDigits("1.25", 2.5))
 REPEATED = replace(WRONG, label="repeated", slip=Slip("a factor of two", 1.25, Verdict.EXPLAINED))
@@ -19,8 +19,7 @@ MISSING = Uncheckable("missing", Words("0.3 mm"), "the raw data of the experimen
 
 
 def claim(*parts):
-    source = "derivations/energies.py"
-    return Claim("eq-9.9", parts, "It is so.", source, severity=Severity.RESULT)
+    return Claim("eq-9.9", parts, "It is so.")
 
 
 @pytest.mark.parametrize(
@@ -97,19 +96,19 @@ def test_what_the_copy_may_have_lost_is_no_erratum_if_it_agrees_when_restored():
 
 def test_severity_is_that_of_the_gravest_part_and_of_what_is_wrong_alone():
     slip = replace(WRONG, label="slip", severity=Severity.SLIP)
-    whole = replace(claim(RIGHT, slip, WRONG), severity=Severity.CONCLUSION)
-    finding = judge(whole, ENTRY)
+    whole, grave = claim(RIGHT, slip, WRONG), replace(ENTRY, severity=Severity.CONCLUSION)
+    finding = judge(whole, grave)
     assert [part.severity for part in finding.parts] == [Severity.NONE, Severity.SLIP, Severity.CONCLUSION]
     assert finding.severity is Severity.CONCLUSION
-    assert judge(replace(whole, parts=(RIGHT,)), ENTRY).severity is Severity.NONE
-    assert judge(replace(whole, parts=(RIGHT, slip)), ENTRY).severity is Severity.SLIP
+    assert judge(replace(whole, parts=(RIGHT,)), grave).severity is Severity.NONE
+    assert judge(replace(whole, parts=(RIGHT, slip)), grave).severity is Severity.SLIP
 
 
 def test_certainty_is_that_of_the_least_sure_part_and_none_where_nothing_was_checked():
     assert judge(claim(RIGHT, WRONG), ENTRY).certainty is Certainty.COMPUTED
     assert judge(claim(MISSING), ENTRY).certainty is None
-    proven = replace(claim(RIGHT, replace(WRONG, certainty=Certainty.READING)), certainty=Certainty.PROVEN)
-    finding = judge(proven, ENTRY)
+    read = claim(RIGHT, replace(WRONG, certainty=Certainty.READING))
+    finding = judge(read, replace(ENTRY, certainty=Certainty.PROVEN))
     assert [part.certainty for part in finding.parts] == [Certainty.PROVEN, Certainty.READING]
     assert finding.certainty is Certainty.READING
     sure = judge(claim(RIGHT, replace(WRONG, certainty=Certainty.PROVEN)), ENTRY)
@@ -132,4 +131,4 @@ def test_a_finding_that_is_not_wrong_as_a_whole_has_no_severity():
 
 def test_what_is_wrong_has_to_be_graded():
     with pytest.raises(UngradedError, match=r"eq-9\.9, wrong: it is wrong, and has no severity"):
-        judge(replace(claim(RIGHT, WRONG), severity=None), ENTRY)
+        judge(claim(RIGHT, WRONG), replace(ENTRY, severity=None))

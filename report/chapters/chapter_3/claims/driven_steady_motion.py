@@ -14,7 +14,6 @@ from report.numbers.independent.harmonics import harmonic_behind, harmonic_of_fr
 from report.numbers.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA
 from trimmer import FrictionBacklash
 
-SOURCE = "derivations/elements/incremental_dissipation.py"
 METHOD = filled(
     """
     energy of the difference of two motions, derived for every positive mass, stiffness and damping, every gap

@@ -14,7 +14,7 @@ from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
 from report.judging.parts import assertion, close, small, so
 from report.judging.record import Record, claim, text
-from report.judging.verdict import Certainty, Impact, Severity
+from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
@@ -30,14 +30,7 @@ GAP = 0.5
 """Gap at which python-control's backlash is run, in any unit."""
 
 
-@claim(
-    "txt-5.2-assumptions",
-    source="trimmer/balance/leakage.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(967, 980),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2-assumptions")
 def assumptions(known: Evidence) -> Record:
     yield from _single(known)
     yield from _static_and_time_invariant()

@@ -17,7 +17,7 @@ from report.chapters.second_ways import ALL_LOADS
 from report.judging.claim import Part
 from report.judging.parts import assertion, close, expression, small, so
 from report.judging.record import Record, claim, text
-from report.judging.verdict import Certainty, Impact, Severity
+from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence
 from report.numbers.listed_functions import (
     IN_GAPS,
@@ -43,13 +43,7 @@ FAST, SLOW = TURN * 1e5, TURN * 10.0
 BY_ORBITS = "the ratio of the exact orbits' frequencies"
 
 
-@claim(
-    "txt-7-input-frequency",
-    source="derivations/elements/backlash.py",
-    impact=Impact.LOCAL,
-    lines=(1395, 1396),
-    paragraph=9,
-)
+@claim("txt-7-input-frequency")
 def input_frequency(known: Evidence) -> Record:
     stable = [cycle for found in known.cycles.viscous for cycle in found if cycle.stable]
     largest = max(cycle.amplitude for cycle in stable)
