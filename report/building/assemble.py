@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from derivations.latex import latex
 from derivations.symbols import PARAMETERS
@@ -15,11 +16,7 @@ from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
 from report.document.document import Document
-from report.document.explorable import Explorable
-from report.document.overview import Answer, CorrectedResult, Opening
-from report.document.robustness import Robustness
 from report.document.thesis import Chapter, Program
-from report.document.twin import TwinChapter
 from report.judging.claim import Statement
 from report.judging.finding import Finding
 from report.judging.inventory import read_statements
@@ -55,13 +52,8 @@ class Parts:
         element_steps: The derivation of the describing functions.
         number_steps: From the equations to numbers.
         pictures: Of the waveforms, by the ids of their steps.
-        explorable: What a reader can move.
         programs: The corrected listings.
-        opening: The first screen.
-        answers: Answers to the thesis's questions.
-        corrected: Printed and corrected predictions.
-        robustness: How far these hold when the parameters change.
-        twin: The chapter on the physical twin.
+        extras: The chapters beside those of the thesis, by the names of their fields.
     """
 
     findings: tuple[Finding, ...]
@@ -70,13 +62,8 @@ class Parts:
     element_steps: tuple[StepWithLines, ...]
     number_steps: tuple[StepWithLines, ...]
     pictures: Mapping[str, Figure]
-    explorable: Explorable
     programs: tuple[Program, ...]
-    opening: Opening
-    answers: tuple[Answer, ...]
-    corrected: tuple[CorrectedResult, ...]
-    robustness: Robustness
-    twin: TwinChapter
+    extras: Mapping[str, Any]
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
@@ -87,7 +74,6 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     told = {each.step.id: _told(each, step_of, parts) for each in every}
     return Document(
         title=TITLE,
-        opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
         derivation=tuple(told[each.step.id] for each in parts.trimmer_steps),
@@ -103,15 +89,11 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
         describing_functions=tuple(told[each.step.id] for each in parts.element_steps),
         solution=tuple(told[each.step.id] for each in parts.number_steps),
         step_of=step_of,
-        explorable=parts.explorable,
         spread=read_follows(inventory),
-        answers=parts.answers,
-        corrected=parts.corrected,
-        robustness=parts.robustness,
         mutation=read_mutation(),
-        twin=parts.twin,
         sections=read_sections(),
         further_statements=len(read_statements(FURTHER)),
+        **parts.extras,
     )
 
 

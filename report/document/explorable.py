@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from report.document.extra import ExtraChapter
 from report.pages.figure import Figure
 
 
@@ -42,10 +43,15 @@ class Panel:
 
 
 @dataclass(frozen=True)
-class Explorable:
+class Explorable(ExtraChapter):
     """What a reader can move: the formulas as a script, sliders, panels, and a picture for print."""
 
     formulas: str
     sliders: tuple[Slider, ...]
     panels: tuple[Panel, ...]
     still: Figure
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """The picture for print."""
+        return (self.still,)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from typing import Self, final
 
+from report.document.extra import ExtraChapter
 from report.pages.figure import Figure
 
 
@@ -21,7 +24,7 @@ class Highlight:
 
 @dataclass(frozen=True)
 class Opening:
-    """The first screen: what holds and what does not, what matters most, what a designer does (Markdown)."""
+    """The first screen: what was found, what matters most, what a designer does (Markdown)."""
 
     sentences: str
     highlights: tuple[Highlight, ...]
@@ -55,3 +58,29 @@ class CorrectedResult:
     exact_orbit: str
     unit: str = ""
     remark: str = ""
+
+
+@final
+@dataclass(frozen=True)
+class Overview(ExtraChapter):
+    """The first screen, the research questions with their answers, and corrected predictions."""
+
+    opening: Opening | None = None
+    answers: tuple[Answer, ...] = ()
+    corrected: tuple[CorrectedResult, ...] = ()
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """That of the first screen."""
+        return (self.opening.figure,) if self.opening else ()
+
+    @property
+    def named(self) -> Mapping[str, str]:
+        """Claims that answers and corrected predictions are about."""
+        answered = {claim: "a research question" for answer in self.answers for claim in answer.claims}
+        return answered | {each.claim: f"the corrected result “{each.quantity}”" for each in self.corrected}
+
+    def part(self, kept: Collection[str]) -> Self:
+        """Return the corrected predictions of some claims; the rest is about the whole report."""
+        corrected = tuple(each for each in self.corrected if each.claim in kept)
+        return replace(self, opening=None, answers=(), corrected=corrected)

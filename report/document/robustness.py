@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from report.document.extra import ExtraChapter
 from report.pages.figure import Figure
 
 
@@ -44,7 +46,7 @@ class SurvivalRow:
 
 
 @dataclass(frozen=True)
-class Robustness:
+class Robustness(ExtraChapter):
     """How far the corrected results hold when parameters change by ``percent``.
 
     ``left_out`` of the ``samples`` have a loop without a stable limit cycle, and are in no band.
@@ -57,3 +59,13 @@ class Robustness:
     effects: tuple[EffectRow, ...]
     survivals: tuple[SurvivalRow, ...]
     figure: Figure
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """Its only figure."""
+        return (self.figure,)
+
+    @property
+    def named(self) -> Mapping[str, str]:
+        """Claims whose findings survive or not."""
+        return {row.claim: "how far it holds" for row in self.survivals}

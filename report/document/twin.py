@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from report.document.extra import ExtraChapter
 from report.pages.figure import Figure
 
 
@@ -31,7 +32,7 @@ class TwinSection:
 
 
 @dataclass(frozen=True)
-class TwinChapter:
+class TwinChapter(ExtraChapter):
     """What play does in the real trimmer: beside the thesis's chapters, and not about one of them."""
 
     title: str

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from report.document.document import Document
-from report.document.robustness import SurvivalRow
 from report.pages.links import BrokenLinkError
 
 
@@ -20,15 +19,9 @@ def check_claims(document: Document) -> None:
             for step in steps
             for claim in step.claims + step.others
         },
-        **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},
         **{claim: "the graph of a slip" for edge in document.spread for claim in (edge.claim, edge.source)},
-        **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},
-        **{row.claim: "how far it holds" for row in _survivals(document)},
+        **{claim: words for extra in document.extras.values() for claim, words in extra.named.items()},
     }
     for claim in sorted(set(named) - {finding.id for finding in document.findings}):
         raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
-
-
-def _survivals(document: Document) -> tuple[SurvivalRow, ...]:
-    return document.robustness.survivals if document.robustness else ()

@@ -84,6 +84,11 @@ class CountRow:
     counts: tuple[Count, ...]
     total: int
 
+    @property
+    def reproduced(self) -> int:
+        """How many follow as printed."""
+        return sum(count.number for count in self.counts if count.grade is Grade.REPRODUCED)
+
 
 def count_table(document: Document) -> tuple[CountRow, ...]:
     """Count printed things by chapter and grade; the last row counts all chapters together.

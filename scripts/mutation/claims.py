@@ -1,8 +1,7 @@
 """What goes on in the process that judges the claims: they are judged without being shown, and compared.
 
 Beside the claims these are all things of a report whose checks can stop its build: the proofs of the
-derivation, the answers, how far the results hold, and the observations on the twin. Figures and pages are
-left out.
+derivation, and the extra chapters with their figures. Other figures and pages are left out.
 """
 
 from __future__ import annotations
@@ -142,12 +141,9 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
     from derivations.elements.narrative import element_narrative
     from derivations.narrative import narrative
     from report.building.collect import collect
+    from report.building.extras import EXTRAS
     from report.data.statements import read_inventory
     from report.derivation.number_steps import number_steps
-    from report.overview.answers import answers
-    from report.overview.corrected_results import corrected_results
-    from report.robustness.page import robustness
-    from report.twin.chapter import twin_chapter
 
     inventory = read_inventory()
     for module, records in collect(inventory).claims.items():
@@ -156,10 +152,7 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
         "derivations.elements.narrative": element_narrative,
         "derivations.narrative": lambda: narrative(evidence.derivation),
         "report.derivation.number_steps": lambda: number_steps(evidence),
-        "report.overview.answers": lambda: answers(evidence),
-        "report.overview.corrected_results": lambda: corrected_results(evidence),
-        "report.robustness.page": lambda: robustness(evidence),
-        "report.twin.chapter": lambda: twin_chapter(evidence, SEED),
+        **{extra.module: partial(extra.make, evidence, SEED) for extra in EXTRAS},
     }
     for name, make in others.items():
         yield name, partial(_other, name, make)

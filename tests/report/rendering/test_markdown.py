@@ -6,6 +6,7 @@ from functools import partial
 import pytest
 
 from report.document.document import Document
+from report.document.overview import Overview
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.shown import Mathematics, Number, Words
@@ -74,9 +75,10 @@ def test_the_summary_says_how_many_statements_are_judged(document: Document) -> 
 
 
 def test_sections_without_content_are_left_out(document: Document) -> None:
-    without = {"derivation": (), "answers": (), "corrected": (), "programs": ()}
+    without = {"derivation": (), "overview": Overview(), "programs": ()}
     text = text_of(dataclasses.replace(document, **without))
-    assert not any(f"{{#{section}}}" in text for section in without)
+    left_out = ("derivation", "summary", "answers", "corrected", "programs")
+    assert not any(f"{{#{section}}}" in text for section in left_out)
 
 
 def test_a_figure_stands_with_its_claim_in_the_section_that_the_thesis_has_it_in(document: Document) -> None:
@@ -141,10 +143,11 @@ def test_a_link_to_a_claim_that_is_not_there_is_an_error(document: Document) -> 
 
 
 def test_a_highlight_of_a_place_that_is_not_there_is_an_error(document: Document) -> None:
-    highlight = dataclasses.replace(document.opening.highlights[0], places=("eq-9.9",))
-    changed = dataclasses.replace(document.opening, highlights=(highlight,))
+    highlight = dataclasses.replace(document.overview.opening.highlights[0], places=("eq-9.9",))
+    opening = dataclasses.replace(document.overview.opening, highlights=(highlight,))
+    changed = dataclasses.replace(document.overview, opening=opening)
     with pytest.raises(BrokenLinkError, match=r"eq-9\.9"):
-        to_markdown(dataclasses.replace(document, opening=changed))
+        to_markdown(dataclasses.replace(document, overview=changed))
 
 
 def test_two_claims_with_one_id_are_an_error(document: Document) -> None:

@@ -28,6 +28,7 @@ def test_printed_things_are_counted_by_chapter_and_by_grade(document: Document) 
     for index, each in enumerate(Grade):
         numbers = [row.counts[index].number for row in chapters]
         assert sum(numbers) == total.counts[index].number == sum(grade(item) is each for item in judged)
+    assert total.reproduced == sum(grade(item) is Grade.REPRODUCED for item in judged) > 0
 
 
 def test_every_grade_and_certainty_has_its_words() -> None:
