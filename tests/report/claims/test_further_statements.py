@@ -14,7 +14,7 @@ from trimmer import resonance_peaks
 
 
 def verdicts(claim, inventory):
-    return [part.verdict for part in judge(graded(claim), inventory[claim.id]).parts]
+    return [part.verdict for part in judge(claim, graded(inventory[claim.id])).parts]
 
 
 def with_orbits(evidence, **changes):

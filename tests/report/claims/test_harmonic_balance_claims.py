@@ -15,7 +15,7 @@ from tests.report.claims.graded import graded
 
 
 def verdicts(claim, inventory):
-    return [part.verdict for part in judge(graded(claim), inventory[claim.id]).parts]
+    return [part.verdict for part in judge(claim, graded(inventory[claim.id])).parts]
 
 
 def with_cycles(evidence, **changes):

@@ -16,21 +16,12 @@ from report.judging.parts import assertion, close, digits, equal, made_here, so,
 from report.judging.record import Record, claim, text
 from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
-from report.numbers.independent.loci import (
-    LIBRARY_GAP,
-    LIBRARY_GRID,
-    intersections_by_library,
-)
+from report.numbers.independent.loci import LIBRARY_GAP, LIBRARY_GRID, intersections_by_library
 from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, intersections, listing_contour
 from report.numbers.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
-from trimmer import (
-    FrictionBacklash,
-    InertiaBacklash,
-    ViscousBacklash,
-    limit_cycles,
-)
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, limit_cycles
 
 FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"

@@ -4,11 +4,7 @@ from __future__ import annotations
 
 import math
 
-from report.chapters.chapter_5.claims.section_5_2_1_predictions import (
-    SCALING,
-    TINY_GAP,
-    at_the_tiny_gap,
-)
+from report.chapters.chapter_5.claims.section_5_2_1_predictions import SCALING, TINY_GAP, at_the_tiny_gap
 from report.judging.claim import Part
 from report.judging.parts import assertion, close, digits
 from report.judging.record import Record, claim, text

@@ -18,11 +18,7 @@ from report.judging.verdict import Certainty, Severity
 from report.numbers.drive_amplitudes import SAMPLES
 from report.numbers.evidence import Evidence
 from report.numbers.record import change, line_amplitudes
-from report.numbers.thesis import (
-    DRIVE_AMPLITUDE,
-    DRIVE_FREQUENCY,
-    LARGE_GAP,
-)
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import FrictionBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)
