@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.design.figures.drawn import drawn
 from report.design.figures.lines import line_spectrum
 from report.design.origin import Origin
 from report.design.quantities import percent, place_words, shown
@@ -21,6 +20,7 @@ from report.design.words import (
     measure_words,
     number_words,
 )
+from report.pages.drawing.drawn import drawn
 from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
 from trimmer.design.comparison import Comparison

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of
 from report.design.figures.branch import branch
-from report.design.figures.drawn import drawn
 from report.design.figures.influence import influences
 from report.design.figures.linear import transfer_functions
 from report.design.figures.lines import line_spectrum
@@ -18,6 +17,7 @@ from report.design.figures.motion import motion_over_time
 from report.design.figures.over_range import over_range
 from report.design.quantities import percent, place_words, shown
 from report.design.words import capital, measure_words
+from report.pages.drawing.drawn import drawn
 from trimmer.design.linear import driving
 from trimmer.design.targets import Measure
 from trimmer.design.trial import Asked

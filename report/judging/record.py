@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any, final
 
 from report.judging.claim import Claim, Part, Uncheckable
 from report.judging.text import RecordError, filled
+from report.pages.drawing.drawn import drawn
 from report.pages.drawing.style import style
-from report.pages.drawing.svg import to_svg
 from report.pages.figure import Figure
 
 if TYPE_CHECKING:
@@ -71,6 +71,22 @@ Record = Iterator[Item]
 """What the function of a claim yields: its parts in the order of the thesis, and one text."""
 
 
+def said(name: str, items: Callable[[Any], Iterator[Any]], known: Any) -> tuple[list[str], list[Any]]:
+    """Return the paragraphs of the one text that a record yields, and what it yields beside it.
+
+    Raises:
+        RecordError: with the record's name, if a text lacks a number, or if there is not one text.
+    """
+    try:
+        found = list(items(known))
+        texts = [item.paragraphs for item in found if isinstance(item, Text)]
+    except RecordError as error:
+        raise RecordError(f"{name}: {error}") from error
+    if len(texts) != 1:
+        raise RecordError(f"{name} has {len(texts)} texts; it needs one")
+    return texts[0], [item for item in found if not isinstance(item, Text)]
+
+
 @final
 @dataclass(frozen=True)
 class ClaimRecord:
@@ -90,16 +106,8 @@ class ClaimRecord:
         Raises:
             RecordError: naming the claim, if a text lacks a number, or if there is not one text.
         """
-        try:
-            items = tuple(self.items(known))
-            texts = [item.paragraphs for item in items if isinstance(item, Text)]
-        except RecordError as error:
-            raise RecordError(f"claim {self.id}: {error}") from error
-        if len(texts) != 1:
-            raise RecordError(f"claim {self.id} has {len(texts)} texts; it needs one")
-        explanation, *consequence = texts[0]
-        parts = tuple(item for item in items if isinstance(item, Part | Uncheckable))
-        return Claim(self.id, parts, explanation, "".join(consequence))
+        (explanation, *consequence), items = said(f"claim {self.id}", self.items, known)
+        return Claim(self.id, tuple(items), explanation, "".join(consequence))
 
 
 def claim(claim_id: str) -> Callable[[Callable[[Any], Record]], ClaimRecord]:
@@ -128,8 +136,8 @@ class FigureRecord:
 
     def finished(self, known: Any) -> Figure:
         """Draw the figure; it is then an SVG with its words."""
-        svg = to_svg(self.draw(known), self.id, self.title, self.alternative_text)
-        return Figure(self.id, self.title, self.caption, self.alternative_text, svg)
+        words = (self.id, self.title, self.caption, self.alternative_text)
+        return drawn(*words, lambda: self.draw(known))
 
 
 def figure(

@@ -5,7 +5,16 @@ from __future__ import annotations
 from enum import Enum
 
 
-class Verdict(Enum):
+class Ranked(Enum):
+    """A word that has a place among the others."""
+
+    @property
+    def rank(self) -> int:
+        """Place in the order in which they are written, from 0 on."""
+        return list(type(self)).index(self)
+
+
+class Verdict(Ranked):
     """Agreement of a judgement; the later ones prevail over the earlier.
 
     ``COPY`` is what a page read by machine explains: a fault of the text that was read, perhaps not of the
@@ -17,11 +26,6 @@ class Verdict(Enum):
     EXPLAINED = "explained"
     NOT_CHECKABLE = "not-checkable"
     ERRATUM = "erratum"
-
-    @property
-    def rank(self) -> int:
-        """Place in the order: a claim with several parts takes the verdict of the highest rank."""
-        return list(Verdict).index(self)
 
     @property
     def is_wrong(self) -> bool:
@@ -38,7 +42,7 @@ class Impact(Enum):
     DOWNSTREAM = "downstream"
 
 
-class Severity(Enum):
+class Severity(Ranked):
     """How much it matters that a statement is wrong, the gravest first.
 
     It changes a conclusion; a number or formula is wrong; a slip without effect; nothing is wrong.
@@ -49,20 +53,10 @@ class Severity(Enum):
     SLIP = "slip"
     NONE = "none"
 
-    @property
-    def rank(self) -> int:
-        """Place in the order, 0 for the gravest."""
-        return list(Severity).index(self)
 
-
-class Certainty(Enum):
+class Certainty(Ranked):
     """How sure a finding is, the surest first: proven, computed in two ways, or as the text is read."""
 
     PROVEN = "proven"
     COMPUTED = "computed"
     READING = "reading"
-
-    @property
-    def rank(self) -> int:
-        """Place in the order, 0 for the surest."""
-        return list(Certainty).index(self)

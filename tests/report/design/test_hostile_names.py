@@ -20,10 +20,10 @@ from playwright.sync_api import Browser
 from report.cache.stage_store import StageStore
 from report.design.building import files_of, looked_at, report_on
 from report.design.comparison import ComparisonReport, spectra_overlaid
-from report.design.figures.drawn import drawn
 from report.design.markdown import comparison_to_markdown, environment
 from report.design.origin import Origin, origin_of
 from report.design.render import SCRIPTS, STYLES, rendered
+from report.pages.drawing.drawn import drawn
 from report.pages.drawing.style import new_figure
 from report.pages.escaping import markdown, plain, shown_characters
 from report.pages.figure import Figure
