@@ -109,7 +109,7 @@ def report_on(design: Design, store: StageStore, date: str) -> DesignReport:
     keeper = keeper_of(design.file, store)
     equations = keeper.made("equations", (), lambda: equations_of(mechanism))
     title = shown_characters(mechanism.title or design.file.name)
-    return DesignReport(title, design, equations, pictures(design), origin_of([design.file], date))
+    return DesignReport(title, pictures(design), origin_of([design.file], date), design, equations)
 
 
 def files_of(

@@ -79,7 +79,7 @@ def _contents(
     figures = spectra_overlaid(comparison, names)
     origin = origin_of([comparison.before.file, comparison.after.file], date)
     title = shown_characters(f"{names[0]} and {names[1]}")
-    document = ComparisonReport(title, comparison, names, figures, origin)
+    document = ComparisonReport(title, figures, origin, comparison, names)
     return rendered(document, comparison_to_markdown(document), formats, paper, None)
 
 

@@ -35,18 +35,4 @@ class Judged(Protocol):
 
 def grade(judged: Judged) -> Grade:
     """Return the severity of what is wrong, and the verdict of all else."""
-    if judged.verdict.is_wrong:
-        return _BY_SEVERITY[judged.severity]
-    return _BY_VERDICT[judged.verdict]
-
-
-_BY_SEVERITY = {
-    Severity.CONCLUSION: Grade.CONCLUSION,
-    Severity.RESULT: Grade.RESULT,
-    Severity.SLIP: Grade.SLIP,
-}
-_BY_VERDICT = {
-    Verdict.COPY: Grade.COPY,
-    Verdict.NOT_CHECKABLE: Grade.NOT_CHECKABLE,
-    Verdict.REPRODUCED: Grade.REPRODUCED,
-}
+    return Grade(judged.severity.value if judged.verdict.is_wrong else judged.verdict.value)

@@ -129,16 +129,6 @@ class TwinNumbers:
     branches: tuple[KeptBranch, ...]
 
     @property
-    def motor_without_friction(self) -> float:
-        """Root of the mean square acceleration of the motor without play and friction, m/s²."""
-        return self.no_gap[0].motor
-
-    @property
-    def motor_with_most_friction(self) -> float:
-        """The same with the largest of ``FORCES``, m/s²."""
-        return self.no_gap[-1].motor
-
-    @property
     def subharmonic(self) -> float:
         """Amplitude of the line at a third of the drive in ``main``, m."""
         return self.main.twin.line(1 / 3)

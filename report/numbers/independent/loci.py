@@ -51,12 +51,6 @@ def solutions(system: control.TransferFunction, share: float) -> int:
     return int((left[:-1] * left[1:] < 0).sum())
 
 
-def phase_range(system: control.TransferFunction) -> tuple[float, float]:
-    """Return the lowest and the highest phase of a locus, degrees."""
-    phase = np.degrees(np.unwrap(np.angle(response_at(system, PHASE_GRID))))
-    return float(phase.min()), float(phase.max())
-
-
 def angle(system: control.TransferFunction, element: Element, cycle: LimitCycle) -> float:
     """Return the angle between N and -1/G at a limit cycle, rad, at most π/2."""
     around = np.array([1 - STEP, 1 + STEP])

@@ -343,7 +343,7 @@ def test_a_comparison_shows_names_of_files_as_they_are(design: Design) -> None:
     before, after = (dataclasses.replace(design, file=file) for file in files)
     comparison = compared(before, after)
     figures = spectra_overlaid(comparison, names)
-    report = ComparisonReport("A", comparison, names, figures, origin_of(files, "2026-03-01"))
+    report = ComparisonReport("A", figures, origin_of(files, "2026-03-01"), comparison, names)
     pieces = comparison_to_markdown(report)
     html = str(rendered(report, pieces, frozenset({Format.HTML}), Paper.A4, None)[Format.HTML])
     assert acting(html) == []
