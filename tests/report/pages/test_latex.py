@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from report.pages.formulas.latex import Role, atoms, width
 from report.pages.formulas.line_breaking import fit
-from tests.report.rendering.conversion import converted
+from tests.report.pages.conversion import converted
 from tests.report.rendering.sample_formulas import (
     CASES,
     DOTS,

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from report.pages.formulas.mathml import repaired
-from tests.report.rendering.conversion import converted
+from tests.report.pages.conversion import converted
 
 
 def mathml(latex: str) -> str:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from report.pages import escaping
 from report.pages.environment import MarkdownEnvironment
 from report.pages.pandoc import PandocError, read, write
-from tests.report.rendering.conversion import converted
+from tests.report.pages.conversion import converted
 from tests.report.rendering.sample_formulas import SPECIAL
 
 PRINTABLE = st.text(st.characters(min_codepoint=32, max_codepoint=126), min_size=1, max_size=60)
