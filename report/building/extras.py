@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, final
 
-from report.document.extra import ExtraChapter
+from report.document.extras import ExtraChapter
 from report.explorable.make import explorable
 from report.numbers.evidence import Evidence
 from report.overview.page import overview

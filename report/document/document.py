@@ -9,12 +9,8 @@ from typing import Final
 from report.data.mutation import MutationMeasurement
 from report.data.sections import Section
 from report.data.text_copy import TextCopy
-from report.document.explorable import Explorable
-from report.document.extra import ExtraChapter
-from report.document.overview import Overview
-from report.document.robustness import Robustness
+from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
 from report.document.thesis import Chapter, Program
-from report.document.twin import TwinChapter
 from report.judging.finding import Finding
 from report.judging.spread import Follows
 from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document.explorable import Explorable, Panel, Slider
+from report.document.extras import Explorable, Panel, Slider
 from report.explorable.formulas import functions
 from report.explorable.script import script
 from report.judging.text import filled

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.document.overview import Answer
+from report.document.extras import Answer
 from report.judging.text import filled
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP

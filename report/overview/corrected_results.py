@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from report.document.overview import CorrectedResult
+from report.document.extras import CorrectedResult
 from report.judging.text import filled
 from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import OrbitPair

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.document.overview import Overview
+from report.document.extras import Overview
 from report.numbers.evidence import Evidence
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results

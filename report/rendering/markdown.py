@@ -19,7 +19,7 @@ from report.pages.escaping import Markdown, markdown
 from report.pages.formulas.latex import width
 from report.pages.formulas.line_breaking import fit
 from report.pages.links import check_links
-from report.rendering import certificate, errata, outline, places, summary
+from report.rendering import certificate, errata, outline, summary
 from report.rendering.links import check_claims
 from report.rendering.pictures import spread_picture, verdict_picture
 from report.rendering.selection import without_links_to
@@ -158,7 +158,7 @@ def _environment() -> Environment:
         in_line=in_line,
         formula=formula,
         side_by_side=side_by_side,
-        place=places.place,
+        place=outline.place,
         grades=tuple(Grade),
         grade_words=summary.GRADES,
         certainties=summary.CERTAINTIES,

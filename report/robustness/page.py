@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.document.robustness import Digits, EffectRow, Robustness, SurvivalRow
+from report.document.extras import Digits, EffectRow, Robustness, SurvivalRow
 from report.numbers.evidence import Evidence
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from report.document.twin import Observation, TwinChapter, TwinSection
+from report.document.extras import Observation, TwinChapter, TwinSection
 from report.judging.parts import so
 from report.judging.record import FigureRecord, text
 from report.numbers.evidence import Evidence

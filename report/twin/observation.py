@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final
 
-from report.document.twin import Observation
+from report.document.extras import Observation
 from report.judging.claim import Confirmation
 from report.judging.record import FigureRecord, Text, said
 from report.judging.text import RecordError, filled

@@ -9,7 +9,7 @@ import sympy
 from report.data.sections import Section
 from report.data.text_copy import TextCopy
 from report.document.document import Document
-from report.document.overview import Answer, CorrectedResult, Highlight, Opening, Overview
+from report.document.extras import Answer, CorrectedResult, Highlight, Opening, Overview
 from report.document.thesis import Chapter, Program
 from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow
 from report.pages.figure import Equation, Figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from report.derivation.waveform_svg import Piece, waveform_svg
-from report.document.explorable import Explorable, Panel, Slider
+from report.document.extras import Explorable, Panel, Slider
 from report.judging.spread import Follows
 from report.pages.figure import CodeLines, Figure
 

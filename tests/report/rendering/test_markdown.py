@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 
 from report.document.document import Document
-from report.document.overview import Overview
+from report.document.extras import Overview
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.shown import Mathematics, Number, Words

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from report.document.twin import Observation, TwinChapter, TwinSection
+from report.document.extras import Observation, TwinChapter, TwinSection
 from report.pages.figure import Figure
 from report.pages.links import BrokenLinkError
 from report.pages.pieces import Converter
