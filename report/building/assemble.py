@@ -9,8 +9,7 @@ from typing import Any
 from derivations.latex import latex
 from derivations.symbols import PARAMETERS
 from report.data.mutation import read_mutation
-from report.data.sections import read_sections
-from report.data.statements import FURTHER, read_follows
+from report.data.statements import FURTHER, read_follows, read_sections
 from report.data.text_copy import read_build_time, read_text_copy
 from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature

@@ -1,8 +1,10 @@
-"""The statements of the thesis that are to be judged, with their titles, and which follows from which."""
+"""The statements of the thesis that are judged, their titles and sections, and which follows from which."""
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from report.judging.claim import Statement
@@ -19,6 +21,8 @@ CLAIMS = PATH.with_name("claims.csv")
 """What derives each statement, where it stands in the text that was read, and how much it matters."""
 FOLLOWS_FROM = PATH.with_name("follows_from.csv")
 """Which statement follows from which, where a slip spreads from one to the next."""
+SECTIONS = PATH.with_name("sections.csv")
+"""The sections and the figures in each; the inventory gives figures by chapter only."""
 
 
 def read_inventory() -> Mapping[str, Statement]:
@@ -37,3 +41,21 @@ def read_follows(inventory: Mapping[str, Statement]) -> tuple[Follows, ...]:
         SpreadError: naming what is unknown, or the circle.
     """
     return read_edges(inventory, FOLLOWS_FROM)
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the thesis: number, title, and the ids of the figures in it."""
+
+    number: str
+    title: str
+    figures: tuple[str, ...] = ()
+
+
+def read_sections(path: Path = SECTIONS) -> tuple[Section, ...]:
+    """Read the sections in thesis order; a figure stands with the section that discusses it."""
+    with path.open(encoding="utf-8", newline="") as file:
+        return tuple(
+            Section(row["number"], row["title"], tuple(row["figures"].split()))
+            for row in csv.DictReader(file)
+        )

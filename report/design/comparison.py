@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from report.design.figures.lines import line_spectrum
+from report.design.figures.over_time import line_spectrum
 from report.design.quantities import percent, place_words, shown
 from report.design.report import Report
 from report.design.words import (

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from report.data.mutation import MutationMeasurement
-from report.data.sections import Section
+from report.data.statements import Section
 from report.data.text_copy import TextCopy
 from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
 from report.document.thesis import Chapter, Program

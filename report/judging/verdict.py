@@ -1,8 +1,9 @@
-"""What a judgement says: verdict, how far and how much a wrong statement matters, how sure that is."""
+"""What a judgement says: verdict and grade, how far and how much what is wrong matters, how sure that is."""
 
 from __future__ import annotations
 
 from enum import Enum
+from typing import Protocol
 
 
 class Ranked(Enum):
@@ -60,3 +61,33 @@ class Certainty(Ranked):
     PROVEN = "proven"
     COMPUTED = "computed"
     READING = "reading"
+
+
+class Grade(Enum):
+    """What a finding is counted, coloured and filtered by, the gravest first."""
+
+    CONCLUSION = "conclusion"
+    RESULT = "result"
+    SLIP = "slip"
+    COPY = "copy"
+    NOT_CHECKABLE = "not-checkable"
+    REPRODUCED = "reproduced"
+
+
+class Judged(Protocol):
+    """What has a verdict and a severity: a finding, a part of it, a printed thing."""
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether it agrees."""
+        ...
+
+    @property
+    def severity(self) -> Severity:
+        """How much it matters."""
+        ...
+
+
+def grade(judged: Judged) -> Grade:
+    """Return the severity of what is wrong, and the verdict of all else."""
+    return Grade(judged.severity.value if judged.verdict.is_wrong else judged.verdict.value)

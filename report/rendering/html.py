@@ -6,7 +6,7 @@ import re
 
 from report.copy.reading import ReaderCopy
 from report.document.document import Document
-from report.judging.grade import grade
+from report.judging.verdict import grade
 from report.octave.archive import archive
 from report.pages.figure_colours import with_variables
 from report.pages.html import Look, as_base64, html_templates, page, with_drawings

@@ -10,8 +10,8 @@ from jinja2 import Environment, Template
 
 from report.document.document import Document
 from report.judging.finding import Finding
-from report.judging.grade import Grade, grade
 from report.judging.shown import Mathematics, Number, Shown, Words
+from report.judging.verdict import Grade, grade
 from report.pages import escaping
 from report.pages.displayed import code_block, formula
 from report.pages.environment import MarkdownEnvironment

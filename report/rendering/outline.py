@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.data.sections import Section
+from report.data.statements import Section
 from report.document.thesis import Chapter
 from report.judging.claim import Kind
 from report.judging.finding import Finding

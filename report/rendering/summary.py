@@ -11,9 +11,8 @@ from report.document.document import Document
 from report.document.thesis import Chapter
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
-from report.judging.grade import Grade, grade
 from report.judging.items import Item, items
-from report.judging.verdict import Certainty
+from report.judging.verdict import Certainty, Grade, grade
 
 SYMBOLS = {
     Grade.CONCLUSION: "✗",

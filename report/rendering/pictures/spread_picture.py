@@ -10,8 +10,8 @@ from xml.sax.saxutils import escape
 
 from report.document.document import Document
 from report.judging.finding import Finding
-from report.judging.grade import Grade, grade
 from report.judging.spread import Follows
+from report.judging.verdict import Grade, grade
 from report.rendering.pictures.verdict_picture import COLOURS
 from report.rendering.summary import GRADES, SYMBOLS, capitalised, reference
 

@@ -7,7 +7,7 @@ from report.judging.record import text
 from report.numbers.evidence import Evidence
 from report.numbers.twin.grids import BRANCH_FORCE, COURSES
 from report.numbers.twin.kept_branch import KeptBranch
-from report.twin.figures.branch import branches_over_gap
+from report.twin.figures.maps import branches_over_gap
 from report.twin.observation import Observed, SectionRecord, observation
 
 BRANCH = "report/numbers/twin/kept_branch.py"

@@ -12,7 +12,7 @@ import pytest
 
 from report.copy.places import Places
 from report.copy.reading import read_reader_copy
-from report.data.sections import read_sections
+from report.data.statements import read_sections
 from report.data.text_copy import read_text_copy
 from report.judging.claim import Kind, Statement
 from tests.report.copy.made_up import LINES, line_of

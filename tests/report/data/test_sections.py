@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from report.data.sections import Section, read_sections
+from report.data.statements import Section, read_sections
 from report.judging.claim import Kind, Statement
 
 

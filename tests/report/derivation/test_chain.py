@@ -22,13 +22,14 @@ from report.derivation.code_lines import code_lines
 from report.derivation.nomenclature import (
     NomenclatureError,
     entries,
+    formulas,
     nomenclature,
+    symbols,
     symbols_of_step,
 )
 from report.derivation.number_steps import number_steps
 from report.derivation.pictures import sampled, waveform_pictures
 from report.derivation.places_of_claims import UnknownStepError, named_steps, places
-from report.derivation.symbols_of_text import formulas, symbols
 from report.derivation.waveform_svg import first_harmonic
 from report.judging.claim import Kind
 from report.judging.finding import Finding

@@ -6,7 +6,7 @@ import dataclasses
 
 import sympy
 
-from report.data.sections import Section
+from report.data.statements import Section
 from report.data.text_copy import TextCopy
 from report.document.document import Document
 from report.document.extras import Answer, CorrectedResult, Highlight, Opening, Overview

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from report.document.document import Document
-from report.judging.grade import grade
+from report.judging.verdict import grade
 from report.octave.archive import files
 from report.pages.formats import Format
 from report.rendering.sources import identifier

@@ -5,10 +5,9 @@ from dataclasses import replace
 from report.document.document import Document
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
-from report.judging.grade import Grade, grade
 from report.judging.items import items
 from report.judging.shown import Number
-from report.judging.verdict import Certainty, Impact, Verdict
+from report.judging.verdict import Certainty, Grade, Impact, Verdict, grade
 from report.rendering import summary
 
 

@@ -7,8 +7,7 @@ import math
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
 from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
-from report.data.sections import read_sections
-from report.data.statements import read_inventory
+from report.data.statements import read_inventory, read_sections
 from report.judging.claim import Part
 from report.judging.comparisons.digits import PrintedDigits
 from report.judging.parts import assertion, close, digits, repeated
