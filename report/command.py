@@ -7,7 +7,8 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from report.rendering.request import Format, Paper, Request
+from report.pages.formats import Format, Paper
+from report.rendering.request import Request
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import OptionError, refuse_unused
@@ -16,8 +17,8 @@ from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_target
 
 if TYPE_CHECKING:
     from report.building.build import Built
-    from report.changes import ClaimsFile
     from report.copy.reading import ReaderCopy
+    from report.judging.changes import ClaimsFile
 
 DIRECTORY = Path("build") / "report"
 KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON, Format.CSV: ERRATA}
@@ -111,7 +112,7 @@ def _request(arguments: Namespace) -> Request:
         OtherCopyError: if it is another text than the one that was judged.
         UnknownChapterError: if the thesis has no such chapter.
     """
-    from report.inventory import read_inventory
+    from report.data.statements import read_inventory
     from report.rendering.selection import chapter_numbers
 
     chapter_numbers(arguments.only, {entry.chapter for entry in read_inventory().values()})
@@ -134,7 +135,7 @@ def _reader_copy(arguments: Namespace) -> ReaderCopy | None:
             raise OptionError("--other-copy has no effect without --thesis: add that, or leave it out")
         return None
     from report.copy.reading import read_reader_copy
-    from report.text_copy import read_text_copy
+    from report.data.text_copy import read_text_copy
 
     return read_reader_copy(arguments.thesis, read_text_copy().sha256, accept_other=arguments.other_copy)
 
@@ -143,13 +144,13 @@ def _earlier(arguments: Namespace) -> ClaimsFile | None:
     """Read the earlier claims, before the build may write others in their place."""
     if arguments.compare is None:
         return None
-    from report.changes import read_claims
+    from report.judging.changes import read_claims
 
     return read_claims(arguments.compare)
 
 
 def _differences(earlier: ClaimsFile, built: Built) -> str:
-    from report.changes import differences, parsed_claims
+    from report.judging.changes import differences, parsed_claims
     from report.rendering.json import to_json
 
     now = parsed_claims(to_json(built.document), "this build")
@@ -157,7 +158,7 @@ def _differences(earlier: ClaimsFile, built: Built) -> str:
 
 
 def _summary(built: Built) -> str:
-    from report.verdict import Verdict
+    from report.judging.verdict import Verdict
 
     verdicts = [finding.verdict for finding in built.document.findings]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict.value}" for verdict in Verdict)

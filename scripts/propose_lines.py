@@ -13,10 +13,9 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from report.collect import collect
 from report.copy.places import Places
 from report.copy.reading import split
-from report.inventory import read_inventory
+from report.data.statements import read_inventory
 
 UNNUMBERED = {
     **{f"eq-A.1.{index}": ("A.1", index) for index in range(1, 5)},
@@ -66,9 +65,7 @@ def _paragraphs(places: Places) -> Iterator[tuple[object, ...]]:
 
 
 def _missing() -> Iterator[tuple[object, ...]]:
-    inventory = read_inventory()
-    records = collect(inventory).by_id
-    yield from ((claim,) for claim in inventory if records[claim].lines is None)
+    yield from ((claim,) for claim, entry in read_inventory().items() if entry.lines is None)
 
 
 if __name__ == "__main__":

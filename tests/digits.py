@@ -16,6 +16,7 @@ WITHOUT_DIGITS = (
     "report/building",
     "report/cache",
     "report/copy",
+    "report/pages",
     "report/rendering",
     "trimmer/test_code_generation.py",
     "trimmer/test_files.py",

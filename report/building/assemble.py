@@ -4,28 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from derivations.latex import latex
 from derivations.symbols import PARAMETERS
-from report.claim import Statement
+from report.data.mutation import read_mutation
+from report.data.statements import FURTHER, read_follows, read_sections
+from report.data.text_copy import read_build_time, read_text_copy
 from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
-from report.document.derivation import DerivationStep, ParameterRow, Program
 from report.document.document import Document
-from report.document.explorable import Explorable
-from report.document.figure import Equation, Figure
-from report.document.overview import Answer, CorrectedResult, Opening
-from report.document.robustness import Robustness
-from report.document.thesis import Chapter
-from report.document.twin import TwinChapter
-from report.finding import Finding
-from report.inventory import FURTHER, read_inventory
-from report.mutation import read_mutation
-from report.provenance import provenance
-from report.sections import read_sections
-from report.spread import read_follows
-from report.text_copy import read_text_copy
+from report.document.thesis import Chapter, Program
+from report.judging.claim import Statement
+from report.judging.finding import Finding
+from report.judging.inventory import read_statements
+from report.pages.derivation import DerivationStep, ParameterRow
+from report.pages.figure import Equation, Figure
+from report.pages.provenance import provenance
 from trimmer import TrimmerParameters
 
 TITLE = "The trimmer’s thesis, derived again"
@@ -55,13 +51,8 @@ class Parts:
         element_steps: The derivation of the describing functions.
         number_steps: From the equations to numbers.
         pictures: Of the waveforms, by the ids of their steps.
-        explorable: What a reader can move.
         programs: The corrected listings.
-        opening: The first screen.
-        answers: Answers to the thesis's questions.
-        corrected: Printed and corrected predictions.
-        robustness: How far these hold when the parameters change.
-        twin: The chapter on the physical twin.
+        extras: The chapters beside those of the thesis, by the names of their fields.
     """
 
     findings: tuple[Finding, ...]
@@ -70,13 +61,8 @@ class Parts:
     element_steps: tuple[StepWithLines, ...]
     number_steps: tuple[StepWithLines, ...]
     pictures: Mapping[str, Figure]
-    explorable: Explorable
     programs: tuple[Program, ...]
-    opening: Opening
-    answers: tuple[Answer, ...]
-    corrected: tuple[CorrectedResult, ...]
-    robustness: Robustness
-    twin: TwinChapter
+    extras: Mapping[str, Any]
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:
@@ -87,7 +73,6 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     told = {each.step.id: _told(each, step_of, parts) for each in every}
     return Document(
         title=TITLE,
-        opening=parts.opening,
         chapters=_chapters(parts.findings, inventory),
         statements_in_thesis=len(inventory),
         derivation=tuple(told[each.step.id] for each in parts.trimmer_steps),
@@ -97,21 +82,17 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
             ParameterRow(latex(quantity.symbol), quantity.meaning, f"{value:g}", quantity.unit.text)
             for quantity, value in zip(PARAMETERS, parameters.values(), strict=True)
         ),
-        provenance=provenance(),
+        provenance=provenance(read_build_time()),
         text_copy=read_text_copy(),
         programs=parts.programs,
         describing_functions=tuple(told[each.step.id] for each in parts.element_steps),
         solution=tuple(told[each.step.id] for each in parts.number_steps),
         step_of=step_of,
-        explorable=parts.explorable,
         spread=read_follows(inventory),
-        answers=parts.answers,
-        corrected=parts.corrected,
-        robustness=parts.robustness,
         mutation=read_mutation(),
-        twin=parts.twin,
         sections=read_sections(),
-        further_statements=len(read_inventory(FURTHER)),
+        further_statements=len(read_statements(FURTHER)),
+        **parts.extras,
     )
 
 

@@ -11,11 +11,13 @@ from pathlib import Path
 from report.building.progress import Progress
 from report.cache.content_key import content_key
 from report.cache.stage_store import StageStore
+from report.data.text_copy import read_build_time
 from report.document.document import Document
 from report.octave.archive import write_files
-from report.provenance import provenance
+from report.pages.formats import Format
+from report.pages.provenance import provenance
 from report.rendering.render import render
-from report.rendering.request import WHOLE_REPORT, Format, Request
+from report.rendering.request import WHOLE_REPORT, Request
 from report.rendering.selection import select
 from trimmer.files import write_atomically
 
@@ -66,7 +68,7 @@ def _content(store: StageStore, progress: Progress) -> Document:
     key = content_key()
     kept: Document | None = store.load(CONTENT, key)
     if kept is not None:
-        (current,) = progress.run("kept", [kept], lambda content: replace(content, provenance=provenance()))
+        (current,) = progress.run("kept", [kept], _with_provenance)
         return current
     (stages,) = progress.run(
         "load", ["report.building.stages"], import_module
@@ -74,3 +76,8 @@ def _content(store: StageStore, progress: Progress) -> Document:
     document: Document = stages.make_document(progress, store)
     store.keep(CONTENT, key, document)
     return document
+
+
+def _with_provenance(content: Document) -> Document:
+    """Say of content that is kept what makes a report of it now."""
+    return replace(content, provenance=provenance(read_build_time()))

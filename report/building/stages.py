@@ -12,34 +12,28 @@ from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
 from report.building.assemble import Parts, assemble
 from report.building.background import begun
+from report.building.collect import Records, collect
+from report.building.extras import EXTRAS
 from report.building.progress import Progress
 from report.building.tasks import Task, done
+from report.cache.libraries import libraries
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
-from report.claim import Statement
-from report.collect import Records, collect
+from report.data.statements import read_inventory
 from report.derivation.code_lines import with_lines
 from report.derivation.number_steps import number_steps
 from report.derivation.pictures import waveform_pictures
 from report.document.document import Document
-from report.evidence import Evidence, derive, solve
-from report.explorable.make import explorable
-from report.finding import Finding
 from report.folders import templates
-from report.inventory import read_inventory
-from report.judge import judge
+from report.judging.claim import Statement
+from report.judging.finding import Finding
+from report.judging.judge import judge
+from report.judging.record import ClaimRecord
+from report.numbers.evidence import Evidence, derive, solve
 from report.numbers.twin.kept_files import digest_of_files
 from report.numbers.twin_numbers import solve_twin
 from report.octave.listings import corrected_programs
-from report.overview.answers import answers
-from report.overview.corrected_results import corrected_results
-from report.overview.opening import opening
-from report.overview.opening_figure import opening_figure
-from report.provenance import libraries
-from report.record import ClaimRecord
-from report.robustness.page import robustness
 from report.twin.cell_check import seed_of
-from report.twin.chapter import twin_chapter
 
 
 def make_document(progress: Progress, store: StageStore) -> Document:
@@ -67,19 +61,14 @@ def make_document(progress: Progress, store: StageStore) -> Document:
         element_steps=results["element-steps"],
         number_steps=results["number-steps"],
         pictures=results["waveforms"],
-        explorable=results["explorable"],
         programs=results["programs"],
-        opening=opening(evidence, findings, results["opening-figure"]),
-        answers=results["answers"],
-        corrected=results["corrected-results"],
-        robustness=results["robustness"],
-        twin=results["twin"],
+        extras={extra.name: results[extra.name] for extra in EXTRAS},
     )
     return assemble(parts, evidence.numbers.parameters, inventory)
 
 
 def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Evidence:
-    key = _key(tree, ["report.evidence"])
+    key = _key(tree, ["report.numbers.evidence"])
     kept: Evidence | None = store.load("evidence", key)
     if kept is not None:
         return kept
@@ -101,7 +90,6 @@ def _tasks(
         (path.name, path.read_text(encoding="utf-8")) for path in sorted((templates() / "octave").iterdir())
     ]
     key = partial(_key, tree)
-    of_twin = key(["report.twin.chapter", "report.evidence"])
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
         Task(
@@ -113,38 +101,32 @@ def _tasks(
         Task(
             "trimmer-steps",
             "prove",
-            key(["derivations.narrative", "report.evidence"]),
+            key(["derivations.narrative", "report.numbers.evidence"]),
             partial(with_lines, narrative, evidence.derivation),
         ),
-        Task("twin", "observe", of_twin, partial(twin_chapter, evidence, seed_of(of_twin))),
+        *(
+            Task(extra.name, "extras", digest, partial(extra.make, evidence, seed_of(digest)))
+            for extra in EXTRAS
+            for digest in [key([extra.module, "report.numbers.evidence"])]
+        ),
         Task(
             "number-steps",
             "prove",
             key(["report.derivation.number_steps"]),
             partial(with_lines, number_steps, evidence),
         ),
-        Task("explorable", "draw", key(["report.explorable.make"]), partial(explorable, evidence)),
         Task("waveforms", "draw", key(["report.derivation.pictures"]), waveform_pictures),
         Task(
             "programs",
             "print",
-            key(["report.octave.listings", "report.evidence"], octave),
+            key(["report.octave.listings", "report.numbers.evidence"], octave),
             print_programs,
-        ),
-        *(
-            Task(name, "sum up", key([work.__module__]), partial(work, evidence))
-            for name, work in (
-                ("answers", answers),
-                ("corrected-results", corrected_results),
-                ("robustness", robustness),
-                ("opening-figure", opening_figure),
-            )
         ),
         *(
             Task(
                 f"figure-{figure.id}",
                 "draw",
-                key([figure.draw.__module__, "report.evidence", "report.record"]),
+                key([figure.draw.__module__, "report.numbers.evidence", "report.judging.record"]),
                 partial(figure.finished, evidence),
             )
             for figure in reversed(records.figures)
@@ -153,10 +135,11 @@ def _tasks(
             Task(
                 f"claims-{module}",
                 "judge",
-                key([module, "report.evidence"], inventory),
-                partial(_judged, group, evidence, inventory),
+                key([module, "report.numbers.evidence"], statements),
+                partial(_judged, group, evidence, statements),
             )
             for module, group in reversed(tuple(records.claims.items()))
+            for statements in [{record.id: inventory[record.id] for record in group}]
         ),
     ]
 

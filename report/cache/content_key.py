@@ -11,9 +11,9 @@ from collections.abc import Iterable, Mapping
 from importlib.metadata import version
 from pathlib import Path
 
+from report.cache.libraries import libraries
 from report.cache.source_closure import PACKAGES, ROOT
 from report.folders import templates
-from report.provenance import libraries
 
 SUFFIXES = (".py", ".pyi", ".csv", ".json", ".toml")
 

@@ -182,10 +182,11 @@ class _Reader:
         kind = _own_type(name, object)
         known = {each.name for each in fields(kind)}
         values = {key: self.value(each) for key, each in state}
-        if set(values) != known:
+        takes_more = hasattr(kind, "__setstate__")
+        if not known <= values.keys() or (values.keys() - known and not takes_more):
             raise DamagedError(f"{name} has other fields")
         made: Any = object.__new__(kind)
-        if hasattr(kind, "__setstate__"):
+        if takes_more:
             made.__setstate__(values)
         else:
             for key, value in values.items():
@@ -194,10 +195,12 @@ class _Reader:
 
 
 def _state_of(value: Any) -> dict[str, Any]:
-    """Return the fields of a dataclass, as it hands them out itself if it does so."""
-    hands_out = any("__getstate__" in vars(base) for base in type(value).__mro__ if base is not object)
-    given = value.__getstate__() if hands_out else None
-    return {each.name: given[each.name] if given else getattr(value, each.name) for each in fields(value)}
+    """Return the fields of a dataclass, or what it hands out itself, cached properties left out."""
+    if not any("__getstate__" in vars(base) for base in type(value).__mro__ if base is not object):
+        return {each.name: getattr(value, each.name) for each in fields(value)}
+    known = {each.name for each in fields(value)}
+    given = value.__getstate__().items()
+    return {name: each for name, each in given if name in known or not hasattr(type(value), name)}
 
 
 def _name_of(kind: type) -> str:

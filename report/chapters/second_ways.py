@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import control
 import sympy
 
-from report.claim import Confirmation
+from report.judging.claim import Confirmation
+from report.judging.parts import close, equal, small, so
 from report.numbers.independent import loci, waveforms
 from report.numbers.independent.waveforms import ODD_ORDERS, Values, at_the_jump, sampled_gain
-from report.parts import close, equal, small, so
 from trimmer import LimitCycle, PeriodicOrbit, response_at
 from trimmer.elements import Element
 

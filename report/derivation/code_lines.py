@@ -10,7 +10,7 @@ from typing import Any
 
 from derivations.step import Step
 from report.cache.source_closure import ROOT
-from report.document.figure import CodeLines
+from report.pages.figure import CodeLines
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from derivations.step import Formula, Step
-from report.evidence import Evidence
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import solve_linear
-from report.text import filled
 from trimmer import modes, resonance_peaks, response_at, transfer_function
 from trimmer.linear import asymptotic_roll_off, bandwidth, encirclements, time_response
 

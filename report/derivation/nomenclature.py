@@ -7,7 +7,8 @@ Symbols that the derivations declare bring meaning and unit along; the others st
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,10 +16,41 @@ from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
 from derivations.step import Step
 from derivations.symbols import QUANTITIES
-from report.derivation.symbols_of_text import formulas, symbols
-from report.document.derivation import NomenclatureRow
-from report.finding import Finding
+from report.judging.finding import Finding
+from report.pages.derivation import NomenclatureRow
 from trimmer.errors import TrimmerError
+
+_GREEK = (
+    "alpha|beta|gamma|delta|epsilon|varepsilon|zeta|eta|theta|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|phi|"
+    "varphi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Sigma|Phi|Psi|Omega|ell"
+)
+_WORDS = re.compile(
+    r"\\(?:text|operatorname|mathrm|mathsf|mathit)\*?\{[^{}]*\}"
+    r"|\\(?:begin|end)\{[^{}]*\}(?:\{[^{}]*\})?"
+)
+_ACCENT = re.compile(r"\\(?:dot|ddot|dddot|bar|overline|hat|tilde)(?:\{([^{}]*)\}|\s+([A-Za-z]))")
+_COMMAND = re.compile(rf"\\(?!(?:{_GREEK})(?![A-Za-z]))[A-Za-z]+")
+_INDEX = r"\{[^{}]*\}|[A-Za-z0-9]|\\[A-Za-z]+"
+_SYMBOL = re.compile(rf"(\\(?:{_GREEK})(?![A-Za-z])|(?<![\\A-Za-z])[A-Za-z])(?:_({_INDEX}))?")
+_MATHEMATICS = re.compile(r"\$([^$]+)\$")
+
+
+def symbols(latex: str) -> frozenset[str]:
+    """Return the symbols of a formula, such as ``q_2``; an index loses its braces."""
+    plain = _WORDS.sub(" ", latex)
+    while (without := _ACCENT.sub(lambda match: f" {match[1] or match[2]}", plain)) != plain:
+        plain = without
+    plain = _COMMAND.sub(lambda match: " " * len(match[0]), plain)
+    return frozenset(
+        letter + (f"_{index.strip('{}').replace(' ', '')}" if index else "")
+        for letter, index in _SYMBOL.findall(plain)
+    )
+
+
+def formulas(prose: str) -> Iterator[str]:
+    """Yield the formulas between dollar signs in Markdown prose."""
+    yield from _MATHEMATICS.findall(prose)
+
 
 PATH = Path(__file__).parent.parent / "data" / "nomenclature.csv"
 

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from derivations.loop.narrative import loop_narrative
 from derivations.step import Formula, Step
 from report.derivation.linear_steps import array, linear_steps
-from report.evidence import Evidence
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import orbit_by_durations
 from report.numbers.newton_by_hand import Iteration, newton_by_hand
 from report.numbers.record import Record, line_amplitudes
-from report.text import filled
-from report.thesis import SMALL_GAP
+from report.numbers.thesis import SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage, limit_cycles, periodic_orbits
 from trimmer.arrays import Reals
 from trimmer.loops.simulation import simulate_loop

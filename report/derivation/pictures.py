@@ -24,8 +24,8 @@ from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A, omega
 from report.derivation.waveform_svg import Piece, waveform_svg
-from report.document.figure import Figure
-from report.text import filled
+from report.judging.text import filled
+from report.pages.figure import Figure
 
 Values = dict[sympy.Expr, sympy.Expr]
 POINTS: Final = 33

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from derivations.step import Step
-from report.finding import Finding
+from report.judging.finding import Finding
 from trimmer.errors import TrimmerError
 
 PATH = Path(__file__).parent.parent / "data" / "steps.csv"

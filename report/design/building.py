@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.cache.content_key import digest_of_packages
+from report.cache.libraries import libraries
 from report.cache.stage_store import StageStore
-from report.provenance import libraries
-from report.rendering.request import Format, Paper
+from report.pages.formats import Format, Paper
 from trimmer.design.design import Design, Study
 from trimmer.design.keeping import Keeper
 
@@ -103,13 +103,13 @@ def report_on(design: Design, store: StageStore, date: str) -> DesignReport:
     from report.design.origin import origin_of
     from report.design.pictures import pictures
     from report.design.report import DesignReport
-    from report.rendering.escaping import shown_characters
+    from report.pages.escaping import shown_characters
 
     mechanism = design.file.mechanism
     keeper = keeper_of(design.file, store)
     equations = keeper.made("equations", (), lambda: equations_of(mechanism))
     title = shown_characters(mechanism.title or design.file.name)
-    return DesignReport(title, design, equations, pictures(design), origin_of([design.file], date))
+    return DesignReport(title, pictures(design), origin_of([design.file], date), design, equations)
 
 
 def files_of(

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from report.rendering.request import Format, Paper
+from report.pages.formats import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
@@ -18,7 +18,7 @@ from trimmer.files import HTML, PDF, STANDARD_INPUT, check_target, write_atomica
 
 if TYPE_CHECKING:
     from report.design.building import Place
-    from report.rendering.escaping import Markdown
+    from report.pages.escaping import Markdown
     from trimmer.design.design_file import DesignFile
     from trimmer.runners.runner import Runner
 

@@ -16,7 +16,7 @@ from report.design.command import (
     stem_of,
     told_how_to_go_on,
 )
-from report.rendering.request import Format, Paper
+from report.pages.formats import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import file_to_read, show
 from trimmer.command_line.parser import OptionError
@@ -74,12 +74,12 @@ def _contents(
     from report.design.markdown import comparison_to_markdown
     from report.design.origin import origin_of
     from report.design.render import rendered
-    from report.rendering.escaping import shown_characters
+    from report.pages.escaping import shown_characters
 
     figures = spectra_overlaid(comparison, names)
     origin = origin_of([comparison.before.file, comparison.after.file], date)
     title = shown_characters(f"{names[0]} and {names[1]}")
-    document = ComparisonReport(title, comparison, names, figures, origin)
+    document = ComparisonReport(title, figures, origin, comparison, names)
     return rendered(document, comparison_to_markdown(document), formats, paper, None)
 
 

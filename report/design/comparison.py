@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from report.design.figures.drawn import drawn
-from report.design.figures.lines import line_spectrum
-from report.design.origin import Origin
+from report.design.figures.over_time import line_spectrum
 from report.design.quantities import percent, place_words, shown
+from report.design.report import Report
 from report.design.words import (
     OUTCOMES,
     capital,
@@ -21,8 +20,9 @@ from report.design.words import (
     measure_words,
     number_words,
 )
-from report.document.figure import Figure
-from report.rendering.escaping import Markdown, code, markdown
+from report.pages.drawing.drawn import drawn
+from report.pages.escaping import Markdown, code, markdown
+from report.pages.figure import Figure
 from trimmer.design.comparison import DesignComparison
 from trimmer.design.targets import Measure
 
@@ -32,28 +32,13 @@ if TYPE_CHECKING:
 NEITHER = "—"
 
 
+@final
 @dataclass(frozen=True)
-class ComparisonReport:
-    """The report.
+class ComparisonReport(Report):
+    """The report on two designs: what was computed, and what their two files are called."""
 
-    Attributes:
-        title: Its title, plain text.
-        comparison: What was computed.
-        names: What the two files are called.
-        figures: By their identifiers.
-        origin: What it was made from, and when.
-    """
-
-    title: str
     comparison: DesignComparison
     names: tuple[str, str]
-    figures: dict[str, Figure]
-    origin: Origin
-
-    @property
-    def subtitle(self) -> str:
-        """The line below the title."""
-        return self.origin.line
 
 
 def spectra_overlaid(comparison: DesignComparison, names: tuple[str, str]) -> dict[str, Figure]:

@@ -9,8 +9,8 @@ from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.latex import latex
 from report.design.quantities import shown
 from report.design.report import Equations, SymbolRow
-from report.document.derivation import DerivationStep
-from report.document.figure import Equation
+from report.pages.derivation import DerivationStep
+from report.pages.figure import Equation
 from trimmer.code_generation import symbolic_mechanism
 
 if TYPE_CHECKING:

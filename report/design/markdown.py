@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from report.design import comparison, sentences, sentences_around, tables, words
 from report.design.quantities import percent, place_words, shown, written
-from report.rendering.environment import MarkdownEnvironment
-from report.rendering.markdown import formula
+from report.pages.displayed import formula
+from report.pages.environment import MarkdownEnvironment
 
 if TYPE_CHECKING:
     from jinja2 import Environment

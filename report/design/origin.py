@@ -6,14 +6,14 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
-from report.provenance import provenance
-from report.rendering.escaping import shown_characters
+from report.pages.escaping import shown_characters
+from report.pages.provenance import provenance
 from trimmer.source_date import source_date
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from report.document.thesis import Provenance
+    from report.pages.provenance import Provenance
     from trimmer.design.design_file import DesignFile
 
 SHOWN_DIGITS = 12

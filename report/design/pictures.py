@@ -8,16 +8,11 @@ from typing import TYPE_CHECKING
 
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of
-from report.design.figures.branch import branch
-from report.design.figures.drawn import drawn
-from report.design.figures.influence import influences
-from report.design.figures.linear import transfer_functions
-from report.design.figures.lines import line_spectrum
-from report.design.figures.maps import kind_map
-from report.design.figures.motion import motion_over_time
-from report.design.figures.over_range import over_range
+from report.design.figures.over_numbers import branch, influences, kind_map, over_range
+from report.design.figures.over_time import line_spectrum, motion_over_time, transfer_functions
 from report.design.quantities import percent, place_words, shown
 from report.design.words import capital, measure_words
+from report.pages.drawing.drawn import drawn
 from trimmer.design.linear import driving
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
@@ -25,7 +20,7 @@ from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
-    from report.document.figure import Figure
+    from report.pages.figure import Figure
     from trimmer.design.design import Design
     from trimmer.design.kept_map import DesignMap
     from trimmer.design.linear import LinearState

@@ -11,7 +11,6 @@ from trimmer.mechanism.place_text import parse_place
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from trimmer.mechanism.mechanism import Mechanism
 
 PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 LARGE_TOO = ("N", "N/m", "Hz", "W", "J")
@@ -118,8 +117,3 @@ def place_words(place: str) -> str:
     if names[0] == "outputs":
         return f"weight of {names[2]} in {names[1]}"
     return f"{KEYS.get(names[2], names[2])} of {names[1]}"
-
-
-def units_of(mechanism: Mechanism) -> dict[str, str]:
-    """Return the SI unit of every number of a mechanism, by its dotted place."""
-    return dict(mechanism.places)

@@ -3,43 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
-from report.rendering.html import Look, page, with_drawings
-from report.rendering.pdf import Head, typeset
-from report.rendering.pictures.figure_colours import with_variables
-from report.rendering.pieces import Converter
-from report.rendering.request import Format, Paper
+from report.pages.figure_colours import with_variables
+from report.pages.formats import Format, Paper, made_together
+from report.pages.html import Look, page, with_drawings
+from report.pages.pdf import Head, typeset
+from report.pages.pieces import Converter
 
 if TYPE_CHECKING:
     from report.cache.stage_store import StageStore
-    from report.design.origin import Origin
-    from report.document.figure import Figure
-
-
-class Shown(Protocol):
-    """A report that can be rendered."""
-
-    @property
-    def title(self) -> str:
-        """Its title."""
-        ...
-
-    @property
-    def subtitle(self) -> str:
-        """The line below the title."""
-        ...
-
-    @property
-    def origin(self) -> Origin:
-        """What it was made from, and when."""
-        ...
-
-    @property
-    def figures(self) -> Mapping[str, Figure]:
-        """Its figures, by the names under which its text asks for them."""
-        ...
+    from report.design.report import Report
+    from report.pages.figure import Figure
 
 
 STYLES = ("page.css", "tables.css", "print.css")
@@ -47,7 +22,7 @@ SCRIPTS = ("search.js", "design/find.js", "contents.js", "zoom.js", "figures.js"
 
 
 def rendered(
-    document: Shown,
+    document: Report,
     pieces: Mapping[str, str],
     formats: frozenset[Format],
     paper: Paper,
@@ -56,7 +31,7 @@ def rendered(
     """Return the report in the forms that are wanted.
 
     Args:
-        document: The report; it has a title, a subtitle, an origin and figures.
+        document: The report.
         pieces: Its text.
         formats: HTML, PDF or both.
         paper: Size of the pages.
@@ -69,24 +44,21 @@ def rendered(
     converter = Converter.keeping(store) if store else Converter()
     text = converter.parsed(pieces)
     source = converter.typst(text) if Format.PDF in formats else ""
-    figures: Mapping[str, Figure] = document.figures
     makers: dict[Format, Callable[[], str | bytes]] = {
-        Format.PDF: lambda: _pdf(document, source, figures, paper, store),
-        Format.HTML: lambda: _html(document, converter.html(text), figures),
+        Format.PDF: lambda: _pdf(document, source, document.figures, paper, store),
+        Format.HTML: lambda: _html(document, converter.html(text), document.figures),
     }
-    with ThreadPoolExecutor() as pool:
-        made = {form: pool.submit(makers[form]) for form in makers if form in formats}
-        return {form: made[form].result() for form in made}
+    return made_together(makers, formats)
 
 
-def _html(document: Shown, body: str, figures: Mapping[str, Figure]) -> str:
+def _html(document: Report, body: str, figures: Mapping[str, Figure]) -> str:
     svg = {name: with_variables(each.svg) for name, each in figures.items()}
     look = Look(STYLES, SCRIPTS, [each.svg for each in figures.values()])
     return page("design/page.html.j2", look, with_drawings(body, svg), document=document)
 
 
 def _pdf(
-    document: Shown, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
+    document: Report, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
 ) -> bytes:
     more = {f"figures/{name}.svg": each.svg.encode() for name, each in figures.items()}
     head = Head(document.title, document.subtitle, document.origin.date, strict=False)

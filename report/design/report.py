@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import final
 
 from report.design.origin import Origin
-from report.document.derivation import DerivationStep
-from report.document.figure import Figure
+from report.pages.derivation import DerivationStep
+from report.pages.figure import Figure
 from trimmer.design.design import Design
 
 
@@ -35,24 +37,29 @@ class Equations:
 
 
 @dataclass(frozen=True)
-class DesignReport:
-    """The report.
+class Report:
+    """What every report on designs has.
 
     Attributes:
         title: Its title, plain text.
-        design: What was computed.
-        equations: The derivation.
-        figures: By their identifiers.
+        figures: By the names under which its text asks for them.
         origin: What it was made from, and when.
     """
 
     title: str
-    design: Design
-    equations: Equations
-    figures: dict[str, Figure]
+    figures: Mapping[str, Figure]
     origin: Origin
 
     @property
     def subtitle(self) -> str:
         """The line below the title."""
         return self.origin.line
+
+
+@final
+@dataclass(frozen=True)
+class DesignReport(Report):
+    """The report on one design: what was computed, and the derivation."""
+
+    design: Design
+    equations: Equations

@@ -8,7 +8,7 @@ import numpy as np
 
 from report.design.quantities import percent, place_words, shown, written
 from report.design.words import capital, count, kind_words
-from report.rendering.escaping import Markdown, code, markdown
+from report.pages.escaping import Markdown, code, markdown
 from trimmer.design.plausible import Oddity
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind

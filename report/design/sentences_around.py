@@ -13,7 +13,7 @@ from report.design.pictures import important
 from report.design.quantities import percent, place_words, shown, written
 from report.design.sentences import places_listed
 from report.design.words import SPECIAL, capital, count, measure_words
-from report.rendering.escaping import Markdown, markdown
+from report.pages.escaping import Markdown, markdown
 from trimmer.branches.branch import BranchEnd
 from trimmer.design.targets import Measure
 from trimmer.maps.cells import described

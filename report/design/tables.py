@@ -17,7 +17,7 @@ from report.design.words import (
     measure_words,
     without_margin,
 )
-from report.rendering.escaping import Markdown, code, inline_mathematics
+from report.pages.escaping import Markdown, code, inline_mathematics
 from trimmer.design.spectrum import LineKind
 from trimmer.design.targets import Measure
 from trimmer.design.trial import all_measures

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from report.design.quantities import percent, place_words, shown, written
-from report.rendering.escaping import Markdown, markdown
+from report.pages.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
 from trimmer.design.targets import Measure
 from trimmer.design.verdict import NEAR, DesignOutcome, Sureness

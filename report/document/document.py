@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Final
 
-from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
-from report.document.explorable import Explorable
-from report.document.figure import Figure
-from report.document.mutation import MutationMeasurement
-from report.document.overview import Answer, CorrectedResult, Follows, Opening
-from report.document.robustness import Robustness
-from report.document.thesis import Chapter, Provenance, Section
-from report.document.twin import TwinChapter
-from report.finding import Finding
-from report.text_copy import TextCopy
+from report.data.mutation import MutationMeasurement
+from report.data.statements import Section
+from report.data.text_copy import TextCopy
+from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
+from report.document.thesis import Chapter, Program
+from report.judging.finding import Finding
+from report.judging.spread import Follows
+from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow
+from report.pages.figure import Figure
+from report.pages.provenance import Provenance
+
+NOTHING_SAID: Final = Overview()
+EXTRAS: Final = ("overview", "twin", "robustness", "explorable")
+"""The chapters beside those of the thesis, in the order in which they are shown."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +31,6 @@ class Document:
     """
 
     title: str
-    opening: Opening | None
     chapters: tuple[Chapter, ...]
     statements_in_thesis: int
     derivation: tuple[DerivationStep, ...]
@@ -39,16 +43,15 @@ class Document:
     describing_functions: tuple[DerivationStep, ...] = ()
     solution: tuple[DerivationStep, ...] = ()
     step_of: Mapping[str, str] = field(default_factory=dict)
-    explorable: Explorable | None = None
     spread: tuple[Follows, ...] = ()
-    answers: tuple[Answer, ...] = ()
-    corrected: tuple[CorrectedResult, ...] = ()
-    robustness: Robustness | None = None
     mutation: MutationMeasurement | None = None
     sections: tuple[Section, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
+    overview: Overview = NOTHING_SAID
     twin: TwinChapter | None = None
+    robustness: Robustness | None = None
+    explorable: Explorable | None = None
 
     @property
     def subtitle(self) -> str:
@@ -66,9 +69,12 @@ class Document:
         return tuple(finding for chapter in self.chapters for finding in chapter.findings)
 
     @property
+    def extras(self) -> Mapping[str, ExtraChapter]:
+        """The chapters beside those of the thesis that it has, by the names of their fields."""
+        found = {name: getattr(self, name) for name in EXTRAS}
+        return {name: chapter for name, chapter in found.items() if chapter is not None}
+
+    @property
     def drawings(self) -> tuple[Figure, ...]:
-        """All figures: first screen, claims, the twin, how far it holds, and the explorable."""
-        first = (self.opening.figure,) if self.opening else ()
-        last = (self.robustness.figure,) if self.robustness else ()
-        still = (self.explorable.still,) if self.explorable else ()
-        return (*first, *self.figures, *(self.twin.figures if self.twin else ()), *last, *still)
+        """All figures: those of claims, and those of the extra chapters."""
+        return (*self.figures, *(figure for each in self.extras.values() for figure in each.figures))

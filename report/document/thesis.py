@@ -4,17 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from report.finding import Finding
-from report.text_copy import BuildTime
-
-
-@dataclass(frozen=True)
-class Section:
-    """A section of the thesis: number, title, and the ids of the figures in it."""
-
-    number: str
-    title: str
-    figures: tuple[str, ...] = ()
+from report.judging.finding import Finding
 
 
 @dataclass(frozen=True)
@@ -28,19 +18,14 @@ class Chapter:
 
 
 @dataclass(frozen=True)
-class Provenance:
-    """What the report was made from; nothing in it depends on the time or the machine of the build.
+class Program:
+    """A corrected program of appendix A: file name, id of the claim on what it corrects (or empty), text.
 
-    ``build_time`` is the processor time it took when that was last measured.
+    ``title`` says what it computes, ``faults`` what was wrong in the thesis's listing; both are plain text.
     """
 
-    version: str
-    commit: str
-    date: str
-    libraries: tuple[tuple[str, str], ...]
-    build_time: BuildTime | None = None
-
-    @property
-    def line(self) -> str:
-        """The line below a report's title."""
-        return f"trimmer {self.version}, commit {self.commit}, {self.date[:10]}"
+    name: str
+    claim: str
+    title: str
+    faults: tuple[str, ...]
+    text: str

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document.explorable import Explorable, Panel, Slider
-from report.document.figure import Figure
-from report.drawing.plane import OMEGA, critical_point, inverse
-from report.drawing.style import BLACK, LINES, panels, style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
+from report.document.extras import Explorable, Panel, Slider
 from report.explorable.formulas import functions
 from report.explorable.script import script
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import exact_values
-from report.text import filled
+from report.pages.drawing.drawn import drawn
+from report.pages.drawing.plane import OMEGA, critical_point, inverse
+from report.pages.drawing.style import BLACK, LINES, panels
+from report.pages.figure import Figure
 from trimmer import LimitCycle, ViscousBacklash, limit_cycles, response_at
 
 if TYPE_CHECKING:
@@ -74,17 +74,16 @@ def _still(known: Evidence) -> Figure:
     element = ViscousBacklash(GAP, TIME_CONSTANT)
     cycles = limit_cycles(system, element)
     stable = next(cycle for cycle in cycles if cycle.stable)
-    with style():
+
+    def draw() -> Canvas:
         figure, (whole, near, motion) = panels(2.5, columns=3)
         for axes, limits in ((whole, WHOLE), (near, NEAR)):
             _plane(axes, known, element, stable, cycles)
             axes.set(xlim=limits[:2], ylim=limits[2:], xlabel="real part")
         whole.set_ylabel("imaginary part")
         _motion(motion, element, stable)
-        return _finished(figure, stable)
+        return figure
 
-
-def _finished(figure: Canvas, stable: LimitCycle) -> Figure:
     words = filled(
         """Three panels: the locus of G with the contour of -1/N and their intersections, the same near -1,
         and the position of pin and load over one period."""
@@ -98,8 +97,9 @@ def _finished(figure: Canvas, stable: LimitCycle) -> Figure:
         load=1e3 * TIME_CONSTANT,
         frequency=stable.frequency,
     )
-    title = "Limit cycle of the thesis's loop, as the sliders begin"
-    return Figure("explorable-still", title, caption, words, to_svg(figure, "explorable-still", title, words))
+    return drawn(
+        "explorable-still", "Limit cycle of the thesis's loop, as the sliders begin", caption, words, draw
+    )
 
 
 def _plane(

@@ -15,7 +15,7 @@ import control
 import numpy as np
 
 from report.numbers.record import harmonics
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
 from trimmer import Drive, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, peaks, simulate
 from trimmer.arrays import Reals
 from trimmer.elements import Element

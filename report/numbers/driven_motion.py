@@ -12,7 +12,7 @@ import numpy as np
 from scipy.signal import find_peaks
 
 from report.numbers.record import change, harmonics, padded_spectrum
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     EXPERIMENT_GAP,
     LARGER_GAP,

@@ -16,7 +16,7 @@ import mpmath
 
 from report.numbers.friction_in_place import FrictionBranch, friction_branch
 from report.numbers.linear_numbers import LinearNumbers
-from report.thesis import DRIVE_OMEGA, LARGER_GAP, SMALL_GAP, TURN
+from report.numbers.thesis import DRIVE_OMEGA, LARGER_GAP, SMALL_GAP, TURN
 from trimmer import CoulombFriction, LimitCycle, limit_cycles, response_at
 from trimmer.elements import Element
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash

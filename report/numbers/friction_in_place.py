@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import control
 import numpy as np
 
-from report.thesis import TURN
+from report.numbers.thesis import TURN
 from trimmer import LimitCycle, TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash

@@ -10,7 +10,7 @@ from scipy.optimize import minimize_scalar
 
 from report.numbers.equivalent_nonlinearity import EquivalentNumbers, solve_equivalent
 from report.numbers.linear_numbers import LinearNumbers
-from report.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR
+from report.numbers.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR
 from trimmer import FrictionBacklash, InertiaBacklash, LimitCycle, ViscousBacklash, limit_cycles
 
 TIME_CONSTANTS = tuple(float(each) for each in np.geomspace(1e-6, 1.0, 9))

@@ -15,7 +15,7 @@ import sympy
 
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import PARAMETERS
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import TrimmerParameters, modes, pin_model, transfer_function
 from trimmer.arrays import Reals
 from trimmer.generated import linear_trimmer

@@ -11,7 +11,7 @@ import sympy
 from scipy.optimize import brentq
 
 from derivations.elements.backlash import CONTACT, inertia_contact_ratio
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, LISTED_CONTACT, LISTED_OFFSET, TIMED_GAP, TURN
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, LISTED_CONTACT, LISTED_OFFSET, TIMED_GAP, TURN
 from trimmer import InertiaBacklash
 from trimmer.arrays import Reals
 

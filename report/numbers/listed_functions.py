@@ -13,7 +13,7 @@ import control
 import numpy as np
 from scipy.optimize import brentq
 
-from report.thesis import TURN
+from report.numbers.thesis import TURN
 from trimmer import InertiaBacklash, response_at
 from trimmer.arrays import Complexes, Reals
 

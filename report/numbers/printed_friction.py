@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from report.numbers.driven_motion import FORCES, difference_energy, driven_loop
-from report.thesis import LARGEST_GAP
+from report.numbers.thesis import LARGEST_GAP
 from trimmer import CoulombFriction, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.loops import BodyFriction

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from report.thesis import SAMPLE_RATE
+from report.numbers.thesis import SAMPLE_RATE
 from trimmer.arrays import Reals
 
 PADDED = 2**17

@@ -13,7 +13,7 @@ import numpy as np
 from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.equivalent_nonlinearity import FORCE
 from report.numbers.record import Record, largest_peaks, line_amplitudes
-from report.thesis import SMALL_GAP, TURN
+from report.numbers.thesis import SMALL_GAP, TURN
 from trimmer import FrictionBacklash, TrimmerLoop, TrimmerParameters, pin_model, simulate
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels

@@ -12,7 +12,7 @@ import numpy as np
 
 from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.record import padded_spectrum
-from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, SAMPLE_RATE
+from report.numbers.thesis import EXPERIMENT_GAP, LARGEST_GAP, SAMPLE_RATE
 from trimmer import FrictionBacklash, Motion, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels

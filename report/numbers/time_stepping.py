@@ -13,7 +13,7 @@ import control
 import numpy as np
 from scipy.linalg import expm
 
-from report.thesis import TURN
+from report.numbers.thesis import TURN
 from trimmer import PeriodicOrbit
 from trimmer.arrays import Reals
 

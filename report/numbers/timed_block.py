@@ -14,7 +14,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from report.numbers.record import Record, change, harmonics, largest_peaks, line_amplitudes
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,

@@ -7,6 +7,7 @@ from typing import Final
 
 import numpy as np
 
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
 from report.numbers.twin.cases import (
     PHASES,
     SHOWN,
@@ -31,7 +32,6 @@ from report.numbers.twin.mechanism import (
     STROKE,
     twin,
 )
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
 from trimmer import TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
@@ -127,16 +127,6 @@ class TwinNumbers:
     damping: MapNumbers
     starts: MapNumbers
     branches: tuple[KeptBranch, ...]
-
-    @property
-    def motor_without_friction(self) -> float:
-        """Root of the mean square acceleration of the motor without play and friction, m/s²."""
-        return self.no_gap[0].motor
-
-    @property
-    def motor_with_most_friction(self) -> float:
-        """The same with the largest of ``FORCES``, m/s²."""
-        return self.no_gap[-1].motor
 
     @property
     def subharmonic(self) -> float:

@@ -7,13 +7,30 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from report.document.derivation import Program
-from report.octave.readme import NAME, readme
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from report.document.thesis import Program
+from report.folders import templates
 from trimmer.files import write_atomically
 
+NAME = "README.md"
 _EARLIEST = (1980, 1, 1, 0, 0, 0)
 _READABLE = 0o100644 << 16
 _UNIX = 3
+
+
+def readme(programs: Iterable[Program]) -> str:
+    """Return how the programs are run, and what each is, as Markdown."""
+    listed = tuple(programs)
+    environment = Environment(
+        loader=FileSystemLoader(templates() / "octave"),
+        undefined=StrictUndefined,
+        autoescape=False,
+        trim_blocks=True,
+        keep_trailing_newline=True,
+    )
+    names = {program.name for program in listed}
+    return environment.get_template(f"{NAME}.j2").render(programs=listed, names=names)
 
 
 def files(programs: Iterable[Program]) -> dict[str, str]:

@@ -14,12 +14,19 @@ from derivations.elements.waveform import THETA
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.state_space import output_row
 from derivations.symbols import PARAMETERS, A
-from report.document.derivation import Program
+from report.document.thesis import Program
 from report.folders import templates
+from report.numbers.thesis import (
+    DRIVE_AMPLITUDE,
+    DRIVE_FREQUENCY,
+    LARGE_GAP,
+    RELAY_LEVEL,
+    TIME_CONSTANT,
+    TIMED_GAP,
+)
 from report.octave import formulas
 from report.octave.contents import CONTENTS
 from report.octave.printer import CodePrinter, comment
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP, RELAY_LEVEL, TIME_CONSTANT, TIMED_GAP
 from trimmer import TrimmerParameters
 from trimmer.thesis import parameter_table
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from report.document.overview import Answer
-from report.evidence import Evidence
-from report.text import filled
-from report.thesis import EXPERIMENT_GAP
+from report.document.extras import Answer
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 
 
 def answers(known: Evidence) -> tuple[Answer, ...]:

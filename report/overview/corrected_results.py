@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from report.document.overview import CorrectedResult
-from report.evidence import Evidence
+from report.document.extras import CorrectedResult
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import OrbitPair
 from report.numbers.limit_cycle_numbers import Pair
-from report.text import filled
-from report.thesis import LARGE_GAP, SMALL_GAP
+from report.numbers.thesis import LARGE_GAP, SMALL_GAP
 
 
 def corrected_results(known: Evidence) -> tuple[CorrectedResult, ...]:

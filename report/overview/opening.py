@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from report.document.figure import Figure
-from report.document.overview import Highlight, Opening
-from report.evidence import Evidence
-from report.finding import Finding
-from report.items import items
+from report.document.extras import Highlight, Opening
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.mechanism import FREQUENCY, SMALL_FORCE
-from report.text import filled
-from report.thesis import EXPERIMENT_GAP
-from report.verdict import Verdict
+from report.overview.opening_figure import opening_figure
 
 BOUND = 1.0
 """Of friction in the thesis, N."""
@@ -21,23 +16,18 @@ SLOWER = 108.0
 SOFT = 10e3
 """Stiffness of a bridge that bears every gap of the map, N/m."""
 
+SENTENCES = (
+    "The predictions do not carry over: no trimmer has their loop. So the trimmer with contact both ways was "
+    "computed."
+)
 
-def opening(known: Evidence, findings: Sequence[Finding], figure: Figure) -> Opening:
-    """Return the first screen; its counts are over printed things."""
-    judged = items(findings)
-    reproduced = sum(item.verdict is Verdict.REPRODUCED for item in judged)
+
+def opening(known: Evidence) -> Opening:
+    """Return the first screen; its template says before it how many printed things follow."""
     return Opening(
-        sentences=filled(
-            """
-            The derivations hold but for slips: [[ reproduced ]] of [[ total ]] printed things follow as
-            printed. The predictions do not carry over: no trimmer has their loop. So the trimmer with contact
-            both ways was computed.
-            """,
-            reproduced=reproduced,
-            total=len(judged),
-        ),
+        sentences=SENTENCES,
         highlights=_highlights(known),
-        figure=figure,
+        figure=opening_figure(known),
         do=_do(known),
         do_not=_do_not(known),
     )

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.document.figure import Figure
-from report.drawing.style import new_figure, style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
+from report.numbers.evidence import Evidence
+from report.pages.drawing.drawn import drawn
+from report.pages.drawing.style import new_figure
+from report.pages.figure import Figure
 from trimmer.drawing.cells import draw_cells
 
 if TYPE_CHECKING:
@@ -29,17 +29,15 @@ def opening_figure(known: Evidence) -> Figure:
         "beyond it mostly does not repeat, but for an island around 0.2 mm and 1 to 2 newtons."
     )
     caption = "Exact motions from rest, contact both ways. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2 N."
-    with style():
-        svg = to_svg(_drawn(known), NAME, TITLE, words)
-    return Figure(NAME, TITLE, caption, words, svg)
+    return drawn(NAME, TITLE, caption, words, lambda: _map(known))
 
 
-def _drawn(known: Evidence) -> Drawing:
+def _map(known: Evidence) -> Drawing:
     from matplotlib.patches import Patch
 
     numbers = known.twin.friction
-    drawn = new_figure(HEIGHT)
-    axes = drawn.subplots()
+    canvas = new_figure(HEIGHT)
+    axes = canvas.subplots()
     count = numbers.kept.period_count
     cells = np.where(count == 1, 0, np.where(count > 1, 1, 2))
     draw_cells(axes, 1e3 * numbers.first, numbers.second, cells, dict(enumerate(COLOURS)))
@@ -51,5 +49,5 @@ def _drawn(known: Evidence) -> Drawing:
         Patch(facecolor=colour, edgecolor="0.4", label=name)
         for colour, name in zip(COLOURS, NAMES, strict=True)
     ]
-    drawn.legend(handles=handles, loc="outside right center")
-    return drawn
+    canvas.legend(handles=handles, loc="outside right center")
+    return canvas

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from report.claim import Kind
 from report.document.document import Document
+from report.judging.claim import Kind
 from report.rendering.selection import chapter_name
 
 

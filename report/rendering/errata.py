@@ -8,14 +8,14 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from report.claim import Kind
 from report.document.document import Document
-from report.finding import Finding, JudgedPart
-from report.rendering.escaping import plain
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.shown import Shown, Words
+from report.judging.verdict import Certainty, Severity, Verdict
+from report.pages.escaping import plain
 from report.rendering.outline import grouped
 from report.rendering.summary import short_reference
-from report.shown import Shown, Words
-from report.verdict import Certainty, Severity, Verdict
 
 _STATEMENT = re.compile(r"(?:\$[^$]*\$|(?!; |\. [A-Z])[^$])*")
 """Words up to the first semicolon or the end of the first sentence, outside of mathematics."""

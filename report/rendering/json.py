@@ -6,10 +6,10 @@ import json
 from collections import Counter
 
 from report.document.document import Document
-from report.finding import Finding, JudgedPart
-from report.items import Item, items
-from report.shown import Shown
-from report.verdict import Certainty, Severity, Verdict
+from report.judging.finding import Finding, JudgedPart
+from report.judging.items import Item, items
+from report.judging.shown import Shown
+from report.judging.verdict import Certainty, Severity, Verdict
 
 SCHEMA = 2
 

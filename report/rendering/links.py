@@ -1,19 +1,9 @@
-"""Links inside the report: each has to lead somewhere."""
+"""Claims that a report names outside of its chapters: each has to be there."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable
-
 from report.document.document import Document
-from report.document.robustness import SurvivalRow
-
-_INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
-_IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)
-
-
-class BrokenLinkError(ValueError):
-    """The report links to a place that it does not have, or has the same place twice."""
+from report.pages.links import BrokenLinkError
 
 
 def check_claims(document: Document) -> None:
@@ -29,39 +19,9 @@ def check_claims(document: Document) -> None:
             for step in steps
             for claim in step.claims + step.others
         },
-        **{claim: "a research question" for answer in document.answers for claim in answer.claims},
         **{figure.id: "a figure" for figure in document.figures},
         **{claim: "the graph of a slip" for edge in document.spread for claim in (edge.claim, edge.source)},
-        **{result.claim: f"the corrected result “{result.quantity}”" for result in document.corrected},
-        **{row.claim: "how far it holds" for row in _survivals(document)},
+        **{claim: words for extra in document.extras.values() for claim, words in extra.named.items()},
     }
     for claim in sorted(set(named) - {finding.id for finding in document.findings}):
         raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
-
-
-def _survivals(document: Document) -> tuple[SurvivalRow, ...]:
-    return document.robustness.survivals if document.robustness else ()
-
-
-def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
-    """Check that places have names of their own and that each link leads to one.
-
-    Args:
-        markdown: the text of the report.
-        elsewhere: identifiers of the places that the report has outside of this text.
-
-    Raises:
-        BrokenLinkError: listing the names that stand twice, or the links that lead nowhere.
-    """
-    identifiers = [*_IDENTIFIER.findall(markdown), *elsewhere]
-    twice = sorted({identifier for identifier in identifiers if identifiers.count(identifier) > 1})
-    if twice:
-        raise BrokenLinkError(
-            f"the report has these identifiers twice, rename one of each: {', '.join(twice)}"
-        )
-    broken = sorted(set(_INTERNAL_LINK.findall(markdown)) - set(identifiers))
-    if broken:
-        raise BrokenLinkError(
-            f"the report links to places it does not have: {', '.join(broken)}; "
-            "correct the link or add the claim, step or figure"
-        )

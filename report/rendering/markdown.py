@@ -3,32 +3,27 @@
 from __future__ import annotations
 
 import functools
-import re
 from collections.abc import Mapping
 from typing import Any
 
 from jinja2 import Environment, Template
 
 from report.document.document import Document
-from report.finding import Finding
-from report.grade import Grade, grade
-from report.rendering import (
-    certificate,
-    errata,
-    escaping,
-    outline,
-    places,
-    summary,
-)
-from report.rendering.environment import MarkdownEnvironment
-from report.rendering.escaping import Markdown, markdown
-from report.rendering.formulas.latex import width
-from report.rendering.formulas.line_breaking import fit
-from report.rendering.links import check_claims, check_links
+from report.judging.finding import Finding
+from report.judging.shown import Mathematics, Number, Shown, Words
+from report.judging.verdict import Grade, grade
+from report.pages import escaping
+from report.pages.displayed import code_block, formula
+from report.pages.environment import MarkdownEnvironment
+from report.pages.escaping import Markdown, markdown
+from report.pages.formulas.latex import width
+from report.pages.formulas.line_breaking import fit
+from report.pages.links import check_links
+from report.rendering import certificate, errata, outline, summary
+from report.rendering.links import check_claims
 from report.rendering.pictures import spread_picture, verdict_picture
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
-from report.shown import Mathematics, Number, Shown, Words
 
 FULL_LINE = 40.0
 """Width of a displayed formula's line, in em."""
@@ -118,19 +113,6 @@ def in_line(content: Shown, line: float) -> Markdown:
             return escaping.prose(text)
 
 
-def formula(latex: str, name: str, line: float) -> Markdown:
-    """Return a displayed formula, broken to fit the line, in a Div that carries its name."""
-    broken = escaping.display_mathematics(fit(escaping.checked(latex), line))
-    return Markdown(f"::: {{.formula name={escaping.attribute(name)}}}\n{broken}\n:::")
-
-
-def code_block(text: str) -> Markdown:
-    """Return text as a code block, fenced by more backticks than stand in it."""
-    longest = max((len(run) for run in re.findall("`+", text)), default=0)
-    fence = "`" * max(3, longest + 1)
-    return Markdown(f"{fence}\n{text.rstrip()}\n{fence}")
-
-
 def side_by_side(finding: Finding) -> bool:
     """Say whether every printed and derived side is narrow or short enough for half a line."""
     most = HALF_LINE_OF_WORDS * (3 if len(finding.parts) >= MANY_PARTS else 2) // 2
@@ -176,7 +158,7 @@ def _environment() -> Environment:
         in_line=in_line,
         formula=formula,
         side_by_side=side_by_side,
-        place=places.place,
+        place=outline.place,
         grades=tuple(Grade),
         grade_words=summary.GRADES,
         certainties=summary.CERTAINTIES,

@@ -1,13 +1,15 @@
-"""The findings of a chapter by section, in thesis order."""
+"""The findings of a chapter by section, in thesis order, and where each stands, in words."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Kind
-from report.document.thesis import Chapter, Section
-from report.finding import Finding
+from report.data.statements import Section
+from report.document.thesis import Chapter
+from report.judging.claim import Kind
+from report.judging.finding import Finding
+from report.pages.escaping import Markdown
 
 _KINDS = tuple(Kind)
 
@@ -40,3 +42,17 @@ def grouped(chapter: Chapter, sections: Sequence[Section]) -> tuple[Group, ...]:
 
 def _in_numeric_order(number: str) -> list[tuple[int, str]]:
     return [(int(part), "") if part.isdigit() else (0, part) for part in number.split(".")]
+
+
+def place(finding: Finding, group: Group) -> Markdown:
+    r"""Say as Markdown where a claim stands: ``section\ 5.2.1, paragraph\ 4, lines\ 7–9 of the copy``."""
+    section = rf"{'section' if group.heading else 'chapter'}\ {group.number}"
+    paragraph = rf"paragraph\ {finding.paragraph}" if finding.paragraph is not None else ""
+    return Markdown(", ".join(filter(None, (section, paragraph, _lines(finding)))))
+
+
+def _lines(finding: Finding) -> str:
+    if finding.lines is None:
+        return ""
+    first, last = finding.lines
+    return rf"line\ {first} of the copy" if first == last else rf"lines\ {first}–{last} of the copy"

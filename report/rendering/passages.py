@@ -6,13 +6,13 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from report.claim import Kind
 from report.copy.blocks import BlockKind, blocks
 from report.copy.places import NUMBER
 from report.copy.reading import ReaderCopy
 from report.document.document import Document
-from report.finding import Finding
-from report.rendering.formulas.foreign_mathematics import to_mathml
+from report.judging.claim import Kind
+from report.judging.finding import Finding
+from report.pages.formulas.foreign_mathematics import to_mathml
 
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from report.cache.stage_store import StageStore
 from report.document.document import Document
+from report.pages.formats import Format, made_together
+from report.pages.pieces import Converter
 from report.rendering.errata import to_csv
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
 from report.rendering.pdf import to_pdf
-from report.rendering.pieces import Converter
-from report.rendering.request import WHOLE_REPORT, Format, Request
+from report.rendering.request import WHOLE_REPORT, Request
 from trimmer.files import write_atomically
 
 NAMES = {
@@ -55,10 +55,8 @@ def render(
         Format.JSON: lambda: to_json(document),
         Format.CSV: lambda: to_csv(document),
     }
-    with ThreadPoolExecutor() as pool:  # pandoc and Typst do the work, outside the interpreter's lock
-        made = {form: pool.submit(make) for form, make in makers.items() if form in request.formats}
-        contents = {form: made[form].result() for form in NAMES if form in made}
-    paths = {form: directory / NAMES[form] for form in contents}
-    for form, content in contents.items():
-        write_atomically(paths[form], content, overwrite=request.overwrite)
+    contents = made_together(makers, request.formats)
+    paths = {form: directory / name for form, name in NAMES.items() if form in contents}
+    for form, path in paths.items():
+        write_atomically(path, contents[form], overwrite=request.overwrite)
     return paths

@@ -5,23 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from report.copy.reading import ReaderCopy
-from trimmer.choices import Choice
-
-
-class Format(Choice):
-    """A form in which the report is written."""
-
-    HTML = "html"
-    PDF = "pdf"
-    JSON = "json"
-    CSV = "csv"
-
-
-class Paper(Choice):
-    """Size of the pages of the PDF."""
-
-    A4 = "a4"
-    LETTER = "letter"
+from report.pages.formats import Format, Paper
 
 
 @dataclass(frozen=True)

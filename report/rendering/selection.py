@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from typing import Any
 
 from report.document.document import Document
 from report.document.thesis import Chapter
@@ -43,8 +44,8 @@ def chapter_numbers(names: Sequence[str], known: Collection[str]) -> frozenset[s
 def select(document: Document, names: Sequence[str]) -> Document:
     """Return the document with the named chapters only, and with what rests on their claims.
 
-    Without names it is the whole document. The derivations, the chapter on the twin and the answers to the
-    research questions belong to the whole report and are left out of a part.
+    Without names it is the whole document. The derivations, and what extra chapters say of the whole report,
+    are left out of a part.
 
     Raises:
         UnknownChapterError: if a name is none of a chapter with findings.
@@ -54,23 +55,19 @@ def select(document: Document, names: Sequence[str]) -> Document:
     numbers = chapter_numbers(names, {chapter.number for chapter in document.chapters})
     chosen = tuple(chapter for chapter in document.chapters if chapter.number in numbers)
     kept = {finding.id for chapter in chosen for finding in chapter.findings}
+    extras: dict[str, Any] = {name: chapter.part(kept) for name, chapter in document.extras.items()}
     return replace(
         document,
         chapters=chosen,
         omitted=tuple(chapter for chapter in document.chapters if chapter.number not in numbers),
-        opening=None,
         figures=tuple(figure for figure in document.figures if figure.id in kept),
-        corrected=tuple(result for result in document.corrected if result.claim in kept),
         programs=tuple(program for program in document.programs if program.claim in kept),
-        robustness=None,
         derivation=(),
         describing_functions=(),
         solution=(),
         step_of={},
-        explorable=None,
         spread=(),
-        answers=(),
-        twin=None,
+        **extras,
     )
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from report.cache.source_closure import ROOT
 from report.document.document import Document
-from report.document.twin import Observation
-from report.finding import Finding
-from report.rendering.links import BrokenLinkError
+from report.document.extras import Observation
+from report.judging.finding import Finding
+from report.pages.links import BrokenLinkError
 
 
 @dataclass(frozen=True)

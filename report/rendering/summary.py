@@ -7,13 +7,12 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.claim import Kind
 from report.document.document import Document
 from report.document.thesis import Chapter
-from report.finding import Finding, JudgedPart
-from report.grade import Grade, grade
-from report.items import Item, items
-from report.verdict import Certainty
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.items import Item, items
+from report.judging.verdict import Certainty, Grade, grade
 
 SYMBOLS = {
     Grade.CONCLUSION: "✗",
@@ -83,6 +82,11 @@ class CountRow:
     chapter: Chapter | None
     counts: tuple[Count, ...]
     total: int
+
+    @property
+    def reproduced(self) -> int:
+        """How many follow as printed."""
+        return sum(count.number for count in self.counts if count.grade is Grade.REPRODUCED)
 
 
 def count_table(document: Document) -> tuple[CountRow, ...]:

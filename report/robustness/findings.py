@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final, final
 
+from report.judging.text import filled
 from report.robustness.predictions import Predictions
-from report.text import filled
 
 PRINTED_INERTIA: Final = 814.9
 PRINTED_BAND: Final = 82.0

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from report.document.figure import Figure
-from report.document.robustness import Digits, EffectRow, Robustness, SurvivalRow
-from report.drawing.style import style
-from report.drawing.svg import to_svg
-from report.evidence import Evidence
+from report.document.extras import Digits, EffectRow, Robustness, SurvivalRow
+from report.numbers.evidence import Evidence
+from report.pages.drawing.drawn import drawn
+from report.pages.figure import Figure
 from report.robustness.findings import Survival, survivals
 from report.robustness.picture import BARS, bars
 from report.robustness.printed_parameters import PRINTED, left_open, significant_digits
@@ -75,6 +74,4 @@ def _figure(found: Variation) -> Figure:
         f"Each corrected prediction with one parameter {SHARE:.0%} lower and higher, for the {BARS} "
         "parameters with the largest effect, and with all parameters at random (nine tenths of the samples)."
     ).replace("%", r"\ %")
-    with style():
-        svg = to_svg(bars(found.sensitivities), FIGURE, TITLE, words)
-    return Figure(FIGURE, TITLE, caption, words, svg)
+    return drawn(FIGURE, TITLE, caption, words, lambda: bars(found.sensitivities))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from report.drawing.style import BLACK, LINES, panels
+from report.pages.drawing.style import BLACK, LINES, panels
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -10,7 +10,7 @@ from typing import Final, final
 import control
 
 from report.numbers.friction_in_place import largest_force
-from report.thesis import DRIVE_OMEGA, EXPERIMENT_GAP
+from report.numbers.thesis import DRIVE_OMEGA, EXPERIMENT_GAP
 from trimmer import (
     FrictionBacklash,
     InertiaBacklash,

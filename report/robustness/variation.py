@@ -1,4 +1,8 @@
-"""What becomes of the predictions when parameters change: one at a time, and all at once."""
+"""What becomes of the predictions when parameters change: one at a time, and all at once.
+
+Scatter and quantiles are those of ``trimmer.uncertainty``. Its samples of a loop tell the limit cycles of
+friction-controlled play alone; the predictions compare three loops, and so are solved for each sample here.
+"""
 
 from __future__ import annotations
 
@@ -9,13 +13,14 @@ import numpy as np
 
 from report.robustness.predictions import QUANTITIES, Predictions, Quantity, predict
 from trimmer import TrimmerParameters
+from trimmer.parameters import parameter_table
+from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.statistics import distribution_of
 
 SHARE: Final = 0.1
 """By how much each parameter changes, up and down."""
 SAMPLES: Final = 500
 SEED: Final = 20261122
-BAND: Final = (5.0, 95.0)
-"""Percentiles between which nine of ten samples lie."""
 
 
 @final
@@ -79,9 +84,18 @@ def vary(parameters: TrimmerParameters, samples: int = SAMPLES) -> Variation:
 
 def random_parameters(parameters: TrimmerParameters, count: int) -> list[TrimmerParameters]:
     """Draw parameters, each evenly and independently within ``SHARE`` of its value."""
-    names = list(asdict(parameters))
-    factors = np.random.default_rng(SEED).uniform(1 - SHARE, 1 + SHARE, (count, len(names)))
-    return [_scaled(parameters, dict(zip(names, row, strict=True))) for row in factors]
+    values = asdict(parameters)
+    scatters = (
+        Scatter(
+            each.symbol,
+            each.unit,
+            Uniform((1 - SHARE) * values[each.symbol], (1 + SHARE) * values[each.symbol]),
+        )
+        for each in parameter_table()
+    )
+    scatter = Uncertainty(tuple(scatters))
+    drawn = scatter.values(np.random.default_rng(SEED).random((count, len(values))))
+    return [TrimmerParameters(**dict(zip(scatter.places, map(float, row), strict=True))) for row in drawn]
 
 
 def _scaled(parameters: TrimmerParameters, factors: dict[str, float]) -> TrimmerParameters:
@@ -103,10 +117,11 @@ def _sensitivity(
     samples: tuple[Predictions, ...],
 ) -> Sensitivity:
     effects = [Effect(name, quantity.of(low), quantity.of(high)) for name, (low, high) in ends.items()]
-    low, high = np.nanpercentile([quantity.of(each) for each in samples], BAND)
+    found = distribution_of(np.array([quantity.of(each) for each in samples]))
+    band = (found.quantiles[0].value, found.quantiles[-1].value) if found else (np.nan, np.nan)
     return Sensitivity(
         quantity,
         quantity.of(nominal),
         tuple(sorted(effects, key=lambda effect: -effect.size)),
-        (float(low), float(high)),
+        band,
     )

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Final
 
-from report.document.figure import Figure
-from report.document.twin import Observation, TwinChapter, TwinSection
-from report.evidence import Evidence
+from report.document.extras import Observation, TwinChapter, TwinSection
+from report.judging.parts import so
+from report.judging.record import FigureRecord, text
+from report.numbers.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
-from report.parts import so
-from report.record import FigureRecord, text
+from report.pages.figure import Figure
 from report.twin.cell_check import MOST_OTHER, CellCheck, check_cells
 from report.twin.observation import ObservationRecord, Observed
 from report.twin.sections import branch, bridge, design, maps, measured, motion, open_questions, questions

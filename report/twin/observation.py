@@ -5,7 +5,7 @@
         yield text("The exponent is [[ exponent | f2 ]].").given(exponent=...)
         yield so("it exceeds three standard errors", exponent > 3 * error)
 
-Each confirmation is a check of ``report.parts`` that must hold, or the build stops.
+Each confirmation is a check of ``report.judging.parts`` that must hold, or the build stops.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final
 
-from report.claim import Confirmation
-from report.document.twin import Observation
-from report.evidence import Evidence
-from report.record import FigureRecord, Text
-from report.text import RecordError, filled
+from report.document.extras import Observation
+from report.judging.claim import Confirmation
+from report.judging.record import FigureRecord, Text, said
+from report.judging.text import RecordError, filled
+from report.numbers.evidence import Evidence
 
 Observed = Iterator[Text | Confirmation]
 """What the function of an observation yields: one text, and at least one check."""
@@ -52,21 +52,13 @@ class ObservationRecord:
             UnsupportedObservationError: if a check does not hold.
             RecordError: naming the observation, if it has not one text, or no check.
         """
-        try:
-            items = tuple(self.items(known))
-            texts = [item.paragraphs for item in items if isinstance(item, Text)]
-        except RecordError as error:
-            raise RecordError(f"observation {self.id}: {error}") from error
-        checks = [item for item in items if isinstance(item, Confirmation)]
-        if len(texts) != 1 or not checks:
-            raise RecordError(
-                f"observation {self.id} has {len(texts)} texts and {len(checks)} checks; it needs one text "
-                "and at least one check"
-            )
+        paragraphs, checks = said(f"observation {self.id}", self.items, known)
+        if not checks:
+            raise RecordError(f"observation {self.id} has no check; it needs at least one")
         return Observation(
             id=self.id,
             title=filled(self.title),
-            text="\n\n".join(texts[0]),
+            text="\n\n".join(paragraphs),
             evidence=tuple(self._held(check) for check in checks),
             source=self.source,
         )

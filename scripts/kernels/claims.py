@@ -11,12 +11,12 @@ import sys
 from argparse import ArgumentParser
 from pathlib import Path
 
-from report.collect import collect
-from report.evidence import gather
-from report.inventory import read_inventory
-from report.judge import judge
+from report.building.collect import collect
+from report.data.statements import read_inventory
+from report.data.text_copy import read_text_copy
+from report.judging.judge import judge
+from report.numbers.evidence import gather
 from report.rendering.json import claims_json
-from report.text_copy import read_text_copy
 from scripts.kernels.processor import KERNELS
 
 ASKING = re.compile(rb"\0(\w{0,20}openblas_get_corename\w{0,20})\0")

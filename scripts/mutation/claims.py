@@ -1,8 +1,7 @@
 """What goes on in the process that judges the claims: they are judged without being shown, and compared.
 
 Beside the claims these are all things of a report whose checks can stop its build: the proofs of the
-derivation, the answers, how far the results hold, and the observations on the twin. Figures and pages are
-left out.
+derivation, and the extra chapters with their figures. Other figures and pages are left out.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ PARTS: Mapping[str, tuple[str, ...]] = {
     "twin": ("report.numbers.twin_numbers",),
 }
 """The modules that each part of the evidence rests on, with all that they import."""
-EVIDENCE = "report/evidence.py"
+EVIDENCE = "report/numbers/evidence.py"
 DEAR = ("motion", "orbits", "twin")
 
 
@@ -141,13 +140,10 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
     """Yield what is judged, by the module that does it."""
     from derivations.elements.narrative import element_narrative
     from derivations.narrative import narrative
-    from report.collect import collect
+    from report.building.collect import collect
+    from report.building.extras import EXTRAS
+    from report.data.statements import read_inventory
     from report.derivation.number_steps import number_steps
-    from report.inventory import read_inventory
-    from report.overview.answers import answers
-    from report.overview.corrected_results import corrected_results
-    from report.robustness.page import robustness
-    from report.twin.chapter import twin_chapter
 
     inventory = read_inventory()
     for module, records in collect(inventory).claims.items():
@@ -156,17 +152,14 @@ def _works(evidence: Any) -> Iterator[tuple[str, Work]]:
         "derivations.elements.narrative": element_narrative,
         "derivations.narrative": lambda: narrative(evidence.derivation),
         "report.derivation.number_steps": lambda: number_steps(evidence),
-        "report.overview.answers": lambda: answers(evidence),
-        "report.overview.corrected_results": lambda: corrected_results(evidence),
-        "report.robustness.page": lambda: robustness(evidence),
-        "report.twin.chapter": lambda: twin_chapter(evidence, SEED),
+        **{extra.module: partial(extra.make, evidence, SEED) for extra in EXTRAS},
     }
     for name, make in others.items():
         yield name, partial(_other, name, make)
 
 
 def _claims(records: Iterable[Any], evidence: Any, inventory: Any) -> tuple[dict[str, str], dict[str, str]]:
-    from report.judge import judge
+    from report.judging.judge import judge
 
     findings = [judge(record.claim(evidence), inventory[record.id]) for record in records]
     verdicts = {each.id: ", ".join(part.verdict.value for part in each.parts) for each in findings}
@@ -186,7 +179,7 @@ def _digest(shown: object) -> str:
 
 
 class LazyEvidence:
-    """What ``report.evidence.Evidence`` holds, each part solved when it is first asked for."""
+    """What ``report.numbers.evidence.Evidence`` holds, each part solved when it is first asked for."""
 
     def __init__(self) -> None:
         self.asked: set[str] = set()

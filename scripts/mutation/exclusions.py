@@ -17,7 +17,7 @@ EXCLUDED = (
     "trimmer/generated, which a test derives again",
 )
 """In words, for the summary."""
-FOLDERS = ("trimmer/generated/", "report/drawing/", "report/twin/figures/", "report/design/figures/")
+FOLDERS = ("trimmer/generated/", "report/pages/drawing/", "report/twin/figures/", "report/design/figures/")
 DRAWINGS = "figures"
 """Folder or file of a chapter in which pictures are drawn."""
 SHOWN = ("text", "note", "set_title", "set_xlabel", "set_ylabel", "suptitle", "grid", "legend", "annotate")

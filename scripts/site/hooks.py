@@ -15,7 +15,7 @@ from mkdocs.exceptions import BuildError
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
-from report.rendering.policy import with_policy_of_site
+from report.pages.policy import with_policy_of_site
 from scripts.site.built import loaded_from_elsewhere
 from scripts.site.command_pages import command_pages
 from scripts.site.example_scripts import ExampleScript, ScriptError, example_scripts, run_script

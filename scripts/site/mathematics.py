@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import re
 
-from report.rendering.formulas.foreign_mathematics import to_mathml
+from report.pages.formulas.foreign_mathematics import to_mathml
 
 _FORMULA = re.compile(
     r'<(?P<tag>span|div) class="arithmatex">(?:\\\((?P<inline>.*?)\\\)|\\\[(?P<display>.*?)\\\])</(?P=tag)>',

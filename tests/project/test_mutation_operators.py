@@ -118,8 +118,8 @@ def test_a_setting_is_compared_but_not_whether_it_is_included(tmp_path: Path) ->
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    for package in ("derivations", "trimmer", "trimmer/generated", "report", "report/drawing"):
-        (tmp_path / package).mkdir()
+    for package in ("derivations", "trimmer", "trimmer/generated", "report", "report/pages/drawing"):
+        (tmp_path / package).mkdir(parents=True)
         lines = "".join(f"y{k} = a{k} + b{k} * {k}.5\n" for k in range(8))
         (tmp_path / package / "module.py").write_text(lines, encoding="utf-8")
     return tmp_path

@@ -2,11 +2,11 @@
 
 import pytest
 
+from report.building.collect import collect
 from report.cache.source_closure import SourceTree
-from report.collect import collect
-from report.evidence import gather
-from report.inventory import read_inventory
-from report.judge import judge
+from report.data.statements import read_inventory
+from report.judging.judge import judge
+from report.numbers.evidence import gather
 from tests.report.made_once import MadeOnce
 
 

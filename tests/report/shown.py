@@ -12,15 +12,12 @@ from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
+from report.data.statements import read_inventory
 from report.derivation.number_steps import number_steps
-from report.document.figure import Figure
-from report.evidence import Evidence, gather
-from report.finding import Finding
-from report.inventory import read_inventory
-from report.judge import judge
-from report.overview.answers import answers
-from report.overview.corrected_results import corrected_results
-from report.overview.opening import opening
+from report.judging.finding import Finding
+from report.judging.judge import judge
+from report.numbers.evidence import Evidence, gather
+from report.overview.page import overview
 from report.twin.chapter import SECTIONS
 from report.twin.observation import ObservationRecord
 
@@ -60,11 +57,11 @@ def headed(things: Mapping[str, Any]) -> str:
 def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]:
     """Return the contents of the files by their names: findings by chapter, derivation, and first pages."""
     steps = {step.id: step for step in number_steps(known)}
-    screen = opening(known, tuple(findings.values()), Figure("opening", "", "", "", ""))
+    first = overview(known)
     pages = {
-        "opening": screen,
-        **{f"answer {number}": each for number, each in enumerate(answers(known), start=1)},
-        **{f"{row.claim}, {row.quantity}": row for row in corrected_results(known)},
+        "opening": first.opening,
+        **{f"answer {number}": each for number, each in enumerate(first.answers, start=1)},
+        **{f"{row.claim}, {row.quantity}": row for row in first.corrected},
     }
     seen = {
         each.id: each.observation(known)
@@ -82,7 +79,7 @@ def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]
 
 
 def _renew() -> None:
-    from report.collect import collect
+    from report.building.collect import collect
 
     known, inventory = gather(), read_inventory()
     records = collect(inventory).by_id

@@ -8,10 +8,10 @@ import csv
 from itertools import groupby
 from pathlib import Path
 
-from report.claim import Uncheckable
-from report.comparisons.expression import SameExpression, SameMatrix
-from report.inventory import PATH
-from report.verdict import Impact
+from report.data.statements import PATH
+from report.judging.claim import Uncheckable
+from report.judging.comparisons.expression import SameExpression, SameMatrix
+from report.judging.verdict import Impact
 
 REVIEWED = Path(PATH).with_name("reviewed_verdicts.csv")
 
@@ -84,8 +84,8 @@ def is_read(part):
     return part.comparison.compare().method.startswith(READ)
 
 
-def test_every_claim_says_where_it_stands(claims):
-    assert [claim_id for claim_id, claim in claims.items() if claim.lines is None] == []
+def test_every_claim_says_where_it_stands(inventory):
+    assert [claim_id for claim_id, entry in inventory.items() if entry.lines is None] == []
 
 
 def test_what_is_wrong_says_what_it_changes(findings):
@@ -117,6 +117,6 @@ def test_explanations_are_short_plain_sentences(claims):
     assert [each for each, text in explanations.items() if text.count("$") % 2] == []
 
 
-def test_the_source_that_a_claim_names_takes_part_in_it(records, source_tree):
+def test_the_source_that_a_claim_names_takes_part_in_it(records, inventory, source_tree):
     for module, group in records.claims.items():
-        assert {record.source for record in group} <= source_tree.closure(module), module
+        assert {inventory[record.id].source for record in group} <= source_tree.closure(module), module

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from report.rendering.request import Format, Paper, Request
+from report.pages.formats import Format, Paper
+from report.rendering.request import Request
 from trimmer.choices import Choice, ChoiceError
 from trimmer.displacement import Displacement, DisplacementError, TrimmerBody
 from trimmer.elements.coulomb_friction import CoulombFriction

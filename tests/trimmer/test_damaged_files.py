@@ -13,8 +13,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from report.changes import read_claims
 from report.copy.reading import read_reader_copy
+from report.judging.changes import read_claims
 from tests.damage import damaged, damaged_data
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer import (

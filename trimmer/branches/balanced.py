@@ -13,7 +13,7 @@ from trimmer.harmonics.balance import harmonic_balance_of
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 
 @dataclass(frozen=True, eq=False)

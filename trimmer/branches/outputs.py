@@ -14,7 +14,8 @@ from trimmer.showing.shown import Shown
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
 
 HARMONICS = 15
 

@@ -50,9 +50,9 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.hybrid.system import Mode
     from trimmer.mechanism.parts import Force, Pin
-    from trimmer.motion.flow import Course
-    from trimmer.motion.measures import ContactMeasures, FrictionMeasures
+    from trimmer.motion.course import Course
     from trimmer.motion.part import Part
+    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.signals import Readout, Signal
     from trimmer.motion.subject import Subject
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Integers, Places, Reals
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 
 def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:

@@ -21,8 +21,8 @@ from trimmer.contact.statuses import (
     STICK,
 )
 from trimmer.motion.extremes import extremes
-from trimmer.motion.measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.part import Part, Phase
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import Readout, Steady, along, durations, while_status
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 
 _SIDES = {PLUS: Phase.UPPER, MINUS: Phase.LOWER, ALWAYS: Phase.EITHER}

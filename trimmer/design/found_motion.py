@@ -15,13 +15,15 @@ from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target
 from trimmer.hybrid.advance import Ending
-from trimmer.motion.measures import ContactMeasures, FrictionMeasures, Measures, OutputMeasures
+from trimmer.motion.measures import Measures, OutputMeasures
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, durations, read, while_status
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
     from trimmer.response.estimate import Estimate
     from trimmer.response.orbit import Orbit
     from trimmer.response.response import SettledMotion

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Complexes
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 BAND = 10**0.8, 10**3.1
 """Corner frequencies of the band limitation f1 and f2, Hz: 6.310 and 1258.9."""

@@ -24,9 +24,9 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.hybrid.system import Mode
     from trimmer.loops.system import LoopModes
-    from trimmer.motion.flow import Course
-    from trimmer.motion.measures import ContactMeasures, FrictionMeasures
+    from trimmer.motion.course import Course
     from trimmer.motion.part import Part
+    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.signals import Signal
     from trimmer.motion.subject import Subject
 

@@ -13,14 +13,14 @@ from trimmer.loops.corner_component import CornerComponent
 from trimmer.loops.mode import LoopMode
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.threshold_component import ThresholdComponent
-from trimmer.motion.measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.part import Part, Phase
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, durations, rate, while_status
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.loops.switched_component import Component
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 IMPACT = OWN_KINDS
 """The kind of an event at which a pin meets a side of its gap."""

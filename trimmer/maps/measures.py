@@ -19,7 +19,8 @@ from trimmer.motion.signals import Steady
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
     from trimmer.response.linear_lines import LinearLines
     from trimmer.response.linear_motion import LinearMotion
 

@@ -10,7 +10,7 @@ from trimmer.motion.signals import Signal, along, durations, rate, row_of_each
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 NEWTON_STEPS = 5
 """Steps of Newton's method from between two nodes to the place of an extreme."""

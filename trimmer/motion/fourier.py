@@ -16,7 +16,7 @@ from trimmer.hybrid.nodes import NODES
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 FAST = 3.0
 """Half the angle by which a wave turns over a step, rad, up to which the nodes integrate it as they are."""

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.signals import Signal
 
 HARMONICS = 20
@@ -70,43 +72,6 @@ class OutputMeasures:
         """p, k and amplitude of all lines at p/k of the drive."""
         sizes = np.abs(self.amplitudes).tolist()
         return [(place + 1, self.period_count, size) for place, size in enumerate(sizes)]
-
-
-@dataclass(frozen=True)
-class ContactMeasures:
-    """What a play or a stop does.
-
-    Attributes:
-        impacts: Number of contacts made per drive period, the mean.
-        impact_speeds: Relative speed just before each contact of the motion, m/s, in their order.
-        largest_force: Largest modulus of its force, N; None where it has none, as behind a loop's backlash.
-        share: Share of the time in contact.
-    """
-
-    impacts: float
-    impact_speeds: tuple[float, ...]
-    largest_force: float | None
-    share: float
-
-    @property
-    def impact_speed(self) -> float:
-        """The largest of the speeds, m/s; 0 without impact."""
-        return max(self.impact_speeds, default=0.0)
-
-
-@dataclass(frozen=True)
-class FrictionMeasures:
-    """What a dry friction does.
-
-    Attributes:
-        work: Lost to it per drive period, the mean, J; without its viscous part.
-        power: Mean power lost to it, W: what wears it.
-        stick: Share of the time in stick.
-    """
-
-    work: float
-    power: float
-    stick: float
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ import numpy as np
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Integers, Reals
     from trimmer.hybrid.tables import Modes
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
 
 Signal: TypeAlias = Callable[[int], "Reals"]
 

@@ -13,7 +13,7 @@ from trimmer.response.multipliers import multipliers_of
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
     from trimmer.response.shooting import Return, Shot
 
 SEAM = 1e-13

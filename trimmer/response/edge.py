@@ -21,7 +21,8 @@ from trimmer.sides import DIFFERENT, DISTANCES, Sides
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
 
 
 @dataclass(frozen=True, eq=False)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Play, Stop
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 
 

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
     from trimmer.contact.flow import ExactFlow
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.flow import Course
+    from trimmer.motion.course import Course
     from trimmer.response.rest import Rest
 
 

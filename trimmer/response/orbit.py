@@ -19,7 +19,8 @@ from trimmer.showing.table import Column, Table, arrays
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Integers, Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
     from trimmer.motion.measures import Measures
     from trimmer.motion.subject import Subject
     from trimmer.response.edge import Edge

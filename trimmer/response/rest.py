@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
 
 SAMPLES = 64
 """Instants in the period of the fastest wave at which forces are taken."""

@@ -26,7 +26,8 @@ from trimmer.response.solved import Solved, solved
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
     from trimmer.response.orbit import Orbit
     from trimmer.response.shooting import Shot
 

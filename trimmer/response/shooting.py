@@ -19,7 +19,8 @@ from trimmer.motion.part import mirrored
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
 
 CLOSED = 1e-10
 """Miss of the return, as a share of the sizes of the states, below which it counts as closed."""

@@ -19,7 +19,8 @@ from trimmer.response.window import watch
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
     from trimmer.response.orbit import Orbit
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Course, Flow
+    from trimmer.motion.course import Course
+    from trimmer.motion.flow import Flow
 
 SAMPLES = 64
 """Samples in a drive period, for the spectrum."""

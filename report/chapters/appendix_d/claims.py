@@ -8,17 +8,16 @@ from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u,
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_1 import MOTOR_ITEM
 from report.chapters.chapter_2.claims.section_2_2_2 import transformed_state_space
-from report.comparisons.expression import SameExpression
-from report.comparisons.printed import total
-from report.evidence import Evidence
-from report.parts import expression, lost_in_the_copy, same
-from report.record import Record, claim, text
+from report.judging.comparisons.expression import SameExpression
+from report.judging.comparisons.printed import total
+from report.judging.parts import expression, lost_in_the_copy, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 
-SOURCE = "derivations/equations_of_motion.py"
 V1, V2, *_ = velocities
 
 
-@claim("eq-D.1", source=SOURCE, lines=(1796, 1796), paragraph=2)
+@claim("eq-D.1")
 def lagrangian(known: Evidence) -> Record:
     printed = total(trimmer_printed.kinetic_energy(), -trimmer_printed.potential_energy())
     yield expression("", printed, known.derivation.lagrangian, left=sympy.Symbol("L"))
@@ -28,7 +27,7 @@ def lagrangian(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-D.2", source=SOURCE, lines=(1804, 1804), paragraph=4)
+@claim("eq-D.2")
 def momentum_rate(known: Evidence) -> Record:
     derived = known.derivation.lagrangian.diff(V1).diff(t)
     left = r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot{q}_1}\right)"
@@ -37,7 +36,7 @@ def momentum_rate(known: Evidence) -> Record:
     yield text(r"Of the Lagrangian only the kinetic energy contains $\dot q_1$, so the line is right.")
 
 
-@claim("eq-D.3", source=SOURCE, lines=(1804, 1804), paragraph=4)
+@claim("eq-D.3")
 def slope_of_lagrangian(known: Evidence) -> Record:
     derived = sympy.expand(known.derivation.lagrangian.diff(q1))
     spring_force = sympy.expand(m1 * known.derivation.newton[0].subs({V1: 0, V2: 0, u_dot: 0}))
@@ -57,7 +56,7 @@ def slope_of_lagrangian(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-D.4", source=SOURCE, lines=(1804, 1804), paragraph=4)
+@claim("eq-D.4")
 def slope_of_dissipation(known: Evidence) -> Record:
     derived = sympy.expand(known.derivation.rayleigh_function.diff(V1))
     # The rates have to survive when u and the coordinates are put to zero, so they are named first.
@@ -74,7 +73,7 @@ def slope_of_dissipation(known: Evidence) -> Record:
     yield text("The slope of the dissipation function is right, with all its signs.")
 
 
-@claim("eq-D.5", source=SOURCE, lines=(1808, 1808), paragraph=5)
+@claim("eq-D.5")
 def equation_of_motion(known: Evidence) -> Record:
     derived = known.derivation.accelerations[0]
     by_newton = same("Newton's second law", known.derivation.newton[0], derived)
@@ -86,7 +85,7 @@ def equation_of_motion(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-D.6", source="derivations/algebra/laplace.py", lines=(1812, 1812), paragraph=6)
+@claim("eq-D.6")
 def laplace_domain(known: Evidence) -> Record:
     yield from transformed_state_space(known)
     yield text("These are the lines of [equation 2.20](#eq-2.20), right for a system that starts at rest.")

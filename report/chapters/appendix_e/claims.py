@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop_harmonic
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, digits
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import RIPPLE, ripple_behind_backlash
-from report.parts import assertion, close, digits
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LARGE_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA, LARGE_GAP
 
 PREDICTED = {3e-4: "0.0025", 4e-4: "0.0033", 5e-4: "0.0041", 6e-4: "0.0050"}
 """Amplitudes of table 5.2 for the gaps of figure E.1, m."""
@@ -22,7 +22,7 @@ DRIVE_ITEM = "the drive's amplitude does not alter the limit cycle"
 OPEN_LOOP_ITEM = "the open loop shows the limit cycle of the closed loop"
 
 
-@claim("fig-E.1", source="report/numbers/released_motion.py", lines=(1818, 1825), paragraph=1)
+@claim("fig-E.1")
 def gaps(known: Evidence) -> Record:
     runs, cycle = known.motion.released.appendix, known.cycles.friction.stable
     for run in runs:
@@ -54,13 +54,7 @@ def unaltered(ripples: list[float]) -> bool:
     return max(ripples) - min(ripples) < CONSTANT * max(ripples)
 
 
-@claim(
-    "fig-E.2",
-    source="report/numbers/drive_amplitudes.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1827, 1832),
-    paragraph=2,
-)
+@claim("fig-E.2")
 def amplitudes(known: Evidence) -> Record:
     system, runs = known.numbers.displacement_only, known.motion.drive_amplitudes
     still, smallest, thesis, *_, largest = runs

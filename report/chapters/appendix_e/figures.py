@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.style import LINES, panels
-from report.evidence import Evidence
-from report.record import figure
-from report.thesis import LARGE_GAP, TURN
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import LARGE_GAP, TURN
+from report.pages.drawing.style import LINES, panels
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

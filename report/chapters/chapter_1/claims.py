@@ -6,21 +6,14 @@ import sympy
 
 from derivations.symbols import coordinates, stiffnesses, u, velocities
 from report.chapters.chapter_2.claims.section_2_2_1 import by_newton, matrix_of
-from report.evidence import Evidence
-from report.parts import assertion, equal, same
-from report.record import Record, claim, text
-from report.verdict import Certainty
+from report.judging.parts import assertion, equal, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 
 MOVING_PARTS = ("motor with its shell", "driving bridge", "cutter", "guard", "guard housing")
 
 
-@claim(
-    "fig-1.1",
-    source="derivations/mechanism.py",
-    certainty=Certainty.PROVEN,
-    lines=(66, 72),
-    paragraph=3,
-)
+@claim("fig-1.1")
 def components(known: Evidence) -> Record:
     potential, on_the_cutter = known.derivation.potential_energy, sympy.expand(known.derivation.newton[1])
     stiffness, motor = by_newton(known, coordinates), coordinates[0]

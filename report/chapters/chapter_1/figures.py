@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from report.drawing import mechanical_symbols as draw
-from report.drawing.style import BLACK
-from report.evidence import Evidence
-from report.record import figure
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
+from report.pages.drawing import mechanical_symbols as draw
+from report.pages.drawing.style import BLACK
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.marks import beside, name_places
-from report.drawing.style import BLACK, FAINT, LINES, panels
-from report.evidence import Evidence
+from report.judging.record import figure
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_spectrum
+from report.numbers.evidence import Evidence
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
-from report.record import figure
-from report.thesis import (
+from report.numbers.thesis import (
     EXPERIMENT_GAP,
     FRAMES_OF_TABLES,
     LARGER_GAP,
@@ -25,6 +23,8 @@ from report.thesis import (
     SAMPLE_RATE,
     TABLE_2,
 )
+from report.pages.drawing.marks import beside, name_places
+from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 from trimmer.spectra import Spectrum, Window, amplitude_spectrum
 

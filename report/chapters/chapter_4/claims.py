@@ -12,14 +12,25 @@ from derivations.elements import backlash
 from derivations.elements.waveform import THETA
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import friction_parts
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import (
+    assertion,
+    close,
+    digits,
+    expression,
+    made_here,
+    repeated,
+    small,
+    so,
+    uncheckable,
+)
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
 from report.numbers import listed_blocks as blocks
+from report.numbers.evidence import Evidence
 from report.numbers.independent import load_in_play
-from report.parts import assertion, close, digits, expression, made_here, repeated, small, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,
@@ -28,13 +39,8 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, InertiaBacklash
 
-SOURCE, BLOCKS = (
-    "derivations/elements/backlash.py",
-    "report/chapters/appendix_a/claims/listings_a_7_and_a_8_over_time.py",
-)
 b = sympy.Symbol("b", positive=True)
 MORE_SAMPLES = 3997
 """Samples of a period where Listing A.7 is held against the waveform."""
@@ -48,7 +54,7 @@ NO_GAP = "for b = 0 the output of the inertia-controlled block is its input"
 ANGLE_ITEM = "0.0016, separation angle of section 4.2.3"
 
 
-@claim("fig-4.1", source=BLOCKS, lines=(841, 846), paragraph=1)
+@claim("fig-4.1")
 def two_blocks(_: Evidence) -> Record:
     distance = float(np.abs(blocks.own_block() - blocks.built_in_block()).max())
     own, settled = (
@@ -72,7 +78,7 @@ def two_blocks(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-4.2", source=BLOCKS, lines=(855, 857), paragraph=1)
+@claim("fig-4.2")
 def block_with_inertia(_: Evidence) -> Record:
     distance = float(np.abs(blocks.listing_a8() - blocks.exact_inertia(TIMED_GAP)).max())
     share = 100 * distance / DRIVE_AMPLITUDE
@@ -93,7 +99,7 @@ def block_with_inertia(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-4.3", source=SOURCE, lines=(868, 868), paragraph=1)
+@claim("fig-4.3")
 def gaps(_: Evidence) -> Record:
     phase, element = blocks.phases()[: blocks.SAMPLES], InertiaBacklash(VANISHING)
     output = element.waveform(phase, DRIVE_AMPLITUDE)
@@ -120,7 +126,7 @@ def gaps(_: Evidence) -> Record:
     """).given(gap=1e3 * TIMED_GAP)
 
 
-@claim("txt-4.2.1-block-equivalence", source=SOURCE, lines=(839, 841), paragraph=1)
+@claim("txt-4.2.1-block-equivalence")
 def equivalent_blocks(_: Evidence) -> Record:
     yield from friction_parts("Listing A.7, ")
     output, library = blocks.own_block(MORE_SAMPLES), blocks.built_in_block(MORE_SAMPLES)
@@ -150,7 +156,7 @@ def equivalent_blocks(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-4.2.2-zero-gap", source=SOURCE, lines=(857, 857), paragraph=2)
+@claim("txt-4.2.2-zero-gap")
 def zero_gap(_: Evidence) -> Record:
     flight, contact = backlash.inertia_contact_ratio(), backlash.inertia_waveform(b).segments[1].value
     slope = sympy.diff(flight, backlash.CONTACT) - 2 * sympy.sin(backlash.CONTACT / 2) ** 2
@@ -186,14 +192,7 @@ def zero_gap(_: Evidence) -> Record:
     """).given(left=1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
 
 
-@claim(
-    "txt-4.2.3-roles",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(861, 861),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("txt-4.2.3-roles")
 def roles(_: Evidence) -> Record:
     free = load_in_play.free_speed(LOAD_MASS, LOAD_DAMPING)
     lighter, usual, heavier = (
@@ -223,13 +222,7 @@ def roles(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-4.2.3-gamma",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(861, 863),
-    paragraph=1,
-)
+@claim("txt-4.2.3-gamma")
 def gamma(_: Evidence) -> Record:
     right = TIME_CONSTANT * DRIVE_OMEGA
     decay = "the decay of a free load over a radian of the drive, integrated numerically"
@@ -261,13 +254,7 @@ def gamma(_: Evidence) -> Record:
     """).given(right=right)
 
 
-@claim(
-    "txt-4.2.3-separation-angle",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(870, 876),
-    paragraph=2,
-)
+@claim("txt-4.2.3-separation-angle")
 def angle_of_separation(_: Evidence) -> Record:
     gammas = (float(PRINTED_GAMMA), TIME_CONSTANT * DRIVE_OMEGA)
     printed, right = (float(backlash.separation_angle().subs(backlash.GAMMA, each)) for each in gammas)

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.style import BLACK, LINES, panels
-from report.evidence import Evidence
+from report.judging.record import figure
 from report.numbers import listed_blocks as blocks
-from report.record import figure
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
+from report.pages.drawing.style import BLACK, LINES, panels
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

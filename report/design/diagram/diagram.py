@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, final
 from report.design.diagram import symbols
 from report.design.diagram.layout import Layout, Run, layout_of
 from report.design.quantities import shown
-from report.drawing.marks import arrow
-from report.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
+from report.pages.drawing.marks import arrow
+from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
 from trimmer.drawing.look import plain_label
 
 if TYPE_CHECKING:

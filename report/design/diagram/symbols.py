@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from report.drawing.marks import arrow
-from report.drawing.mechanical_symbols import LINE, damper, spring
-from report.drawing.style import BLACK, LINES
+from report.pages.drawing.marks import arrow
+from report.pages.drawing.mechanical_symbols import LINE, damper, spring
+from report.pages.drawing.style import BLACK, LINES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,7 +14,7 @@ import numpy as np
 
 from report.numbers.friction_in_place import force_response
 from report.numbers.record import line_amplitudes
-from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA, TURN
+from report.numbers.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA, TURN
 from trimmer import FrictionBacklash, TrimmerParameters, response_at
 from trimmer.arrays import Complexes, Reals
 from trimmer.elements import Element

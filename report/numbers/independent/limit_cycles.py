@@ -15,7 +15,7 @@ import numpy as np
 from report.numbers.friction_in_place import Merger, force_response
 from report.numbers.independent.exact_response import quotient
 from report.numbers.linear_numbers import LinearNumbers
-from report.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR, TURN
+from report.numbers.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR, TURN
 from trimmer import FrictionBacklash, LimitCycle, response_at
 
 DIGITS = 30

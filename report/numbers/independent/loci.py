@@ -9,7 +9,7 @@ import control
 import numpy as np
 from matplotlib.path import Path
 
-from report.thesis import PLOT_OFFSET
+from report.numbers.thesis import PLOT_OFFSET
 from trimmer import FrictionBacklash, InertiaBacklash, LimitCycle, ViscousBacklash, response_at
 from trimmer.arrays import Complexes
 from trimmer.elements import Element
@@ -49,12 +49,6 @@ def solutions(system: control.TransferFunction, share: float) -> int:
     imaginary = np.interp(needed.real, element.real, element.imag) + 4 * share / (np.pi * amplitude)
     left = imaginary - needed.imag
     return int((left[:-1] * left[1:] < 0).sum())
-
-
-def phase_range(system: control.TransferFunction) -> tuple[float, float]:
-    """Return the lowest and the highest phase of a locus, degrees."""
-    phase = np.degrees(np.unwrap(np.angle(response_at(system, PHASE_GRID))))
-    return float(phase.min()), float(phase.max())
 
 
 def angle(system: control.TransferFunction, element: Element, cycle: LimitCycle) -> float:

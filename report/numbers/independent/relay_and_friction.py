@@ -8,7 +8,7 @@ import sympy
 
 from derivations.symbols import s
 from report.numbers.linear_numbers import LinearNumbers
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import ClosedLoop, Drive, OpenLoop, Relay, TrimmerParameters, pin_model, response_at, simulate
 from trimmer.linear import InputChannels
 

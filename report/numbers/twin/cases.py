@@ -9,11 +9,11 @@ import numpy as np
 
 from report.numbers.independent.twin_motion import PlayedTrimmer, integrated
 from report.numbers.record import harmonics
+from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.mechanism import BLADE, BRIDGE, CUTTER, FREQUENCY, MOTOR, STROKE, twin
-from report.thesis import DRIVE_AMPLITUDE, TURN
 from trimmer import Mechanism, MechanismMotion, MotionKind, OrbitNotFoundError, TrimmerParameters, respond
 from trimmer.arrays import Reals
-from trimmer.motion.flow import Course
+from trimmer.motion.course import Course
 from trimmer.motion.measures import Measures
 from trimmer.response.estimate import Estimate
 from trimmer.response.response import SettledMotion

@@ -13,8 +13,8 @@ import numpy as np
 
 from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.record import change, harmonics
+from report.numbers.thesis import DRIVE_AMPLITUDE
 from report.numbers.twin.mechanism import FREQUENCY
-from report.thesis import DRIVE_AMPLITUDE
 from trimmer import Drive, FrictionBacklash, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.thesis import TrimmerBody

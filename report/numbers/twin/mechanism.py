@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from report.thesis import DRIVE_AMPLITUDE
+from report.numbers.thesis import DRIVE_AMPLITUDE
 from trimmer import Mechanism, TrimmerParameters
 from trimmer.mechanism.parts import GROUND, Body, Friction, Link, Output, Pin, Play
 

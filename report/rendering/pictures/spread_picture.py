@@ -9,9 +9,9 @@ from typing import Final
 from xml.sax.saxutils import escape
 
 from report.document.document import Document
-from report.document.overview import Follows
-from report.finding import Finding
-from report.grade import Grade, grade
+from report.judging.finding import Finding
+from report.judging.spread import Follows
+from report.judging.verdict import Grade, grade
 from report.rendering.pictures.verdict_picture import COLOURS
 from report.rendering.summary import GRADES, SYMBOLS, capitalised, reference
 

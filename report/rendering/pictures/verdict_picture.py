@@ -7,7 +7,7 @@ from typing import Final
 from xml.sax.saxutils import escape
 
 from report.document.document import Document
-from report.grade import Grade
+from report.judging.verdict import Grade
 from report.rendering.summary import GRADES, SYMBOLS, CountRow, count_table
 
 NAME: Final = "verdicts"

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.style import FAINT, LINES, panels
-from report.evidence import Evidence
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.cases import PHASES
-from report.record import figure
-from report.thesis import DRIVE_AMPLITUDE, TURN
+from report.pages.drawing.style import FAINT, LINES, panels
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

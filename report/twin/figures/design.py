@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.style import FAINT, LINES, panels
-from report.evidence import Evidence
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
 from report.numbers.twin.map_numbers import MapNumbers
-from report.record import figure
+from report.pages.drawing.style import FAINT, LINES, panels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from report.evidence import Evidence
+from report.judging.parts import close, small, so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
 from report.numbers.twin.grids import BRANCH_FORCE, COURSES
 from report.numbers.twin.kept_branch import KeptBranch
-from report.parts import close, small, so
-from report.record import text
-from report.twin.figures.branch import branches_over_gap
+from report.twin.figures.maps import branches_over_gap
 from report.twin.observation import Observed, SectionRecord, observation
 
 BRANCH = "report/numbers/twin/kept_branch.py"

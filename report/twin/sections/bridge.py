@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from report.evidence import Evidence
+from report.judging.parts import close, small, so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
 from report.numbers.twin.mechanism import FREQUENCY
-from report.parts import close, small, so
-from report.record import text
 from report.twin.figures.bridge import bridge_in_slot
 from report.twin.observation import Observed, SectionRecord, observation
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from report.evidence import Evidence
+from report.judging.parts import so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.mechanism import SMALL_FORCE
-from report.parts import so
-from report.record import text
-from report.thesis import EXPERIMENT_GAP
 from report.twin.figures.design import design_limits
 from report.twin.observation import Observed, SectionRecord, observation
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from report.evidence import Evidence
+from report.judging.parts import close, equal, so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.grids import WAITED
 from report.numbers.twin.map_numbers import MapNumbers
 from report.numbers.twin.mechanism import SMALL_FORCE
-from report.parts import close, equal, so
-from report.record import text
-from report.thesis import EXPERIMENT_GAP
 from report.twin.figures.maps import friction_map, speed_map
 from report.twin.observation import Observed, SectionRecord, observation
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from report.evidence import Evidence
+from report.judging.parts import equal, small, so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 from report.numbers.twin.map_numbers import SEEN
-from report.parts import equal, small, so
-from report.record import text
-from report.thesis import EXPERIMENT_GAP, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 from report.twin.observation import Observed, SectionRecord, observation
 
 RESOLUTION = SAMPLE_RATE / FRAMES_OF_TABLES

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from report.evidence import Evidence
+from report.judging.parts import close, equal, small, so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin_numbers import Comparison
-from report.parts import close, equal, small, so
-from report.record import text
-from report.thesis import EXPERIMENT_GAP
 from report.twin.figures.motion import motions, spectra
 from report.twin.observation import Observed, SectionRecord, observation
 from trimmer import MotionKind

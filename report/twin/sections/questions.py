@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.evidence import Evidence
+from report.judging.parts import close, so
+from report.judging.record import text
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.mechanism import SMALL_FORCE, SMALL_GAP
 from report.numbers.twin_numbers import SCALE
-from report.parts import close, so
-from report.record import text
-from report.thesis import EXPERIMENT_GAP
 from report.twin.observation import Observed, SectionRecord, observation
 
 MOST = 0.9

@@ -22,6 +22,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
 from report.cache.stage_store import Bounds, StageStore
+from trimmer import ClosedLoop, Relay, simulate
 from trimmer.mechanism.parts import Body
 
 RESULT = {"answer": [1, 2.5, "text"], "array": np.arange(4.0), "body": Body(1.0)}
@@ -244,3 +245,16 @@ def test_terms_read_back_in_their_order(tmp_path: Path) -> None:
     (read,) = StageStore(tmp_path).load("stage", "a")
     assert sympy.latex(read, order="none") == sympy.latex(expression, order="none")
     assert [term.args for term in read.args] == [term.args for term in expression.args]
+
+
+def test_a_motion_of_a_loop_is_kept_with_the_modes_it_went_through(tmp_path: Path) -> None:
+    loop = ClosedLoop(control.ss([[-1.0, -50.0], [1.0, 0.0]], [[1.0], [0.0]], [[0.0, 40.0]], 0.0), Relay(1.0))
+    motion = simulate(loop, 1.0, impulse=1.0)
+    assert len({event.mode for event in motion.events}) == 2
+    motion.output(0.5)  # what is stored by the way is not kept
+    store = StageStore(tmp_path)
+    store.keep("motion", "a", motion)
+    again = store.load("motion", "a")
+    times = np.linspace(0.0, 1.0, 57)
+    np.testing.assert_array_equal(again.output(times), motion.output(times))
+    np.testing.assert_array_equal(again.log.mode, motion.log.mode)

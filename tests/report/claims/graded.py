@@ -1,13 +1,13 @@
-"""Claims that can be judged whatever turns out wrong in them."""
+"""Statements that can be judged whatever turns out wrong in them."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from report.claim import Claim
-from report.verdict import Severity
+from report.judging.claim import Statement
+from report.judging.verdict import Severity
 
 
-def graded(claim: Claim) -> Claim:
-    """Return a claim in which anything may be wrong; a record grades only what is known to be."""
-    return replace(claim, severity=claim.severity or Severity.RESULT)
+def graded(entry: Statement) -> Statement:
+    """Return a statement of which anything may be wrong; the table grades only what is known to be."""
+    return replace(entry, severity=entry.severity or Severity.RESULT)

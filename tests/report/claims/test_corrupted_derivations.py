@@ -10,11 +10,11 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from report.evidence import Evidence
-from report.judge import ContradictionError, judge
+from report.judging.judge import ContradictionError, judge
+from report.judging.record import ClaimRecord
+from report.numbers.evidence import Evidence
 from report.numbers.limit_cycle_numbers import Pair
 from report.numbers.linear_numbers import solve_linear
-from report.record import ClaimRecord
 from tests.report.claims.graded import graded
 
 
@@ -95,7 +95,7 @@ CORRUPTIONS = {
 
 def _verdicts(record: ClaimRecord, evidence: Evidence, inventory) -> tuple[str, ...]:
     try:
-        finding = judge(graded(record.claim(evidence)), inventory[record.id])
+        finding = judge(record.claim(evidence), graded(inventory[record.id]))
     except ContradictionError:
         return ("contradiction",)
     return tuple(part.verdict.value for part in finding.parts)

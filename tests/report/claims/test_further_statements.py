@@ -6,15 +6,15 @@ import pytest
 
 from report.chapters.chapter_3.claims import section_3_1
 from report.chapters.chapter_3.claims.driven_steady_motion import confirm_friction, confirm_play
-from report.judge import ContradictionError, judge
-from report.thesis import EXPERIMENT_GAP
-from report.verdict import Verdict
+from report.judging.judge import ContradictionError, judge
+from report.judging.verdict import Verdict
+from report.numbers.thesis import EXPERIMENT_GAP
 from tests.report.claims.graded import graded
 from trimmer import resonance_peaks
 
 
 def verdicts(claim, inventory):
-    return [part.verdict for part in judge(graded(claim), inventory[claim.id]).parts]
+    return [part.verdict for part in judge(claim, graded(inventory[claim.id])).parts]
 
 
 def with_orbits(evidence, **changes):

@@ -4,18 +4,18 @@ from dataclasses import replace
 
 import pytest
 
-from report.judge import ContradictionError, judge
+from report.judging.judge import ContradictionError, judge
+from report.judging.verdict import Verdict
 from report.numbers.equivalent_nonlinearity import FORCE, listing_element
 from report.numbers.friction_in_place import Balances
 from report.numbers.independent.limit_cycles import equivalent_as_listed
 from report.numbers.listed_functions import equivalent_listing
-from report.thesis import DRIVE_OMEGA, SMALL_GAP
-from report.verdict import Verdict
+from report.numbers.thesis import DRIVE_OMEGA, SMALL_GAP
 from tests.report.claims.graded import graded
 
 
 def verdicts(claim, inventory):
-    return [part.verdict for part in judge(graded(claim), inventory[claim.id]).parts]
+    return [part.verdict for part in judge(claim, graded(inventory[claim.id])).parts]
 
 
 def with_cycles(evidence, **changes):

@@ -2,8 +2,8 @@
 
 import pytest
 
-from report.items import items
-from report.verdict import Severity, Verdict
+from report.judging.items import items
+from report.judging.verdict import Severity, Verdict
 
 SHARED = {
     "733.33 Hz, limit cycle predicted for friction-controlled backlash": {

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from report.chapters.second_ways import by_division_back, by_grid, by_matching_real_parts
-from report.claim import Claim, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import power, power_of
-from report.judge import ContradictionError, judge
+from report.judging.claim import Claim, Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import power, power_of
+from report.judging.judge import ContradictionError, judge
+from report.judging.parts import so
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
+from report.numbers.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps
-from report.parts import so
-from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import response_at
 from trimmer.linear import real_axis_crossings
 from trimmer.thesis import TrimmerBody
@@ -25,7 +25,7 @@ CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index
 def test_a_second_way_that_leads_elsewhere_stops_the_judgement(inventory):
     finding = Assertion(statement="it is so", derived=True, evidence="", method="one way")
     sound, unsound = (
-        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "", "") for holds in (True, False)
+        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "") for holds in (True, False)
     )
     (part,) = judge(sound, inventory["eq-2.1"]).parts
     assert part.method == "one way; confirmed by another"

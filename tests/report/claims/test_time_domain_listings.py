@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from report.numbers.listed_blocks import PERIOD, contact_time, friction_block, inertia_block
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from report.claim import Kind, Statement
 from report.copy.places import Places
+from report.judging.claim import Kind, Statement
 
 NAMES = {Kind.FIGURE: "Figure", Kind.TABLE: "Table", Kind.LISTING: "Listing"}
 

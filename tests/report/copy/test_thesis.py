@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from report.claim import Kind, Statement
 from report.copy.places import Places
 from report.copy.reading import read_reader_copy
-from report.sections import read_sections
-from report.text_copy import read_text_copy
+from report.data.statements import read_sections
+from report.data.text_copy import read_text_copy
+from report.judging.claim import Kind, Statement
 from tests.report.copy.made_up import LINES, line_of
 from tests.report.copy.resolving import faults
 
@@ -60,13 +60,13 @@ def test_every_numbered_thing_of_the_inventory_is_found(places, inventory):
     assert {statement.section for statement in inventory.values()} <= places.sections.keys()
 
 
-def test_every_claim_stands_where_it_says(places, inventory, records):
+def test_every_claim_stands_where_it_says(places, inventory):
     drawn = {figure: section.number for section in read_sections() for figure in section.figures}
     found = [
         fault
-        for claim, record in records.by_id.items()
-        if record.lines is not None
-        for fault in faults(inventory[claim], record.lines, record.paragraph, places, drawn.get(claim, ""))
+        for claim, entry in inventory.items()
+        if entry.lines is not None
+        for fault in faults(entry, entry.lines, entry.paragraph, places, drawn.get(claim, ""))
     ]
     assert not found, "\n".join(found)
 

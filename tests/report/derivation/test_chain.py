@@ -17,24 +17,24 @@ from derivations.narrative import narrative
 from derivations.step import Formula, Step
 from derivations.symbols import A
 from report.cache.source_closure import ROOT
-from report.claim import Kind
-from report.collect import collect
+from report.data.statements import read_inventory
 from report.derivation.code_lines import code_lines
 from report.derivation.nomenclature import (
     NomenclatureError,
     entries,
+    formulas,
     nomenclature,
+    symbols,
     symbols_of_step,
 )
 from report.derivation.number_steps import number_steps
 from report.derivation.pictures import sampled, waveform_pictures
 from report.derivation.places_of_claims import UnknownStepError, named_steps, places
-from report.derivation.symbols_of_text import formulas, symbols
 from report.derivation.waveform_svg import first_harmonic
-from report.finding import Finding
-from report.inventory import read_inventory
+from report.judging.claim import Kind
+from report.judging.finding import Finding
+from report.judging.verdict import Impact, Verdict
 from report.numbers.newton_by_hand import newton_by_hand
-from report.verdict import Impact, Verdict
 
 CONSTANTS = frozenset({r"\pi"})
 
@@ -52,9 +52,8 @@ def finding(claim: str, source: str = "none.py", explanation: str = "") -> Findi
 
 def test_every_claim_has_a_step(steps):
     inventory = read_inventory()
-    records = collect(inventory).by_id
-    found = places([finding(claim, records[claim].source) for claim in inventory], steps)
-    lost = [f"{claim} ({records[claim].source})" for claim in inventory if claim not in found]
+    found = places([finding(claim, entry.source) for claim, entry in inventory.items()], steps)
+    lost = [f"{claim} ({entry.source})" for claim, entry in inventory.items() if claim not in found]
     assert not lost, f"add the claims or their sources to report/data/steps.csv: {lost}"
     assert found["eq-2.46"] == "df-load"
     assert found["txt-5.2.1-prediction"] == "solution"

@@ -10,7 +10,7 @@ import pytest
 from report.cache.stage_store import StageStore
 from report.design.building import files_of, looked_at, report_on
 from report.design.report import DesignReport
-from report.rendering.request import Format, Paper
+from report.pages.formats import Format, Paper
 from tests.report.made_once import MadeOnce
 from trimmer import SerialRunner
 from trimmer.design.design import Design

@@ -6,7 +6,7 @@ import pytest
 
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of, layout_of
-from report.drawing.style import style
+from report.pages.drawing.style import style
 from trimmer import Mechanism
 from trimmer.design.design_file import design_file_of_text
 from trimmer.examples import example_text, examples

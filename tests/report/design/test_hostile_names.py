@@ -20,16 +20,16 @@ from playwright.sync_api import Browser
 from report.cache.stage_store import StageStore
 from report.design.building import files_of, looked_at, report_on
 from report.design.comparison import ComparisonReport, spectra_overlaid
-from report.design.figures.drawn import drawn
 from report.design.markdown import comparison_to_markdown, environment
 from report.design.origin import Origin, origin_of
 from report.design.render import SCRIPTS, STYLES, rendered
-from report.document.figure import Figure
-from report.drawing.style import new_figure
-from report.provenance import provenance
-from report.rendering.escaping import markdown, plain, shown_characters
-from report.rendering.html import Look, page
-from report.rendering.request import Format, Paper
+from report.pages.drawing.drawn import drawn
+from report.pages.drawing.style import new_figure
+from report.pages.escaping import markdown, plain, shown_characters
+from report.pages.figure import Figure
+from report.pages.formats import Format, Paper
+from report.pages.html import Look, page
+from report.pages.provenance import provenance
 from tests.report.rendering.page_checks import lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
 from trimmer.design.comparison import compared
@@ -343,7 +343,7 @@ def test_a_comparison_shows_names_of_files_as_they_are(design: Design) -> None:
     before, after = (dataclasses.replace(design, file=file) for file in files)
     comparison = compared(before, after)
     figures = spectra_overlaid(comparison, names)
-    report = ComparisonReport("A", comparison, names, figures, origin_of(files, "2026-03-01"))
+    report = ComparisonReport("A", figures, origin_of(files, "2026-03-01"), comparison, names)
     pieces = comparison_to_markdown(report)
     html = str(rendered(report, pieces, frozenset({Format.HTML}), Paper.A4, None)[Format.HTML])
     assert acting(html) == []

@@ -12,7 +12,7 @@ from report.design.building import files_of, report_on
 from report.design.origin import origin_of, today
 from report.design.report import DesignReport
 from report.design.tables import provenance_rows
-from report.rendering.request import Format, Paper
+from report.pages.formats import Format, Paper
 from tests.report.design.conftest import TEXT
 from trimmer import MechanismError
 from trimmer.command_line.main import main

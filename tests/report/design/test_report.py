@@ -16,7 +16,7 @@ from report.design.markdown import to_markdown
 from report.design.report import DesignReport
 from report.design.tables import target_rows
 from report.design.words import measure_value, sureness_sentences, verdict_sentence
-from report.rendering.request import Format
+from report.pages.formats import Format
 from trimmer.design.comparison import compared
 from trimmer.design.design import Design
 from trimmer.design.targets import Measure

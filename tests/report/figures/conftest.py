@@ -4,13 +4,12 @@ from functools import cache
 
 import pytest
 
-from report.collect import collect
-from report.drawing.letters import letter_panels
-from report.inventory import read_inventory
-from report.twin.figures.branch import branches_over_gap
+from report.building.collect import collect
+from report.data.statements import read_inventory
+from report.pages.drawing.letters import letter_panels
 from report.twin.figures.bridge import bridge_in_slot
 from report.twin.figures.design import design_limits
-from report.twin.figures.maps import friction_map, speed_map
+from report.twin.figures.maps import branches_over_gap, friction_map, speed_map
 from report.twin.figures.motion import motions, spectra
 
 TWIN = (

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from report.chapters.chapter_5.figures import contours, friction
-from report.drawing import plane
-from report.drawing.letters import title_of
+from report.pages.drawing import plane
+from report.pages.drawing.letters import title_of
 from tests.report.figures.lines import curve
 from trimmer import response_at
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from report.thesis import DRIVE_AMPLITUDE
+from report.numbers.thesis import DRIVE_AMPLITUDE
 from tests.report.figures.lines import line
 
 

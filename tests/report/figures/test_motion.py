@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from report.chapters.chapter_3 import figures
-from report.thesis import DRIVE_AMPLITUDE, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY, TABLE_2
+from report.numbers.thesis import DRIVE_AMPLITUDE, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY, TABLE_2
 from tests.report.figures.lines import line
 
 

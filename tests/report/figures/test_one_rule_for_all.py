@@ -5,11 +5,11 @@ from string import ascii_lowercase
 
 import pytest
 
-from report.collect import collect
-from report.drawing.letters import letter_panels, panels_of, title_of
-from report.drawing.marks import STABLE, UNSTABLE
-from report.drawing.style import WIDTH, new_figure, style
-from report.inventory import read_inventory
+from report.building.collect import collect
+from report.data.statements import read_inventory
+from report.pages.drawing.letters import letter_panels, panels_of, title_of
+from report.pages.drawing.marks import STABLE, UNSTABLE
+from report.pages.drawing.style import WIDTH, new_figure, style
 from tests.report.figures import conftest
 
 FIGURES = tuple(conftest.FIGURES.values())

@@ -5,8 +5,8 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from report.drawing.letters import panels_of
-from report.drawing.style import style
+from report.pages.drawing.letters import panels_of
+from report.pages.drawing.style import style
 from tests.report.figures import conftest
 
 STEP = 2.0

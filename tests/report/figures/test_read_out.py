@@ -6,10 +6,10 @@ import re
 import numpy as np
 import pytest
 
-from report.drawing.marks import STABLE, arrow, limit_cycle, name_places
-from report.drawing.peaks import peaks
-from report.drawing.style import new_figure, style
-from report.drawing.svg import to_svg
+from report.pages.drawing.marks import STABLE, arrow, limit_cycle, name_places
+from report.pages.drawing.peaks import peaks
+from report.pages.drawing.style import new_figure, style
+from report.pages.drawing.svg import to_svg
 
 
 @pytest.fixture

@@ -8,9 +8,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
-from report.drawing.style import LINES, new_figure, style
-from report.drawing.svg import to_svg
-from report.record import FigureRecord
+from report.judging.record import FigureRecord
+from report.pages.drawing.style import LINES, new_figure, style
+from report.pages.drawing.svg import to_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -15,7 +15,7 @@ from typing import Any
 import control
 import numpy as np
 
-from report.evidence import Evidence, gather
+from report.numbers.evidence import Evidence, gather
 from trimmer import response_at
 
 KEPT = Path(__file__).with_name("kept.txt")

@@ -14,7 +14,7 @@ from report.numbers.listed_blocks import inertia_block
 from report.numbers.record import Record, largest_peaks, line_amplitudes
 from report.numbers.relay_loop import STEP, output_at_jump
 from report.numbers.released_bodies import RECORD
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 from trimmer.linear.model import InputChannels, pin_model

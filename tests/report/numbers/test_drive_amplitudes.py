@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from report.numbers.drive_amplitudes import AMPLITUDES
-from report.thesis import DRIVE_FREQUENCY, LARGE_GAP
+from report.numbers.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import response_at
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 

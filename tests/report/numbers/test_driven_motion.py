@@ -7,7 +7,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from report.numbers.driven_motion import FORCES, difference_energy, transient_peaks
-from report.thesis import DRIVE_AMPLITUDE, EXPERIMENT_GAP, LARGER_GAP, LARGEST_GAP, MEASURED_DRIVE_FREQUENCY
+from report.numbers.thesis import (
+    DRIVE_AMPLITUDE,
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    LARGEST_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+)
 from trimmer import linear_model, response_at
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash

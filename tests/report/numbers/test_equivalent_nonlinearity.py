@@ -12,7 +12,7 @@ from report.numbers.equivalent_nonlinearity import (
     printed_function,
     right_element,
 )
-from report.thesis import DRIVE_OMEGA, SMALL_GAP
+from report.numbers.thesis import DRIVE_OMEGA, SMALL_GAP
 from trimmer import response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
-from report.thesis import EXPERIMENT_GAP, LARGEST_GAP
+from report.numbers.thesis import EXPERIMENT_GAP, LARGEST_GAP
 from trimmer import pin_model
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear import InputChannels

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from derivations.linear_trimmer import derive_linear_trimmer
-from report.document.derivation import Program
+from report.document.thesis import Program
 from report.octave.archive import write_files
 from report.octave.listings import corrected_programs
 from tests.report.made_once import MadeOnce

@@ -10,7 +10,7 @@ from dataclasses import replace
 import pytest
 
 from derivations.linear_trimmer import derive_linear_trimmer
-from report.inventory import read_inventory
+from report.data.statements import read_inventory
 from report.octave.archive import archive, files, write_files
 from report.octave.contents import CONTENTS
 from report.octave.listings import corrected_programs

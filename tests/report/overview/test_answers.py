@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from report.evidence import Evidence
-from report.inventory import read_inventory
+from report.data.statements import read_inventory
+from report.numbers.evidence import Evidence
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
 

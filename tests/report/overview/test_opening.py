@@ -6,8 +6,6 @@ import re
 
 import pytest
 
-from report.document.figure import Figure
-from report.items import items
 from report.overview.opening import opening
 
 MOST_CHARACTERS = 1300
@@ -19,8 +17,8 @@ def findings(findings):
 
 
 @pytest.fixture(scope="module")
-def screen(evidence, findings):
-    return opening(evidence, findings, Figure("opening", "", "", "", ""))
+def screen(evidence):
+    return opening(evidence)
 
 
 def words(screen) -> str:
@@ -29,7 +27,7 @@ def words(screen) -> str:
 
 
 def test_the_first_screen_is_short(screen) -> None:
-    assert len(words(screen)) < MOST_CHARACTERS - 200  # headings, references and grades stand there too
+    assert len(words(screen)) < MOST_CHARACTERS - 200  # headings, the counts, references and grades too
 
 
 def test_what_matters_most_is_wrong_and_is_judged(screen, findings) -> None:
@@ -37,12 +35,6 @@ def test_what_matters_most_is_wrong_and_is_judged(screen, findings) -> None:
     for highlight in screen.highlights:
         if not highlight.places[0].startswith("twin"):
             assert all(by_id[place].verdict.is_wrong for place in highlight.places)
-
-
-def test_counts_are_over_printed_things(screen, findings) -> None:
-    judged = items(findings)
-    reproduced = sum(item.verdict.value == "reproduced" for item in judged)
-    assert f"{reproduced} of {len(judged)} printed things" in screen.sentences
 
 
 def test_the_force_that_ends_the_limit_cycle(screen) -> None:

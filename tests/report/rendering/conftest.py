@@ -9,8 +9,8 @@ import pytest
 from playwright.sync_api import Browser
 
 from report.document.document import Document
+from report.pages.formats import Format
 from report.rendering.render import render
-from report.rendering.request import Format
 from tests.report.made_once import MadeOnce
 from tests.report.rendering.page_checks import Visit, lead, opened
 from tests.report.rendering.sample import sample

@@ -6,12 +6,14 @@ import dataclasses
 
 import sympy
 
-from report.document.derivation import DerivationStep, NomenclatureRow, ParameterRow, Program
+from report.data.statements import Section
+from report.data.text_copy import TextCopy
 from report.document.document import Document
-from report.document.figure import Equation, Figure
-from report.document.overview import Answer, CorrectedResult, Highlight, Opening
-from report.document.thesis import Chapter, Provenance, Section
-from report.text_copy import BuildTime, TextCopy
+from report.document.extras import Answer, CorrectedResult, Highlight, Opening, Overview
+from report.document.thesis import Chapter, Program
+from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow
+from report.pages.figure import Equation, Figure
+from report.pages.provenance import BuildTime, Provenance
 from tests.report.rendering.sample_derivation import CODE, SPREAD, explorable, picture
 from tests.report.rendering.sample_figures import figures
 from tests.report.rendering.sample_findings import appendix_a, chapter_five, chapter_two
@@ -117,24 +119,28 @@ def _another(figure: Figure, name: str) -> Figure:
     return dataclasses.replace(figure, id=name, svg=figure.svg.replace(figure.id, name))
 
 
+def opening() -> Opening:
+    """Return the first screen."""
+    return Opening(
+        "The predictions do not: see $k_1$.",
+        (
+            Highlight(
+                ("eq-2.9", "eq-2.12"),
+                r"The first equation of motion has a wrong sign at $k_1 (q_1 - q_2)$.",
+                r"Turn it: the pole moves by $3\,\%$.",
+            ),
+            Highlight(("txt-5.1.2-roll-off",), "The roll-off is 40 dB per decade, not 60.", "Use 40."),
+        ),
+        _another(figures()[0], "opening"),
+        ("Compute *your* trimmer.",),
+        ("Trust $G$ blindly.", "Tune."),
+    )
+
+
 def sample() -> Document:
     """Return the report."""
     return Document(
         title="The linear trimmer & its claims: 100 % of A_1 <checked>",
-        opening=Opening(
-            "The derivations hold. The predictions do not: see $k_1$.",
-            (
-                Highlight(
-                    ("eq-2.9", "eq-2.12"),
-                    r"The first equation of motion has a wrong sign at $k_1 (q_1 - q_2)$.",
-                    r"Turn it: the pole moves by $3\,\%$.",
-                ),
-                Highlight(("txt-5.1.2-roll-off",), "The roll-off is 40 dB per decade, not 60.", "Use 40."),
-            ),
-            _another(figures()[0], "opening"),
-            ("Compute *your* trimmer.",),
-            ("Trust $G$ blindly.", "Tune."),
-        ),
         chapters=(
             Chapter("chapter-2", "2", "Modelling & method", chapter_two()),
             Chapter("chapter-5", "5", "Results", chapter_five()),
@@ -168,8 +174,7 @@ def sample() -> Document:
         step_of={"eq-2.9": "kinetic", "eq-2.37": "relay"},
         explorable=explorable(),
         spread=SPREAD,
-        answers=answers(),
-        corrected=corrected(),
+        overview=Overview(opening(), answers(), corrected()),
         sections=(
             Section("2.2.1", "Mechanism & masses"),
             Section("2.2.2", "Linear system", ("fig-2.3",)),

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from report.derivation.waveform_svg import Piece, waveform_svg
-from report.document.explorable import Explorable, Panel, Slider
-from report.document.figure import CodeLines, Figure
-from report.document.overview import Follows
+from report.document.extras import Explorable, Panel, Slider
+from report.judging.spread import Follows
+from report.pages.figure import CodeLines, Figure
 
 CODE = CodeLines(
     "trimmer/linear/low_pass.py", "bandwidth", 29, 31, "def bandwidth(x: float) -> float:\n    return x < 2"

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.figure import Figure as Drawing
 
 from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
-from report.document.figure import Figure
-from report.drawing.read_out import Along, plot_along
-from report.drawing.style import LINES, new_figure, style
-from report.drawing.svg import to_svg
+from report.pages.drawing.read_out import Along, plot_along
+from report.pages.drawing.style import LINES, new_figure, style
+from report.pages.drawing.svg import to_svg
+from report.pages.figure import Figure
 
 PEAK = 550.0
 """Frequency of the spectrum's peak, in Hz."""

@@ -6,10 +6,10 @@ from collections.abc import Iterable
 
 import sympy
 
-from report.claim import Kind
-from report.finding import Finding, JudgedPart
-from report.shown import Mathematics, Number, Shown, Words
-from report.verdict import Impact, Severity, Verdict
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.shown import Mathematics, Number, Shown, Words
+from report.judging.verdict import Impact, Severity, Verdict
 from tests.report.rendering.sample_formulas import CASES, DOTS, SPECIAL, long_coefficient, state_matrix
 
 

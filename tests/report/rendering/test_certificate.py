@@ -9,8 +9,7 @@ import pytest
 from report.document.document import Document
 from report.rendering import certificate
 from report.rendering.markdown import to_markdown
-from report.rendering.outline import Group
-from report.rendering.places import place
+from report.rendering.outline import Group, place
 from report.rendering.selection import select
 
 

@@ -4,14 +4,15 @@ import csv
 import io
 from dataclasses import replace
 
-from report.claim import Kind
+from report.data.text_copy import TextCopy
 from report.document.document import Document
-from report.document.thesis import Chapter, Provenance
-from report.finding import Finding, JudgedPart
+from report.document.thesis import Chapter
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.shown import Number, Shown, Words
+from report.judging.verdict import Impact, Severity, Verdict
+from report.pages.provenance import Provenance
 from report.rendering.errata import COLUMNS, Erratum, by_severity, errata, to_csv
-from report.shown import Number, Shown, Words
-from report.text_copy import TextCopy
-from report.verdict import Impact, Severity, Verdict
 
 LONG = "No: the motion repeats with the drive and nothing else stays in it, whatever the gap is and the load"
 

@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from report.document.document import Document
-from report.grade import grade
+from report.judging.verdict import grade
 from report.octave.archive import files
-from report.rendering.request import Format
+from report.pages.formats import Format
 from report.rendering.sources import identifier
 from tests.report.rendering.sample_formulas import SPECIAL
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from report.document.document import Document
+from report.pages.formats import Format
 from report.rendering.json import to_json
-from report.rendering.request import Format
 from tests.json_document import documented, keys
 
 

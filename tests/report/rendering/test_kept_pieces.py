@@ -9,8 +9,9 @@ import pytest
 
 from report.cache.stage_store import StageStore
 from report.document.document import Document
+from report.pages.formats import Format
 from report.rendering.render import render
-from report.rendering.request import Format, Request
+from report.rendering.request import Request
 from report.rendering.selection import select
 
 HTML = Request(formats=frozenset({Format.HTML}))

@@ -5,13 +5,18 @@ from functools import partial
 
 import pytest
 
-from report.claim import Kind
-from report.document.derivation import DerivationStep
 from report.document.document import Document
-from report.document.figure import Equation
-from report.document.overview import Follows
-from report.finding import Finding, JudgedPart
-from report.rendering.links import BrokenLinkError
+from report.document.extras import Overview
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.shown import Mathematics, Number, Words
+from report.judging.spread import Follows
+from report.judging.verdict import Impact, Verdict
+from report.pages.derivation import DerivationStep
+from report.pages.figure import Equation
+from report.pages.links import BrokenLinkError
+from report.pages.pandoc import PandocError
+from report.pages.pieces import Converter
 from report.rendering.markdown import (
     BACK,
     FULL_LINE,
@@ -21,11 +26,7 @@ from report.rendering.markdown import (
     side_by_side,
     to_markdown,
 )
-from report.rendering.pandoc import PandocError
-from report.rendering.pieces import Converter
 from report.rendering.selection import select
-from report.shown import Mathematics, Number, Words
-from report.verdict import Impact, Verdict
 from tests.report.rendering.sample_formulas import long_coefficient
 
 
@@ -74,9 +75,10 @@ def test_the_summary_says_how_many_statements_are_judged(document: Document) -> 
 
 
 def test_sections_without_content_are_left_out(document: Document) -> None:
-    without = {"derivation": (), "answers": (), "corrected": (), "programs": ()}
+    without = {"derivation": (), "overview": Overview(), "programs": ()}
     text = text_of(dataclasses.replace(document, **without))
-    assert not any(f"{{#{section}}}" in text for section in without)
+    left_out = ("derivation", "summary", "answers", "corrected", "programs")
+    assert not any(f"{{#{section}}}" in text for section in left_out)
 
 
 def test_a_figure_stands_with_its_claim_in_the_section_that_the_thesis_has_it_in(document: Document) -> None:
@@ -141,10 +143,11 @@ def test_a_link_to_a_claim_that_is_not_there_is_an_error(document: Document) -> 
 
 
 def test_a_highlight_of_a_place_that_is_not_there_is_an_error(document: Document) -> None:
-    highlight = dataclasses.replace(document.opening.highlights[0], places=("eq-9.9",))
-    changed = dataclasses.replace(document.opening, highlights=(highlight,))
+    highlight = dataclasses.replace(document.overview.opening.highlights[0], places=("eq-9.9",))
+    opening = dataclasses.replace(document.overview.opening, highlights=(highlight,))
+    changed = dataclasses.replace(document.overview, opening=opening)
     with pytest.raises(BrokenLinkError, match=r"eq-9\.9"):
-        to_markdown(dataclasses.replace(document, opening=changed))
+        to_markdown(dataclasses.replace(document, overview=changed))
 
 
 def test_two_claims_with_one_id_are_an_error(document: Document) -> None:

@@ -12,8 +12,8 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from report.document.document import Document
-from report.rendering.pictures.figure_colours import in_the_dark
-from report.rendering.request import Format
+from report.pages.figure_colours import in_the_dark
+from report.pages.formats import Format
 from tests.report.rendering import page_checks
 from tests.report.rendering.page_checks import SCHEMES, WIDTHS, Scheme, Visit, wait_until
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from report.document.document import Document
-from report.grade import Grade, grade
+from report.judging.verdict import Grade, grade
 from report.rendering.summary import GRADES
 from tests.report.rendering.page_checks import Visit, wait_until
 

@@ -9,13 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from report.document.derivation import DerivationStep
 from report.document.document import Document
-from report.document.figure import Equation
+from report.pages.derivation import DerivationStep
+from report.pages.figure import Equation
+from report.pages.formats import Format, Paper
+from report.pages.pdf import Head, TypesettingError, typeset
+from report.pages.pieces import Converter
 from report.rendering.markdown import to_markdown
-from report.rendering.pdf import Head, TypesettingError, to_pdf, typeset
-from report.rendering.pieces import Converter
-from report.rendering.request import Format, Paper
+from report.rendering.pdf import to_pdf
 from report.rendering.selection import select
 
 

@@ -13,12 +13,13 @@ from playwright.sync_api import Browser
 from report.cache.stage_store import StageStore
 from report.copy.reading import ReaderCopy
 from report.document.document import Document
-from report.rendering.formulas.foreign_mathematics import to_mathml
+from report.pages.formats import Format
+from report.pages.formulas.foreign_mathematics import to_mathml
+from report.pages.pieces import Converter
 from report.rendering.html import to_html
 from report.rendering.markdown import to_markdown
-from report.rendering.pieces import Converter
 from report.rendering.render import render
-from report.rendering.request import Format, Request
+from report.rendering.request import Request
 from tests.report.rendering.page_checks import Visit, lead, opened
 
 SECRET = "zanzibar"

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from report.command import KINDS
-from report.rendering.request import Format
+from report.pages.formats import Format
 from trimmer.files import check_replaceable
 
 PROGRAM = """

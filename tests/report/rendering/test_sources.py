@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from report.document.document import Document
-from report.rendering.links import BrokenLinkError
+from report.pages.links import BrokenLinkError
 from report.rendering.markdown import to_markdown
 from report.rendering.selection import select
 from report.rendering.sources import identifier, sources

@@ -2,14 +2,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from report.claim import Kind
 from report.document.document import Document
-from report.finding import Finding, JudgedPart
-from report.grade import Grade, grade
-from report.items import items
+from report.judging.claim import Kind
+from report.judging.finding import Finding, JudgedPart
+from report.judging.items import items
+from report.judging.shown import Number
+from report.judging.verdict import Certainty, Grade, Impact, Verdict, grade
 from report.rendering import summary
-from report.shown import Number
-from report.verdict import Certainty, Impact, Verdict
 
 
 def part(label: str, method: str, slip: str = "") -> JudgedPart:
@@ -28,6 +27,7 @@ def test_printed_things_are_counted_by_chapter_and_by_grade(document: Document) 
     for index, each in enumerate(Grade):
         numbers = [row.counts[index].number for row in chapters]
         assert sum(numbers) == total.counts[index].number == sum(grade(item) is each for item in judged)
+    assert total.reproduced == sum(grade(item) is Grade.REPRODUCED for item in judged) > 0
 
 
 def test_every_grade_and_certainty_has_its_words() -> None:

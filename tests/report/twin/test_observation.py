@@ -6,9 +6,9 @@ import re
 
 import pytest
 
-from report.parts import small, so
-from report.record import text
-from report.text import RecordError
+from report.judging.parts import small, so
+from report.judging.record import text
+from report.judging.text import RecordError
 from report.twin.chapter import SECTIONS
 from report.twin.observation import ObservationRecord, UnsupportedObservationError, observation
 

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import pytest
 
-from report.document.figure import Figure
-from report.document.twin import Observation, TwinChapter, TwinSection
+from report.document.extras import Observation, TwinChapter, TwinSection
+from report.pages.figure import Figure
+from report.pages.links import BrokenLinkError
+from report.pages.pieces import Converter
 from report.rendering.html import to_html
-from report.rendering.links import BrokenLinkError
 from report.rendering.markdown import to_markdown
-from report.rendering.pieces import Converter
 from report.rendering.selection import select
 from report.rendering.sources import sources
 from tests.report.rendering.sample import sample

@@ -8,7 +8,8 @@ import numpy as np
 
 from trimmer import Mechanism, MotionKind
 from trimmer.design.found_motion import FoundMotion, MotionSignals
-from trimmer.motion.measures import ContactMeasures, FrictionMeasures, OutputMeasures
+from trimmer.motion.measures import OutputMeasures
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 
 
 def output(smallest: float, largest: float, amplitudes: Any = (), period_count: int = 1) -> OutputMeasures:

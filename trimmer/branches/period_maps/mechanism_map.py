@@ -10,7 +10,8 @@ from trimmer.arrays import Reals
 from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, Instant
-from trimmer.motion.flow import Course, Flow
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of

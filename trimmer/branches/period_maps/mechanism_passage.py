@@ -15,7 +15,8 @@ from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.calm import amid_longest, is_amid
-from trimmer.motion.flow import Course, Flow
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.motion.part import Part, Phase, mirrored
 
 if TYPE_CHECKING:

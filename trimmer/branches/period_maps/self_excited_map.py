@@ -19,7 +19,7 @@ from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
 from trimmer.branches.period_maps.strobe import Restart
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.calm import amid_longest, is_amid
-from trimmer.motion.flow import Course
+from trimmer.motion.course import Course
 from trimmer.response.flows import flow_of
 
 LONGEST = 4.0

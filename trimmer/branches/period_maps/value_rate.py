@@ -19,7 +19,7 @@ from trimmer.hybrid.linear_combination import copy
 from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.hybrid.variation import jumps
-from trimmer.motion.flow import Course
+from trimmer.motion.course import Course
 
 
 def _entry(sources: bytes) -> Callable[..., None]:

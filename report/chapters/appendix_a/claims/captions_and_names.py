@@ -12,21 +12,19 @@ from derivations.elements.friction import FORCE
 from report.chapters.appendix_a.claims.listings_a_7_and_a_8_over_time import FRICTION_LINES, ROUNDED_CONSTANT
 from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LISTING
 from report.chapters.second_ways import REPEATED
-from report.comparisons.assertion import Assertion
-from report.evidence import Evidence
+from report.judging.comparisons.assertion import Assertion
+from report.judging.parts import assertion, close, lost_in_the_copy, so
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.listed_blocks import (
     PERIOD,
     friction_block,
     friction_by_python_control,
     inertia_block_on_a_sine,
 )
-from report.parts import assertion, close, lost_in_the_copy, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer import InertiaBacklash
 
-SOURCE = "report/chapters/appendix_a/claims/captions_and_names.py"
 FRICTION_FUNCTION = "function N = backlash_describing_func_2(A, b)"
 """First line of Listings A.2 and A.3."""
 CALL = "N = @(A) backlash_describing_func_2(A, b)"
@@ -55,7 +53,7 @@ def assigned_in(lines: tuple[str, ...]) -> Assertion:
     return Assertion(ASSIGNED, not missing, f"without {len(missing)} of its names", BOTH_SIDES)
 
 
-@claim("txt-A.3-names", source=SOURCE, lines=(1512, 1523))
+@claim("txt-A.3-names")
 def fields(_: Evidence) -> Record:
     missing = undefined_names(LISTING_A_2)
     with_underscores = tuple(re.sub(r"^N\.", "N_", line) for line in LISTING_A_2)
@@ -78,7 +76,7 @@ def fields(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-A.6-imaginary-unit", source=SOURCE, lines=(1597, 1597))
+@claim("txt-A.6-imaginary-unit")
 def imaginary_unit(_: Evidence) -> Record:
     missing = undefined_names(LISTING_A_5)
     corrected = (*LISTING_A_5[:-1], LISTING_A_5[-1].replace("li", "1i"))
@@ -98,13 +96,7 @@ def imaginary_unit(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-A.7-captions",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1602, 1604),
-    severity=Severity.SLIP,
-)
+@claim("txt-A.7-captions")
 def captions(_: Evidence) -> Record:
     names = ", ".join(sorted(str(symbol) for symbol in LISTING.free_symbols))
     yield assertion(

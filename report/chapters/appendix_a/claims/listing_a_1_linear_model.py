@@ -15,23 +15,21 @@ from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_2 import transfer_formula
 from report.chapters.second_ways import by_quadrature
-from report.comparisons.printed import product
-from report.evidence import Evidence
+from report.judging.comparisons.printed import product
+from report.judging.parts import assertion, close, expression, matrix, same, small
+from report.judging.record import ClaimRecord, Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import integral as quadrature_integral
-from report.parts import assertion, close, expression, matrix, same, small
-from report.record import ClaimRecord, Record, claim, text
-from report.thesis import LIMIT_CYCLE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LIMIT_CYCLE_OMEGA
 from trimmer import linear_model, response_at
 
-LAPLACE = "derivations/algebra/laplace.py"
 b = sympy.Symbol("b", positive=True)
 tau = sympy.Symbol("t", real=True)
 VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
 """Where the integrals are found numerically too."""
 
 
-@claim("eq-A.1", source=LAPLACE, lines=(1412, 1412))
+@claim("eq-A.1")
 def states(known: Evidence) -> Record:
     system, state = known.general, known.transformed.state
     right_side = system.b * system.input_transform
@@ -48,7 +46,7 @@ def states(known: Evidence) -> Record:
     yield text("All three lines hold for a general system of two states that starts at rest.")
 
 
-@claim("eq-A.2", source=LAPLACE, lines=(1414, 1416), paragraph=1)
+@claim("eq-A.2")
 def output(known: Evidence) -> Record:
     system = known.general
     resolvent = (s * sympy.eye(system.a.rows) - system.a).inv()
@@ -76,15 +74,10 @@ class Integral:
     value_form: str
 
 
-def integral(number: int, line: int, printed: Integral) -> ClaimRecord:
+def integral(number: int, printed: Integral) -> ClaimRecord:
     """Return the claim on one of the four integrals."""
 
-    @claim(
-        f"eq-A.1.{number}",
-        source="report/chapters/appendix_a/claims/listing_a_1_linear_model.py",
-        lines=(line, line),
-        paragraph=1,
-    )
+    @claim(f"eq-A.1.{number}")
     def record(_: Evidence) -> Record:
         lower, upper, integrand = printed.lower, printed.upper, printed.integrand
         derived = sympy.simplify(sympy.integrate(integrand, (tau, lower, upper)))
@@ -116,20 +109,13 @@ FRONT_FORM = rf"\int_{{\frac{{\pi}}{{2}}}}^{{\pi - {ARCSINE}}} (A - b)\cos(t)\,d
 UPPER_FORM = rf"\int_{{\pi - {ARCSINE}}}^{{\frac{{3\pi}}{{2}}}} (A\sin(t) + b)\cos(t)\,dt"
 BACK_FORM = rf"\int_{{\frac{{3\pi}}{{2}}}}^{{2\pi - {ARCSINE}}} -(A - b)\cos(t)\,dt"
 LOWER_FORM = rf"\int_{{2\pi - {ARCSINE}}}^{{\frac{{5\pi}}{{2}}}} (A\sin(t) - b)\cos(t)\,dt"
-first_integral = integral(1, 1418, Integral(FRONT, PI / 2, PI - CONTACT, FRONT_FORM, HOLD, HOLD_FORM))
-second_integral = integral(2, 1420, Integral(UPPER, PI - CONTACT, 3 * PI / 2, UPPER_FORM, ZERO, "0"))
-third_integral = integral(3, 1422, Integral(BACK, 3 * PI / 2, 2 * PI - CONTACT, BACK_FORM, HOLD, HOLD_FORM))
-fourth_integral = integral(4, 1424, Integral(LOWER, 2 * PI - CONTACT, 5 * PI / 2, LOWER_FORM, ZERO, "0"))
+first_integral = integral(1, Integral(FRONT, PI / 2, PI - CONTACT, FRONT_FORM, HOLD, HOLD_FORM))
+second_integral = integral(2, Integral(UPPER, PI - CONTACT, 3 * PI / 2, UPPER_FORM, ZERO, "0"))
+third_integral = integral(3, Integral(BACK, 3 * PI / 2, 2 * PI - CONTACT, BACK_FORM, HOLD, HOLD_FORM))
+fourth_integral = integral(4, Integral(LOWER, 2 * PI - CONTACT, 5 * PI / 2, LOWER_FORM, ZERO, "0"))
 
 
-@claim(
-    "lst-A.1",
-    source="trimmer/linear/model.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1428, 1500),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("lst-A.1")
 def linear_listing(known: Evidence) -> Record:
     space, numbers = known.derivation.space, known.numbers
     states, rates = (*coordinates, *velocities), (*velocities, *known.derivation.newton)
@@ -179,15 +165,7 @@ def linear_listing(known: Evidence) -> Record:
     """).given(without=without, with_it=with_it)
 
 
-@claim(
-    "txt-A.2-two-columns",
-    source="derivations/state_space.py",
-    impact=Impact.NOTATION,
-    lines=(1428, 1428),
-    paragraph=1,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-)
+@claim("txt-A.2-two-columns")
 def two_columns(known: Evidence) -> Record:
     velocity = known.derivation.space.b[:, 1].subs(c2, 0)
     dissipation = known.derivation.rayleigh_function.subs(c2, 0)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.chapters.second_ways import NEWTON, by_waveform
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, digits, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import gain
 from report.numbers.independent.limit_cycles import friction_as_listed
-from report.parts import assertion, close, digits, so
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_OMEGA,
     LARGE_GAP,
     LISTING_DENOMINATOR,
@@ -18,10 +19,8 @@ from report.thesis import (
     PLOT_OFFSET,
     SMALL_GAP,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import ViscousBacklash, limit_cycles, response_at
 
-SOURCE = "report/numbers/limit_cycle_numbers.py"
 GRID_END, GRID_POINTS = 0.0025, 10000
 """Last amplitude that line 9 plots, m, and how many it plots."""
 LINE_OF_SEARCH, LINE_OF_START = 23, 31
@@ -29,14 +28,7 @@ TIME_CONSTANT = 1e-3
 """Load time constant M/D of the example, s."""
 
 
-@claim(
-    "lst-A.9",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1681, 1725),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("lst-A.9")
 def search(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     amplitude, omega = friction_as_listed(cycle)
@@ -61,14 +53,7 @@ def search(known: Evidence) -> Record:
     """).given(omega=omega)
 
 
-@claim(
-    "txt-A.10-grid",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1692, 1693),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("txt-A.10-grid")
 def grid(known: Evidence) -> Record:
     pair, listed = known.cycles.friction, known.cycles.friction_listing
     unstable = pair.unstable.amplitude
@@ -122,12 +107,7 @@ def grid(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-A.10-coefficients",
-    source="derivations/transfer_function.py",
-    lines=(1702, 1704),
-    paragraph=1,
-)
+@claim("txt-A.10-coefficients")
 def coefficients(known: Evidence) -> Record:
     numbers, system = known.numbers, known.cycles.listing
     rows = (
@@ -149,14 +129,7 @@ def coefficients(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-A.10-two-systems",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1679, 1704),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("txt-A.10-two-systems")
 def two_systems(known: Evidence) -> Record:
     cycle, systems = (
         known.cycles.friction_listing.stable,
@@ -186,15 +159,7 @@ def two_systems(known: Evidence) -> Record:
     """).given(off=100 * (1 - cycle.amplitude / known.cycles.friction.stable.amplitude))
 
 
-@claim(
-    "txt-A.10-other-functions",
-    source="trimmer/balance/solve.py",
-    impact=Impact.LOCAL,
-    lines=(1679, 1679),
-    paragraph=1,
-    severity=Severity.RESULT,
-    certainty=Certainty.READING,
-)
+@claim("txt-A.10-other-functions")
 def other_functions(known: Evidence) -> Record:
     system, element = known.numbers.displacement_only, ViscousBacklash(1.0, TIME_CONSTANT)
     frozen, found = (

@@ -22,16 +22,15 @@ from derivations.latex import latex
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
 from report.chapters.second_ways import REPEATED, by_quadrature
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, expression, made_here, repeated, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.listed_functions import friction_listing, inertia_formula, inertia_listing
-from report.parts import assertion, close, expression, made_here, repeated, same
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 
-BACKLASH = "derivations/elements/backlash.py"
 REACHED = sympy.Gt(A, GAP / 2)
 FORMULA_FORM = r"""
 N = 0.5 + \frac{1}{\pi}\left(1 - \frac{b}{A}\right)\sqrt{1 - \left(1 - \frac{b}{A}\right)^2}
@@ -93,7 +92,7 @@ def guard_part() -> Part:
     )
 
 
-@claim("lst-A.2", source=BACKLASH, impact=Impact.NOTATION, lines=(1504, 1525), severity=Severity.SLIP)
+@claim("lst-A.2")
 def first_version(_: Evidence) -> Record:
     yield formula_part()
     yield guard_part()
@@ -107,14 +106,7 @@ def first_version(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "lst-A.3",
-    source=BACKLASH,
-    impact=Impact.NOTATION,
-    lines=(1531, 1547),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("lst-A.3")
 def second_version(_: Evidence) -> Record:
     yield formula_part()
     yield guard_part()
@@ -161,13 +153,7 @@ def inertia_parts() -> tuple[Part, Part]:
     return formula, argument
 
 
-@claim(
-    "lst-A.4",
-    source=BACKLASH,
-    impact=Impact.LOCAL,
-    lines=(1551, 1569),
-    severity=Severity.RESULT,
-)
+@claim("lst-A.4")
 def inertia_controlled(_: Evidence) -> Record:
     yield from inertia_parts()
     yield text("""
@@ -180,13 +166,7 @@ def inertia_controlled(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "lst-A.5",
-    source=BACKLASH,
-    impact=Impact.DOWNSTREAM,
-    lines=(1573, 1600),
-    severity=Severity.RESULT,
-)
+@claim("lst-A.5")
 def viscous_controlled(_: Evidence) -> Record:
     root, wrong_root = sympy.sqrt(1 + GAMMA**2), sympy.sqrt(1 - GAMMA**2)
     flight = GAMMA**2 / root * sympy.exp((separation_angle() - CONTACT) / GAMMA)
@@ -215,13 +195,7 @@ def viscous_controlled(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "lst-A.6",
-    source="derivations/elements/friction.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1604, 1627),
-    severity=Severity.CONCLUSION,
-)
+@claim("lst-A.6")
 def equivalent(_: Evidence) -> Record:
     b_1, a_1 = 4 * FORCE / sympy.pi, 0
     printed = -(sympy.I / omega) * (1 / A) * (b_1 + sympy.I * a_1)
@@ -257,13 +231,7 @@ def equivalent(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "lst-A.10",
-    source=BACKLASH,
-    impact=Impact.LOCAL,
-    lines=(1729, 1749),
-    severity=Severity.RESULT,
-)
+@claim("lst-A.10")
 def inertia_controlled_again(_: Evidence) -> Record:
     yield from inertia_parts()
     yield text("""

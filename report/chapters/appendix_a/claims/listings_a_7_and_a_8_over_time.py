@@ -12,10 +12,22 @@ from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.claim import Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import (
+    More,
+    assertion,
+    close,
+    digits,
+    expression,
+    lost_in_the_copy,
+    made_here,
+    part,
+    so,
+)
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.listed_blocks import (
     PERIOD,
@@ -26,10 +38,7 @@ from report.numbers.listed_blocks import (
     inertia_block_on_a_sine,
     inertia_difference,
 )
-from report.octave.formulas import LOAD, PIN, friction_step
-from report.parts import More, assertion, close, digits, expression, lost_in_the_copy, made_here, part, so
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,
@@ -39,10 +48,9 @@ from report.thesis import (
     TIMED_GAP,
     TURN,
 )
-from report.verdict import Impact, Severity
+from report.octave.formulas import LOAD, PIN, friction_step
 from trimmer import InertiaBacklash
 
-SOURCE, ELEMENT = "derivations/elements/backlash.py", "trimmer/elements/backlashes/inertia_backlash.py"
 FRICTION_LINES = (
     *("function u = fcn(e, D_size, u_prev)", "if e - u_prev > D_size/2", "u = e - D_size/2;", "else"),
     *("if e - u_prev < -D_size/2", "u = e + D_size/2;", "else", "u = u_prev;"),
@@ -92,7 +100,7 @@ def friction_parts(place: str = "") -> tuple[Part, ...]:
     return tuple(parts)
 
 
-@claim("lst-A.7", source=SOURCE, lines=(1631, 1648))
+@claim("lst-A.7")
 def friction_controlled(_: Evidence) -> Record:
     yield from friction_parts()
     as_read = blocks_closed(FRICTION_LINES)
@@ -128,14 +136,7 @@ def element_at_phase(phase: float) -> float:
     return float(output)
 
 
-@claim(
-    "lst-A.8",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1654, 1675),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("lst-A.8")
 def inertia_controlled(_: Evidence) -> Record:
     pieces = [segment.value for segment in inertia_waveform(b).segments]
     for line, printed, piece, phase in zip(range(10, 14), LISTED, pieces, PHASES, strict=True):
@@ -189,7 +190,7 @@ def inertia_controlled(_: Evidence) -> Record:
     """).given(jump=1e6 * lacking, share=100 * lacking / TIMED_GAP, frequency=DRIVE_FREQUENCY)
 
 
-@claim("txt-A.9-constants", source=ELEMENT, lines=(1665, 1669), paragraph=1)
+@claim("txt-A.9-constants")
 def constants(_: Evidence) -> Record:
     angle = contact_angle_by_bisection(TIMED_GAP / DRIVE_AMPLITUDE)
     offset = math.pi * DRIVE_AMPLITUDE + TIMED_GAP / 2
@@ -215,14 +216,7 @@ def constants(_: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-A.9-equation",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1652, 1652),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("txt-A.9-equation")
 def equation(_: Evidence) -> Record:
     names = ("first", "second", "third", "fourth")
     pieces = [segment.value for segment in inertia_waveform(b).segments]
@@ -244,14 +238,7 @@ def equation(_: Evidence) -> Record:
     """).given(jump=1e3 * TIMED_GAP / 2)
 
 
-@claim(
-    "txt-A.9-frequency",
-    source=ELEMENT,
-    impact=Impact.NOTATION,
-    lines=(1652, 1665),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("txt-A.9-frequency")
 def frequency(_: Evidence) -> Record:
     angle, in_text = contact_angle_by_bisection(TIMED_GAP / DRIVE_AMPLITUDE), float(IN_TEXT)
     belonging = angle / (TURN * float(LISTED_CONTACT))

@@ -10,19 +10,15 @@ from derivations.equations_of_motion import euler_lagrange
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.claim import Part
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import digits, equal, expression, made_here, matrix, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent import symbolic
-from report.parts import digits, equal, expression, made_here, matrix, same
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import response_at
 
-SYMBOLS = "derivations/symbols.py"
-ENERGIES = "derivations/energies.py"
-MOTION = "derivations/equations_of_motion.py"
 RATE = 2 * sympy.pi * f
 PIN_MOTION = A * sympy.sin(RATE * t)
 TURNING_POINT = A * sympy.exp(RATE * sympy.I * t)
@@ -43,9 +39,7 @@ def by_newton(known: Evidence, variables: tuple[sympy.Expr, ...]) -> sympy.Immut
     return sympy.ImmutableMatrix(-sympy.diag(*masses) * slopes).expand()
 
 
-@claim(
-    "fig-2.1", source="derivations/mechanism.py", certainty=Certainty.PROVEN, lines=(127, 129), paragraph=2
-)
+@claim("fig-2.1")
 def free_body_diagram(known: Evidence) -> Record:
     derivation = known.derivation
     free = matrix_of(derivation.kinetic_energy, velocities).rank()
@@ -72,7 +66,7 @@ def free_body_diagram(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.2", source=SYMBOLS, lines=(134, 136), paragraph=3)
+@claim("fig-2.2")
 def eccentric_pin(_: Evidence) -> Record:
     angle = sympy.Symbol("theta", real=True)
     turn = sympy.Matrix([[sympy.cos(angle), sympy.sin(angle)], [-sympy.sin(angle), sympy.cos(angle)]])
@@ -90,7 +84,7 @@ def eccentric_pin(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.1", source=SYMBOLS, lines=(138, 138), paragraph=4)
+@claim("eq-2.1")
 def pin_motion(_: Evidence) -> Record:
     yield expression("", PIN_MOTION, sympy.im(TURNING_POINT), sympy.Symbol("x_i"))
     yield text("""
@@ -99,7 +93,7 @@ def pin_motion(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.2", source=MOTION, lines=(144, 144), paragraph=6)
+@claim("eq-2.2")
 def lagrangian(known: Evidence) -> Record:
     kinetic, potential = sympy.symbols("T U")
     derived = kinetic + symbolic.sign_of_potential_energy(known.derivation) * potential
@@ -110,7 +104,7 @@ def lagrangian(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.3", source=ENERGIES, lines=(148, 148), paragraph=7)
+@claim("eq-2.3")
 def kinetic_energy_in_general(_: Evidence) -> Record:
     index = sympy.Symbol("i", integer=True)
     mass, velocity = sympy.IndexedBase("m"), sympy.IndexedBase("v")
@@ -131,7 +125,7 @@ def kinetic_energy_in_general(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.4", source=ENERGIES, lines=(152, 152), paragraph=8)
+@claim("eq-2.4")
 def kinetic_energy(known: Evidence) -> Record:
     derived, work = known.derivation.kinetic_energy, symbolic.work_from_rest()
     second = same("the work done on each mass", work, derived)
@@ -139,7 +133,7 @@ def kinetic_energy(known: Evidence) -> Record:
     yield text("The list of four masses gives the printed sum.")
 
 
-@claim("eq-2.5", source=ENERGIES, lines=(158, 158), paragraph=10)
+@claim("eq-2.5")
 def potential_energy(known: Evidence) -> Record:
     derived, newton = known.derivation.potential_energy, known.derivation.newton
     at_rest = {velocity: 0 for velocity in (*velocities, u_dot)}
@@ -153,7 +147,7 @@ def potential_energy(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.6", source=MOTION, lines=(162, 162), paragraph=11)
+@claim("eq-2.6")
 def euler_lagrange_equation(known: Evidence) -> Record:
     derivation = known.derivation
     balances = [euler_lagrange(derivation.lagrangian, derivation.rayleigh_function, q) for q in coordinates]
@@ -170,7 +164,7 @@ def euler_lagrange_equation(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.7", source=ENERGIES, lines=(166, 166), paragraph=12)
+@claim("eq-2.7")
 def rayleigh_function(known: Evidence) -> Record:
     derived, lost = known.derivation.rayleigh_function, known.derivation.power.dissipated_power
     second = same("the power balance", lost / 2, derived)
@@ -201,7 +195,7 @@ def output_with_the_slip(known: Evidence) -> float:
     return gain * math.hypot(DRIVE_AMPLITUDE, damper_over_spring * DRIVE_OMEGA)
 
 
-@claim("eq-2.8", source=SYMBOLS, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(172, 172), paragraph=13)
+@claim("eq-2.8")
 def pin_velocity(known: Evidence) -> Record:
     yield velocity_part()
     yield text(r"""
@@ -213,14 +207,7 @@ def pin_velocity(known: Evidence) -> Record:
     """).given(output=1e3 * output_with_the_slip(known), size=1e3 * DRIVE_AMPLITUDE)
 
 
-@claim(
-    "txt-2.2.1-single-input-velocity",
-    source=SYMBOLS,
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(170, 172),
-    paragraph=13,
-)
+@claim("txt-2.2.1-single-input-velocity")
 def pin_velocity_in_words(_: Evidence) -> Record:
     amplitude = A * RATE
     squared = sympy.trigsimp(PIN_MOTION.diff(t) ** 2 + (PIN_MOTION.diff(t, 2) / RATE) ** 2)
@@ -243,7 +230,7 @@ def pin_velocity_in_words(_: Evidence) -> Record:
     )
 
 
-@claim("eq-2.9", source=MOTION, lines=(176, 176), paragraph=14)
+@claim("eq-2.9")
 def equations_of_motion(known: Evidence) -> Record:
     derivation, printed = known.derivation, trimmer_printed.accelerations()
     lines = zip(printed, derivation.accelerations, derivation.newton, accelerations, strict=True)

@@ -8,13 +8,12 @@ from derivations.state_space import output_row
 from derivations.symbols import coordinates, masses, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.claim import Confirmation
-from report.comparisons.printed import over, product, total
-from report.evidence import Evidence
-from report.parts import expression, matrix, same
-from report.record import Record, claim, text
+from report.judging.claim import Confirmation
+from report.judging.comparisons.printed import over, product, total
+from report.judging.parts import expression, matrix, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 
-STATE_SPACE = "derivations/state_space.py"
 STATE = sympy.ImmutableMatrix([*coordinates, *velocities])
 INPUT = sympy.ImmutableMatrix([u, u_dot])
 OUTPUT = output_row(of=1, relative_to=3, size=len(coordinates))
@@ -41,7 +40,7 @@ def by_slopes(known: Evidence, variables: sympy.MatrixBase, derived: sympy.Matri
     return same("the slopes of Newton's accelerations", slopes, derived)
 
 
-@claim("eq-2.10", source=STATE_SPACE, lines=(180, 180), paragraph=15)
+@claim("eq-2.10")
 def general_form(known: Evidence) -> Record:
     space = known.derivation.space
     rates = space.a * STATE + space.b * INPUT
@@ -56,7 +55,7 @@ def general_form(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.11", source=STATE_SPACE, lines=(186, 186), paragraph=17)
+@claim("eq-2.11")
 def first_order_equations(known: Evidence) -> Record:
     x1, x2, x3, x4, x5, x6, x7, x8 = states = sympy.symbols("x_1:9", real=True)
     m1, m2, m3, m4 = masses
@@ -80,14 +79,14 @@ def first_order_equations(known: Evidence) -> Record:
     yield text("All lines follow from [equation 2.9](#eq-2.9) with the states as numbered.")
 
 
-@claim("eq-2.12", source=STATE_SPACE, lines=(190, 190), paragraph=18)
+@claim("eq-2.12")
 def state_matrix(known: Evidence) -> Record:
     derived, printed = known.derivation.space.a, trimmer_printed.state_matrix()
     yield matrix("", printed, derived, sympy.Symbol("A"), second=by_slopes(known, STATE, derived))
     yield text("Every entry is right.")
 
 
-@claim("eq-2.13", source=STATE_SPACE, lines=(194, 194), paragraph=19)
+@claim("eq-2.13")
 def input_matrix(known: Evidence) -> Record:
     derived, printed = known.derivation.space.b, trimmer_printed.input_matrix()
     yield matrix("", printed, derived, sympy.Symbol("B"), second=by_slopes(known, INPUT, derived))
@@ -97,7 +96,7 @@ def input_matrix(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.14", source=STATE_SPACE, lines=(198, 198), paragraph=20)
+@claim("eq-2.14")
 def output_matrix(_: Evidence) -> Record:
     printed = trimmer_printed.output_matrix()
     yield matrix("cutter relative to guard, $q_2 - q_4$", printed, OUTPUT, sympy.Symbol("C"))

@@ -11,23 +11,21 @@ from derivations.algebra.laplace import transform_of_derivative
 from derivations.dimensions import dimension_of
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.second_ways import EXACTLY
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.parts import assertion, close, expression, matrix, part
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import response as exact_response
 from report.numbers.independent.linear_trimmer import matrix_formula, settled_gain
 from report.numbers.independent.symbolic import laplace_integral
-from report.parts import assertion, close, expression, matrix, part
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import response_at
 
-SOURCE = "derivations/algebra/laplace.py"
 STATE_ITEM = "sQ = AQ + BU, state equation in the Laplace domain"
 OUTPUT_ITEM = "Y = CQ + DU, output equation in the Laplace domain"
 """Printed things that appendix D prints again."""
-IN_TIME = "trimmer/linear/in_time.py"
 
 
 def responses(known: Evidence) -> tuple[complex, complex, complex]:
@@ -37,7 +35,7 @@ def responses(known: Evidence) -> tuple[complex, complex, complex]:
     return response, settled_gain(known.numbers.parameters), exact
 
 
-@claim("eq-2.15", source=IN_TIME, lines=(219, 219), paragraph=2)
+@claim("eq-2.15")
 def magnitude(known: Evidence) -> Record:
     gain, settled, exact = (abs(each) for each in responses(known))
     yield part(
@@ -52,7 +50,7 @@ def magnitude(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.16", source=IN_TIME, lines=(223, 223), paragraph=3)
+@claim("eq-2.16")
 def phase(known: Evidence) -> Record:
     angle, settled, exact = (cmath.phase(each) for each in responses(known))
     yield part(
@@ -73,7 +71,7 @@ def transfer_formula(known: Evidence) -> sympy.Expr:
     return (system.c * resolvent * system.b)[0] + system.d
 
 
-@claim("eq-2.17", source=SOURCE, lines=(227, 227), paragraph=4)
+@claim("eq-2.17")
 def output_in_laplace_domain(known: Evidence) -> Record:
     printed = transfer_formula(known) * known.general.input_transform
     yield expression("", printed, known.transformed.output, form="Y(s) = G(s)U(s)")
@@ -105,9 +103,7 @@ def transform_integral(capital: str, small: str, prose: str) -> Record:
     yield text(prose)
 
 
-@claim(
-    "eq-2.18", source=SOURCE, impact=Impact.NOTATION, severity=Severity.SLIP, lines=(231, 231), paragraph=5
-)
+@claim("eq-2.18")
 def transform_of_output(_: Evidence) -> Record:
     return transform_integral(
         "Y",
@@ -122,9 +118,7 @@ def transform_of_output(_: Evidence) -> Record:
     )
 
 
-@claim(
-    "eq-2.19", source=SOURCE, impact=Impact.NOTATION, severity=Severity.SLIP, lines=(235, 235), paragraph=6
-)
+@claim("eq-2.19")
 def transform_of_input(_: Evidence) -> Record:
     return transform_integral(
         "U",
@@ -153,7 +147,7 @@ def transformed_state_space(known: Evidence) -> tuple[Part, Part, Part]:
     )
 
 
-@claim("eq-2.20", source=SOURCE, lines=(239, 239), paragraph=7)
+@claim("eq-2.20")
 def state_space_in_laplace_domain(known: Evidence) -> Record:
     yield from transformed_state_space(known)
     yield text(r"""
@@ -162,7 +156,7 @@ def state_space_in_laplace_domain(known: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.21", source=SOURCE, lines=(243, 243), paragraph=8)
+@claim("eq-2.21")
 def transfer_function(known: Evidence) -> Record:
     point, numbers = 300 + 2000j, known.numbers
     numerator, denominator = (
@@ -184,7 +178,7 @@ def transfer_function(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.3", source=SOURCE, lines=(215, 215), paragraph=2)
+@claim("fig-2.3")
 def block_diagram(known: Evidence) -> Record:
     block, signal = sympy.symbols("G U")
     named = {block: transfer_formula(known), signal: known.general.input_transform}

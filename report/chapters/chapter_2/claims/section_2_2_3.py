@@ -6,19 +6,17 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations.algebra import stability
-from report.claim import Part
-from report.comparisons.digits import PrintedDigits
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.parts import assertion, close, digits, equal, expression, lost_in_the_copy
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
-from report.parts import assertion, close, digits, equal, expression, lost_in_the_copy
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
-
-SOURCE = "derivations/algebra/stability.py"
 
 
-@claim("eq-2.22", source="derivations/transfer_function.py", lines=(255, 255), paragraph=2)
+@claim("eq-2.22")
 def eigenvalue_problem(known: Evidence) -> Record:
     eigenvalue = sympy.Symbol("lambda")
     state_matrix = known.derivation.space.a.subs(exact_values(known.numbers.parameters))
@@ -33,14 +31,7 @@ def eigenvalue_problem(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.2.3-corollary",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(259, 259),
-    paragraph=4,
-)
+@claim("txt-2.2.3-corollary")
 def corollary(_: Evidence) -> Record:
     norm = stability.exponential_norm(stability.double_integrator())
     (time,) = norm.free_symbols
@@ -70,7 +61,7 @@ def corollary(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.23", source=SOURCE, lines=(269, 269), paragraph=8)
+@claim("eq-2.23")
 def argument_principle(_: Evidence) -> Record:
     printed = stability.NUMBER_OF_ZEROS - stability.NUMBER_OF_POLES
     yield expression("", printed, stability.encirclements_of_origin(), sympy.Symbol("N"))
@@ -90,7 +81,7 @@ def closed_loop_part() -> Part:
     return expression("$N$ in the feedback path", printed, in_feedback, form=form)
 
 
-@claim("eq-2.24", source=SOURCE, lines=(275, 275), paragraph=10)
+@claim("eq-2.24")
 def closed_loop_fraction(_: Evidence) -> Record:
     yield closed_loop_part()
     yield text("""
@@ -100,13 +91,13 @@ def closed_loop_fraction(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.4", source=SOURCE, lines=(287, 287), paragraph=12)
+@claim("fig-2.4")
 def closed_loop_diagram(known: Evidence) -> Record:
     yield closed_loop_part()
     yield text("The text reads the diagram as [equation 2.24](#eq-2.24), and so it is solved.")
 
 
-@claim("txt-2.2.3-nyquist-statement", source="trimmer/linear/nyquist.py", lines=(293, 293), paragraph=15)
+@claim("txt-2.2.3-nyquist-statement")
 def nyquist_statement(_: Evidence) -> Record:
     critical, example = examples.critical_point(), examples.unstable_plant()
     yield digits(

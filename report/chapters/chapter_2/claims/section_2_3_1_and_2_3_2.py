@@ -7,25 +7,24 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import EXACTLY
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, expression, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.examples import van_der_pol_third_harmonic
 from report.numbers.textbook_loops import relay_loop
-from report.parts import assertion, close, expression, same
-from report.record import Record, claim, text
-from report.thesis import LIMIT_CYCLE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LIMIT_CYCLE_OMEGA
 from trimmer.linear import filtering_ratio
 
-SOURCE = "report/chapters/chapter_2/claims/section_2_3_1_and_2_3_2.py"
 LINEAR, NONLINEAR, SIGNAL = sympy.symbols("G N Y")
 MUCH_LESS = 0.2
 """Share of the fundamental below which a harmonic is called much less."""
 LOOP_FORM = r"N(A, \omega)G(j\omega) + 1"
 
 
-@claim("fig-2.5", source=SOURCE, lines=(314, 314), paragraph=3)
+@claim("fig-2.5")
 def closed_loop(_: Evidence) -> Record:
     # Rows: e = r - y, u = N e, y = G u, for the signals (e, u, y).
     blocks = sympy.Matrix([[1, 0, 1], [-NONLINEAR, 1, 0], [0, -LINEAR, 1]])
@@ -46,7 +45,7 @@ def closed_loop(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.25", source=SOURCE, lines=(318, 318), paragraph=3)
+@claim("eq-2.25")
 def harmonic_balance(_: Evidence) -> Record:
     loop = sympy.expand((SIGNAL - LINEAR * (-NONLINEAR * SIGNAL)) / SIGNAL)
     yield expression("", total(NONLINEAR * LINEAR, 1), loop, form=f"{LOOP_FORM} = 0")
@@ -56,7 +55,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.26", source="trimmer/linear/low_pass.py", lines=(352, 352), paragraph=10)
+@claim("eq-2.26")
 def filtering_hypothesis(known: Evidence) -> Record:
     at, system = LIMIT_CYCLE_OMEGA, known.numbers.displacement_only
     second, third, *others = (float(filtering_ratio(system, at, n)) for n in range(2, 20))
@@ -77,14 +76,7 @@ def filtering_hypothesis(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.2-van-der-pol",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(326, 326),
-    paragraph=1,
-)
+@claim("txt-2.3.2-van-der-pol")
 def van_der_pol(_: Evidence) -> Record:
     alpha, position, velocity = sympy.symbols("alpha x v", real=True)
     acceleration = -alpha * (position**2 - 1) * velocity - position

@@ -7,18 +7,16 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from report.claim import Confirmation, Part
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, expression, made_here, same
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import sampled_gain
-from report.parts import assertion, close, expression, made_here, same
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA
 from trimmer import FrictionBacklash, ViscousBacklash
 
-SOURCE = "report/chapters/chapter_2/claims/section_2_3_3.py"
 COSINE_PART, SINE_PART = sympy.Symbol("a_1", real=True), sympy.Symbol("b_1", positive=True)
 MODULUS, ANGLE = sympy.sqrt(COSINE_PART**2 + SINE_PART**2), sympy.atan(COSINE_PART / SINE_PART)
 """Magnitude and phase of the first harmonic, equations 2.32 and 2.33."""
@@ -32,14 +30,7 @@ WAVE = Waveform((Segment(-sympy.pi, sympy.pi, SERIES),))
 """A signal of two harmonics."""
 
 
-@claim(
-    "txt-2.3.3-amplitude-only",
-    source="derivations/elements/backlash.py",
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(405, 405),
-    paragraph=11,
-)
+@claim("txt-2.3.3-amplitude-only")
 def amplitude_only(_: Evidence) -> Record:
     near_limit_cycle, load, amplitude = 4609.5, 1e-3, 2.0
     element, separation = ViscousBacklash(1.0, load), separation_angle()
@@ -84,7 +75,7 @@ def amplitude_only(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.6", source=SOURCE, lines=(367, 367), paragraph=1)
+@claim("fig-2.6")
 def describing_function_block(_: Evidence) -> Record:
     factor = (SINE_PART + sympy.I * COSINE_PART) / A
     output = sympy.im(sympy.expand_complex(factor * A * sympy.exp(sympy.I * THETA)))
@@ -118,15 +109,7 @@ def sinusoid_part() -> Part:
     )
 
 
-@claim(
-    "eq-2.27",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-    lines=(371, 371),
-    paragraph=2,
-)
+@claim("eq-2.27")
 def sinusoid(_: Evidence) -> Record:
     yield sinusoid_part()
     yield text(r"""
@@ -138,15 +121,7 @@ def sinusoid(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.3-df-definition",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-    lines=(371, 371),
-    paragraph=2,
-)
+@claim("txt-2.3.3-df-definition")
 def definition(_: Evidence) -> Record:
     yield sinusoid_part()
     yield text("""
@@ -156,7 +131,7 @@ def definition(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.28", source=SOURCE, lines=(375, 375), paragraph=3)
+@claim("eq-2.28")
 def fourier_series(_: Evidence) -> Record:
     harmonics = (
         WAVE.cosine_coefficient(n) * sympy.cos(n * THETA) + WAVE.sine_coefficient(n) * sympy.sin(n * THETA)
@@ -170,7 +145,7 @@ def fourier_series(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.29", source=SOURCE, lines=(379, 379), paragraph=4)
+@claim("eq-2.29")
 def fourier_coefficients(_: Evidence) -> Record:
     mean = sympy.expand(WAVE.cosine_coefficient(0))
     yield expression("$a_0$", mean, MEAN, form=integral_form("a_0", ""))
@@ -192,7 +167,7 @@ def integral_form(name: str, weight: str) -> str:
     return rf"{name} = \frac{{1}}{{\pi}} \int_{{-\pi}}^{{\pi}} y(t){weight} \,d(\omega t)"
 
 
-@claim("eq-2.30", source=SOURCE, lines=(383, 383), paragraph=5)
+@claim("eq-2.30")
 def fundamental_coefficients(_: Evidence) -> Record:
     cosine, sine = (sympy.expand(each) for each in (WAVE.cosine_coefficient(), WAVE.sine_coefficient()))
     yield expression("$a_1$", cosine, COSINES[0], form=integral_form("a_1", r" \cos(\omega t)"))
@@ -200,7 +175,7 @@ def fundamental_coefficients(_: Evidence) -> Record:
     yield text("These are the integrals of [equation 2.29](#eq-2.29) for $n = 1$.")
 
 
-@claim("eq-2.31", source=SOURCE, lines=(387, 387), paragraph=6)
+@claim("eq-2.31")
 def first_harmonic(_: Evidence) -> Record:
     printed = total(COSINE_PART * sympy.cos(THETA), SINE_PART * sympy.sin(THETA))
     shifted = sympy.simplify(sympy.expand_trig(MODULUS * sympy.sin(THETA + ANGLE)))
@@ -209,13 +184,13 @@ def first_harmonic(_: Evidence) -> Record:
     yield text("The sum of cosine and sine is one sine with the printed magnitude and phase, for $b_1 > 0$.")
 
 
-@claim("eq-2.32", source=SOURCE, lines=(391, 391), paragraph=7)
+@claim("eq-2.32")
 def magnitude(_: Evidence) -> Record:
     yield expression("", MODULUS, sympy.Abs(SINE_PART + sympy.I * COSINE_PART), "M")
     yield text("It is the magnitude of $b_1 + ja_1$.")
 
 
-@claim("eq-2.33", source=SOURCE, lines=(395, 395), paragraph=8)
+@claim("eq-2.33")
 def phase(_: Evidence) -> Record:
     yield expression("for $b_1 > 0$", ANGLE, sympy.atan2(COSINE_PART, SINE_PART), r"\phi")
     yield text("""
@@ -225,15 +200,7 @@ def phase(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "eq-2.34",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-    lines=(399, 399),
-    paragraph=9,
-)
+@claim("eq-2.34")
 def ratio_of_signals(_: Evidence) -> Record:
     modulus, angle = sympy.symbols("M phi", positive=True)
     printed = modulus * sympy.sin(omega * t + angle) / (A * sympy.sin(omega * t))
@@ -262,7 +229,7 @@ def ratio_of_signals(_: Evidence) -> Record:
     """).given(phase=values[angle], early=early, late=late, first=instants[0], second=instants[1])
 
 
-@claim("eq-2.35", source=SOURCE, lines=(403, 403), paragraph=10)
+@claim("eq-2.35")
 def describing_function(_: Evidence) -> Record:
     printed = (SINE_PART + sympy.I * COSINE_PART) / A
     derived = MODULUS / A * sympy.exp(sympy.I * ANGLE)

@@ -22,19 +22,17 @@ from report.chapters.chapter_2.claims.section_2_3_4_friction import (
     MOVING,
     REACHED,
     SINE,
-    SOURCE,
     VALUES,
     WAVEFORM,
     b,
 )
 from report.chapters.second_ways import by_quadrature
-from report.claim import Confirmation, Part
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import close, expression, repeated
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import coefficient, integral
-from report.parts import close, expression, repeated
-from report.record import Record, claim, text
-from report.verdict import Impact, Severity
 from trimmer import FrictionBacklash
 
 COSINE_ITEM = "4b/π (b/A − 1), a₁ of friction-controlled backlash"
@@ -119,7 +117,7 @@ def cosine_values() -> tuple[Term, Term]:
     return Term(2 * b * (b - A) / A, r"\frac{2b(b - A)}{A}"), Term(sympy.Integer(0), "0")
 
 
-@claim("eq-2.37", source=SOURCE, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(456, 461), paragraph=8)
+@claim("eq-2.37")
 def cosine_integrals(_: Evidence) -> Record:
     yield from integrals(COSINE, *cosine_values(), exchanged=True)
     yield text("""
@@ -131,7 +129,7 @@ def cosine_integrals(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-B.1", source=SOURCE, lines=(1758, 1763))
+@claim("eq-B.1")
 def appendix_integrals(_: Evidence) -> Record:
     yield from integrals(COSINE, *cosine_values())
     yield text("""
@@ -139,7 +137,7 @@ def appendix_integrals(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.39", source=SOURCE, lines=(472, 477), paragraph=10)
+@claim("eq-2.39")
 def sine_integrals(_: Evidence) -> Record:
     root, angle = sympy.sqrt(b * (A - b) / A**2), sympy.asin(1 - 2 * b / A)
     bracket = rf"-4{ROOT_FORM} + 2\sin^{{-1}}\left(1 - \frac{{2b}}{{A}}\right) + \pi"
@@ -180,7 +178,7 @@ def sine_part(label: str) -> Part:
     )
 
 
-@claim("eq-2.38", source=SOURCE, lines=(465, 468), paragraph=9)
+@claim("eq-2.38")
 def cosine_coefficient(_: Evidence) -> Record:
     yield cosine_part("")
     yield text("""
@@ -188,19 +186,19 @@ def cosine_coefficient(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-B.2", source=SOURCE, lines=(1767, 1770), paragraph=1)
+@claim("eq-B.2")
 def appendix_coefficient(_: Evidence) -> Record:
     yield cosine_part("")
     yield text("It is the coefficient of [equation 2.38](#eq-2.38), and right.")
 
 
-@claim("eq-2.40", source=SOURCE, lines=(481, 481), paragraph=11)
+@claim("eq-2.40")
 def sine_coefficient(_: Evidence) -> Record:
     yield sine_part("")
     yield text("It is the coefficient of the right waveform, with $b$ half of the total gap.")
 
 
-@claim("eq-2.41", source=SOURCE, lines=(485, 488), paragraph=12)
+@claim("eq-2.41")
 def describing_function(_: Evidence) -> Record:
     yield cosine_part("$a_1$")
     yield sine_part("$b_1$")

@@ -11,18 +11,17 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
-from report.claim import Confirmation
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, digits, equal, expression, made_here, matrix, same, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import boundaries, outputs_at, traced
 from report.numbers.independent.symbolic import first_root
 from report.numbers.independent.waveforms import Values
-from report.parts import assertion, close, digits, equal, expression, made_here, matrix, same, so
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, ViscousBacklash
 
-SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
 REACHED = sympy.Gt(A, b)
 VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
@@ -44,7 +43,7 @@ HALF_GAP = 0.3
 STEP_ERROR = 1e-3
 
 
-@claim("fig-2.7", source=SOURCE, lines=(415, 422), paragraph=2)
+@claim("fig-2.7")
 def motor_and_load(_: Evidence) -> Record:
     least, without_mass = first_root(RESTING.value, A), limits(sympy.Integer(0)).flight
     by_domain = 2.0 / float(FrictionBacklash(2.0).domain())
@@ -66,7 +65,7 @@ def motor_and_load(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.8", source=SOURCE, lines=(422, 437), paragraph=2)
+@claim("fig-2.8")
 def characteristic(_: Evidence) -> Record:
     position = sympy.Symbol("x")
     first_contact = first_root(RISING.value.subs(INPUT, position), position)
@@ -112,7 +111,7 @@ def characteristic(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.9", source=SOURCE, lines=(445, 452), paragraph=7)
+@claim("fig-2.9")
 def input_characteristic_output(_: Evidence) -> Record:
     values = {A: 1, b: sympy.Rational(HALF_GAP).limit_denominator(10)}
     printed = (sympy.pi / 2, sympy.pi - CONTACT, 3 * sympy.pi / 2, 2 * sympy.pi - CONTACT)
@@ -146,7 +145,7 @@ def continuous(waveform: Waveform, index: int, values: Values) -> Confirmation:
     return close("continuity at the start of the piece", second, first)
 
 
-@claim("eq-2.36", source=SOURCE, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(447, 447), paragraph=7)
+@claim("eq-2.36")
 def waveform(_: Evidence) -> Record:
     rising, falling = MOVING
     printed = (-(A - b), total(INPUT, b), A - b, total(INPUT, -b))
@@ -188,14 +187,7 @@ def piece_form(index: int, value: str) -> str:
     return rf"y = {value} \quad\text{{if}}\quad {start} < \omega t \le {end}"
 
 
-@claim(
-    "txt-2.3.4-first-segment-value",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(445, 445),
-    paragraph=7,
-)
+@claim("txt-2.3.4-first-segment-value")
 def first_segment(_: Evidence) -> Record:
     second = continuous(WAVEFORM, 0, VALUES)
     slip = made_here("the sign is that of the third piece", -RESTING.value)
@@ -218,7 +210,7 @@ def first_segment(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-contact-angle", source=SOURCE, lines=(454, 454), paragraph=8)
+@claim("txt-2.3.4-contact-angle")
 def contact_angle(_: Evidence) -> Record:
     sine = sympy.Symbol("s", real=True)
     derived = sympy.asin(first_root(A * sine + b - (A - b), sine))
@@ -230,7 +222,7 @@ def contact_angle(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.3.4-friction-frequency-independent", source=SOURCE, lines=(492, 492), paragraph=13)
+@claim("txt-2.3.4-friction-frequency-independent")
 def frequency_independent(_: Evidence) -> Record:
     coefficients = (WAVEFORM.cosine_coefficient(), WAVEFORM.sine_coefficient())
     free = set().union(*(each.free_symbols for each in coefficients))

@@ -17,16 +17,15 @@ from derivations.elements.waveform import THETA, simplified_describing_function
 from derivations.symbols import A, omega, t
 from report.chapters.chapter_2.claims.section_2_3_4_friction import LINES, SINE, continuous
 from report.chapters.second_ways import by_quadrature
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, expression, made_here, matrix, same, so
+from report.judging.record import Record, claim, text
+from report.judging.text import filled
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain, sampled_gain
-from report.parts import assertion, expression, made_here, matrix, same, so
-from report.record import Record, claim, text
-from report.text import filled
-from report.verdict import Certainty, Impact, Severity
 from trimmer import InertiaBacklash
 
-SOURCE = "derivations/elements/backlash.py"
 b = sympy.Symbol("b", positive=True)
 WAVEFORM, IN_GAP = inertia_waveform(b), inertia_waveform()
 VELOCITY_ITEM = "Aω cos(ωnπ) = Aω, velocity at the separation of inertia-controlled backlash"
@@ -49,7 +48,7 @@ FUNCTION_FORM = r"""
 ANGLE = sympy.Rational(8, 5)
 
 
-@claim("fig-2.10", source=SOURCE, lines=(497, 502), paragraph=14)
+@claim("fig-2.10")
 def characteristic(_: Evidence) -> Record:
     flying, following, flying_back, following_back = WAVEFORM.segments
     start = same("the start of the flight", flying.start, sympy.Integer(0))
@@ -65,14 +64,7 @@ def characteristic(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.4-separation-velocity",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    severity=Severity.SLIP,
-    lines=(497, 497),
-    paragraph=14,
-)
+@claim("txt-2.3.4-separation-velocity")
 def separation_velocity(_: Evidence) -> Record:
     velocity = (A * sympy.sin(omega * t)).diff(t)
     for n in (0, 1):
@@ -106,7 +98,7 @@ def separation_velocity(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.42", source=SOURCE, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(506, 506), paragraph=14)
+@claim("eq-2.42")
 def waveform(_: Evidence) -> Record:
     half = b / 2
     printed = (
@@ -153,7 +145,7 @@ def piece_form(index: int, value: str) -> str:
     return rf"y(t) = {value} \quad\text{{if}}\quad {start} \le t < {end}"
 
 
-@claim("txt-2.3.4-inertia-contact-equation", source=SOURCE, lines=(508, 512), paragraph=15)
+@claim("txt-2.3.4-inertia-contact-equation")
 def contact_equation(_: Evidence) -> Record:
     flying, following = WAVEFORM.segments[:2]
     meeting = sympy.expand((flying.value - following.value).subs(THETA, CONTACT) / A)
@@ -169,7 +161,7 @@ def contact_equation(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.43", source=SOURCE, lines=(516, 516), paragraph=16)
+@claim("eq-2.43")
 def describing_function(_: Evidence) -> Record:
     sine, cosine, ratio = sympy.sin(CONTACT), sympy.cos(CONTACT), inertia_contact_ratio()
     real = total(sympy.pi, 2 * sine, -CONTACT, product(-1, sine, cosine))
@@ -189,14 +181,7 @@ def describing_function(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.4-imaginary-signs",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(518, 518),
-    paragraph=17,
-)
+@claim("txt-2.3.4-imaginary-signs")
 def imaginary_signs(_: Evidence) -> Record:
     inertia = simplified_describing_function(IN_GAP, A, (GAP, A * inertia_contact_ratio()))
     turned = sympy.expand_complex(inertia).as_real_imag()[1]

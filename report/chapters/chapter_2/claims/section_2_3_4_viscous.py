@@ -21,21 +21,19 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.second_ways import by_quadrature
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.expression import SameExpression
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.comparisons.expression import SameExpression
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import close, expression, lost_in_the_copy, made_here, part, same, so
+from report.judging.record import Record, claim, text
+from report.judging.shown import Words
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values, quadrature_gain
-from report.parts import close, expression, lost_in_the_copy, made_here, part, same, so
-from report.record import Record, claim, text
-from report.shown import Words
-from report.text import filled
-from report.verdict import Impact, Severity
 from trimmer import ViscousBacklash
 
-SOURCE = "derivations/elements/backlash.py"
 SINE, COSINE = sympy.sin(CONTACT), sympy.cos(CONTACT)
 ROOT = sympy.sqrt(1 + GAMMA**2)
 # A flight has to last: contact after separation, within half a turn.
@@ -99,7 +97,7 @@ def numeric() -> complex:
     return quadrature_gain(general_waveform(), A, point())
 
 
-@claim("fig-2.11", source=SOURCE, lines=(527, 529), paragraph=18)
+@claim("fig-2.11")
 def separation_and_contact(_: Evidence) -> Record:
     before, angle = general_waveform().segments[-1].value, separation_angle()
     label, pin = r"velocity of the load before $\phi_s$, over $\omega$", A * sympy.sin(THETA)
@@ -132,7 +130,7 @@ def separation_and_contact(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.44", source=SOURCE, lines=(531, 531), paragraph=18)
+@claim("eq-2.44")
 def separation(_: Evidence) -> Record:
     angle = separation_angle()
     force = sympy.simplify((sympy.cos(THETA) - GAMMA * sympy.sin(THETA)).subs(THETA, angle))
@@ -145,7 +143,7 @@ def separation(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.45", source=SOURCE, lines=(535, 535), paragraph=19)
+@claim("eq-2.45")
 def ratio(_: Evidence) -> Record:
     mass, damping = sympy.symbols("M D", positive=True)
     printed = mass / damping * omega
@@ -160,14 +158,7 @@ def ratio(_: Evidence) -> Record:
     """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
 
 
-@claim(
-    "eq-2.46",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    severity=Severity.RESULT,
-    lines=(539, 539),
-    paragraph=20,
-)
+@claim("eq-2.46")
 def contact_equation(_: Evidence) -> Record:
     flight = product(GAMMA**2 / ROOT, sympy.exp((sympy.atan(1 / GAMMA) - CONTACT) / GAMMA))
     wrong_root = sympy.sqrt(1 - GAMMA**2)
@@ -195,7 +186,7 @@ def contact_equation(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.47", source=SOURCE, lines=(545, 545), paragraph=21)
+@claim("eq-2.47")
 def complex_form(_: Evidence) -> Record:
     derived = general_describing_function()
     printed = sympy.re(derived) + sympy.I * sympy.im(derived)
@@ -250,7 +241,7 @@ def quadrature_part(label: str, derived: sympy.Expr) -> Part:
     )
 
 
-@claim("eq-B.3", source=SOURCE, lines=(1774, 1778))
+@claim("eq-B.3")
 def in_phase(_: Evidence) -> Record:
     yield in_phase_part("with $b/A$ from the contact equation", general_describing_function())
     yield text("""
@@ -259,7 +250,7 @@ def in_phase(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-B.4", source=SOURCE, lines=(1780, 1784))
+@claim("eq-B.4")
 def quadrature(_: Evidence) -> Record:
     factor, behind, left_out = quadrature_terms()
     imaginary = sympy.im(general_describing_function())

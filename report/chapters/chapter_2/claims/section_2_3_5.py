@@ -10,18 +10,17 @@ from derivations.elements.waveform import THETA, segment_integral
 from derivations.elements.waveform import describing_function as derived_function
 from derivations.symbols import A
 from report.chapters.second_ways import by_quadrature
-from report.comparisons.expression import SameExpression
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.comparisons.expression import SameExpression
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, expression, lost_in_the_copy, made_here
+from report.judging.record import Record, claim, text
+from report.judging.text import filled
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.symbolic import zeros_in_turn
 from report.numbers.independent.waveforms import coefficient, quadrature_gain
-from report.parts import assertion, close, expression, lost_in_the_copy, made_here
-from report.record import Record, claim, text
-from report.text import filled
-from report.verdict import Certainty, Impact, Severity
 from trimmer import CoulombFriction, Relay
 
-SOURCE = "derivations/elements/friction.py"
 SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 SPEED = sympy.Symbol("v", real=True)
@@ -38,7 +37,7 @@ LOCUS_ITEM = "−1/N strictly real and negative, Coulomb friction"
 """Printed things that two parts judge, one for each reading."""
 
 
-@claim("eq-2.48", source=SOURCE, lines=(555, 555), paragraph=1)
+@claim("eq-2.48")
 def law(_: Evidence) -> Record:
     yield expression(
         "power lost by a body that feels $-F$",
@@ -53,7 +52,7 @@ def law(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.49", source=SOURCE, lines=(559, 559), paragraph=2)
+@claim("eq-2.49")
 def pieces(_: Evidence) -> Record:
     printed = sympy.Piecewise((FORCE, SPEED > 0), (0, sympy.Eq(SPEED, 0)), (-FORCE, True))
     for relation, value in ((">", 2), ("=", 0), ("<", -3)):
@@ -65,7 +64,7 @@ def pieces(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.12", source=SOURCE, lines=(576, 576), paragraph=5)
+@claim("fig-2.12")
 def friction_as_relay(_: Evidence) -> Record:
     switching = {segment.start % (2 * sympy.pi) for segment in FRICTION.segments}
     levels = {segment.value for segment in FRICTION.segments}
@@ -94,7 +93,7 @@ def friction_as_relay(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.50", source=SOURCE, lines=(567, 569), paragraph=5)
+@claim("eq-2.50")
 def cosine_coefficient(_: Evidence) -> Record:
     halves = (r"\int_0^\pi F_c", r"\int_\pi^{2\pi} -F_c")
     for half, shown, segment in zip(("first", "second"), halves, RELAY.segments, strict=True):
@@ -110,7 +109,7 @@ def cosine_coefficient(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.51", source=SOURCE, lines=(580, 584), paragraph=6)
+@claim("eq-2.51")
 def sine_coefficient(_: Evidence) -> Record:
     printed = total(-sympy.cos(sympy.pi, evaluate=False), -sympy.cos(0, evaluate=False))
     primitive = sympy.integrate(SINE, THETA)
@@ -147,7 +146,7 @@ def halves_as_printed() -> sympy.Expr:
     return sympy.Add(*(integral.doit() / sympy.pi for integral in integrals))
 
 
-@claim("eq-2.52", source=SOURCE, lines=(588, 588), paragraph=7)
+@claim("eq-2.52")
 def describing_function(_: Evidence) -> Record:
     derived = derived_function(RELAY, A)
     second = by_quadrature(derived, quadrature_gain(RELAY, A, VALUES), VALUES)
@@ -161,15 +160,7 @@ def describing_function(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.5-input-choice",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    severity=Severity.RESULT,
-    certainty=Certainty.READING,
-    lines=(563, 571),
-    paragraph=4,
-)
+@claim("txt-2.3.5-input-choice")
 def input_choice(_: Evidence) -> Record:
     by_velocity, by_displacement = derived_function(RELAY, A), derived_function(FRICTION, A)
     yield expression(
@@ -201,14 +192,7 @@ def input_choice(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.5-coulomb-locus",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    severity=Severity.RESULT,
-    lines=(590, 590),
-    paragraph=8,
-)
+@claim("txt-2.3.5-coulomb-locus")
 def locus(_: Evidence) -> Record:
     relay, friction = (sympy.simplify(-1 / derived_function(each, A)) for each in (RELAY, FRICTION))
     statement = "$-1/N$ lies on the negative real axis"

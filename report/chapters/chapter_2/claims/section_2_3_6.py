@@ -8,10 +8,15 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, digits, equal, expression, made_here, part
+from report.judging.record import Record, claim, text
+from report.judging.shown import Words
+from report.judging.text import filled
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import decays, feedback_poles
 from report.numbers.independent.symbolic import first_root
 from report.numbers.listed_functions import friction_listing
@@ -23,15 +28,8 @@ from report.numbers.textbook_loops import (
     growing_poles,
     relay_loop,
 )
-from report.parts import assertion, close, digits, equal, expression, made_here, part
-from report.record import Record, claim, text
-from report.shown import Words
-from report.text import filled
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, response_at
 
-SOURCE = "report/chapters/chapter_2/claims/section_2_3_6.py"
-LOOPS = "report/numbers/textbook_loops.py"
 REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real=True)
 LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
 POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
@@ -51,7 +49,7 @@ SETTLED = 0.01
 """Relative difference allowed between a simulated and a predicted amplitude: the harmonics' share."""
 
 
-@claim("eq-2.53", source=SOURCE, lines=(606, 606), paragraph=3)
+@claim("eq-2.53")
 def real_part(_: Evidence) -> Record:
     printed = total(product(REAL_N, REAL_G), product(-1, IMAGINARY_N, IMAGINARY_G))
     derived = sympy.re(LOOP)
@@ -70,7 +68,7 @@ def imaginary_form(first: str) -> str:
     return " + ".join(products) + " = 0"
 
 
-@claim("eq-2.54", source=SOURCE, impact=Impact.LOCAL, severity=Severity.SLIP, lines=(608, 608), paragraph=3)
+@claim("eq-2.54")
 def imaginary_part(_: Evidence) -> Record:
     printed = total(product(IMAGINARY_N, IMAGINARY_G), product(IMAGINARY_N, REAL_G))
     derived = sympy.im(LOOP)
@@ -94,14 +92,7 @@ def imaginary_part(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.3.6-roles",
-    source="trimmer/elements/backlashes/friction_backlash.py",
-    impact=Impact.LOCAL,
-    severity=Severity.SLIP,
-    lines=(610, 610),
-    paragraph=4,
-)
+@claim("txt-2.3.6-roles")
 def roles(known: Evidence) -> Record:
     yield expression(
         "a real $N$, as of a relay",
@@ -145,7 +136,7 @@ def solved_for_plant(arguments: str) -> Part:
     return expression("", -1 / nonlinear, first_root(1 + nonlinear * linear, linear), form=form)
 
 
-@claim("eq-2.55", source=SOURCE, lines=(614, 614), paragraph=5)
+@claim("eq-2.55")
 def family_of_curves(_: Evidence) -> Record:
     yield solved_for_plant(r"A, \omega")
     yield text("""
@@ -155,7 +146,7 @@ def family_of_curves(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.56", source=SOURCE, lines=(620, 620), paragraph=7)
+@claim("eq-2.56")
 def one_curve(_: Evidence) -> Record:
     yield solved_for_plant("A")
     yield text("""
@@ -165,7 +156,7 @@ def one_curve(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.13", source=LOOPS, lines=(622, 633), paragraph=8)
+@claim("fig-2.13")
 def graphical_balance(_: Evidence) -> Record:
     loop = relay_loop()
     samples = np.linspace(1.0, 2.0, 400), np.linspace(0.1, 0.4, 400)
@@ -189,7 +180,7 @@ def graphical_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-2.14", source=LOOPS, lines=(628, 640), paragraph=9)
+@claim("fig-2.14")
 def two_limit_cycles(_: Evidence) -> Record:
     loop = backlash_loop()
     first, second = (cycle.amplitude for cycle in loop.limit_cycles())
@@ -220,7 +211,7 @@ def two_limit_cycles(_: Evidence) -> Record:
     """).given(loop=EXAMPLE)
 
 
-@claim("txt-2.3.6-stability-rule", source="trimmer/balance/stability.py", lines=(640, 640), paragraph=10)
+@claim("txt-2.3.6-stability-rule")
 def stability_rule(_: Evidence) -> Record:
     yield side_of_the_crossing()
     first, second = backlash_loop().limit_cycles()
@@ -280,14 +271,7 @@ def side_of_the_crossing() -> Part:
     )
 
 
-@claim(
-    "txt-2.3.6-nyquist-premise",
-    source=LOOPS,
-    impact=Impact.NOTATION,
-    severity=Severity.SLIP,
-    lines=(628, 628),
-    paragraph=9,
-)
+@claim("txt-2.3.6-nyquist-premise")
 def nyquist_premise(_: Evidence) -> Record:
     loop, linear = backlash_loop(), control.tf([10], [1, 3, 3, 1])
     growing = growing_poles(loop, STEP * loop.limit_cycles()[0].amplitude)

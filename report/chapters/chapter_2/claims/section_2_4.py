@@ -14,19 +14,18 @@ from derivations.elements.waveform import THETA, describing_function, simplified
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_coefficients import BRACKET, printed_sine_terms
 from report.chapters.second_ways import by_quadrature
-from report.claim import Part
-from report.comparisons.digits import CloseNumbers
-from report.comparisons.printed import product, total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.digits import CloseNumbers
+from report.judging.comparisons.printed import product, total
+from report.judging.parts import assertion, close, equal, expression, made_here, part, so
+from report.judging.record import Record, claim, text
+from report.judging.shown import Words
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain
-from report.parts import assertion, close, equal, expression, made_here, part, so
-from report.record import Record, claim, text
-from report.shown import Words
-from report.verdict import Certainty, Impact, Severity
 from trimmer import CoulombFriction, FrictionBacklash
 from trimmer.elements import SumOfElements
 
-SOURCE = "report/chapters/chapter_2/claims/section_2_4.py"
 b = sympy.Symbol("b", positive=True)
 PLANT, FILTER, BACKLASH, FRICTION = sympy.symbols("G_m G_g N_r N_f")
 SAMPLES = 4096
@@ -43,7 +42,7 @@ def loop() -> sympy.Expr:
     return sympy.expand((velocity - PLANT * drive) / velocity)
 
 
-@claim("eq-2.57", source=SOURCE, lines=(661, 661), paragraph=4)
+@claim("eq-2.57")
 def harmonic_balance(_: Evidence) -> Record:
     printed = 1 + (BACKLASH + FRICTION / FILTER) * (PLANT * FILTER)
     form = r"N_{eq}(A, \omega)G_{eq}(j\omega) + 1 = 0"
@@ -54,7 +53,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("eq-2.58", source=SOURCE, lines=(665, 665), paragraph=5)
+@claim("eq-2.58")
 def equivalent(_: Evidence) -> Record:
     derived = sympy.simplify((loop() - 1) / (PLANT * FILTER))
     form = r"N_{eq}(A, \omega) = N_r(A) + \frac{1}{G_g(j\omega)}N_f(A)"
@@ -87,9 +86,7 @@ def printed_backlash_part(label: str) -> Part:
     )
 
 
-@claim(
-    "eq-2.59", source="derivations/elements/backlash.py", impact=Impact.LOCAL, lines=(669, 669), paragraph=6
-)
+@claim("eq-2.59")
 def backlash_part(_: Evidence) -> Record:
     yield printed_backlash_part("")
     yield text(r"""
@@ -101,14 +98,7 @@ def backlash_part(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "eq-2.60",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    severity=Severity.RESULT,
-    lines=(673, 673),
-    paragraph=7,
-)
+@claim("eq-2.60")
 def friction_part(_: Evidence) -> Record:
     printed, of_velocity = 4 * COULOMB / (A * sympy.pi), describing_function(relay_waveform(), A)
     integrator = 1 / (sympy.I * omega)
@@ -137,7 +127,7 @@ def friction_part(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-2.4-amplitude-relation", source=SOURCE, lines=(659, 659), paragraph=4)
+@claim("txt-2.4-amplitude-relation")
 def amplitude_relation(_: Evidence) -> Record:
     velocity, integrator = sympy.Symbol("A_v", positive=True), 1 / (sympy.I * omega)
     integrated = sympy.Abs(velocity * sympy.exp(sympy.I * THETA) * integrator)
@@ -156,14 +146,7 @@ def amplitude_relation(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-2.4-units",
-    source="derivations/dimensions.py",
-    impact=Impact.DOWNSTREAM,
-    severity=Severity.RESULT,
-    lines=(663, 673),
-    paragraph=5,
-)
+@claim("txt-2.4-units")
 def units(_: Evidence) -> Record:
     backlash = describing_function(friction_waveform(2 * b), A)
     friction = 4 * COULOMB / (omega * A * sympy.pi)
@@ -198,7 +181,7 @@ def written(dimension: Dimension | None) -> str:
     return str(dimension).replace("^-1", "⁻¹").replace("^-2", "⁻²")
 
 
-@claim("fig-2.15", source=SOURCE, lines=(655, 657), paragraph=2)
+@claim("fig-2.15")
 def in_parallel(_: Evidence) -> Record:
     plant, integral, backlash, friction = sympy.symbols("G_m G_g N_r N_f")
     # Rows: v = G_m u, x = G_g v, u = -N_r x - N_f v, for the signals (v, x, u).

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sympy
 
 from derivations.symbols import coordinates, dampings, masses, stiffnesses, u, u_dot, velocities
-from report.comparisons.printed import half, over, product, total
+from report.judging.comparisons.printed import half, over, product, total
 
 m1, m2, m3, m4 = masses
 k1, k2, k3, k4, k5 = stiffnesses

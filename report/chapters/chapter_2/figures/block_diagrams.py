@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from report.drawing.marks import arrow
-from report.drawing.mechanical_symbols import LINE, canvas
-from report.drawing.style import BLACK
-from report.evidence import Evidence
-from report.record import figure
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
+from report.pages.drawing.marks import arrow
+from report.pages.drawing.mechanical_symbols import LINE, canvas
+from report.pages.drawing.style import BLACK
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing import mechanical_symbols as draw
-from report.drawing.marks import beside, few_ticks, span
-from report.drawing.style import BLACK, DOTTED, LINES, panels
-from report.evidence import Evidence
-from report.record import figure
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
+from report.pages.drawing import mechanical_symbols as draw
+from report.pages.drawing.marks import beside, few_ticks, span
+from report.pages.drawing.style import BLACK, DOTTED, LINES, panels
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.marks import arrow, beside, few_ticks, limit_cycle
-from report.drawing.plane import critical_point
-from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
-from report.evidence import Evidence
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
 from report.numbers.textbook_loops import STARTS, TextbookLoop, backlash_history, backlash_loop, relay_loop
-from report.record import figure
+from report.pages.drawing.marks import arrow, beside, few_ticks, limit_cycle
+from report.pages.drawing.plane import critical_point
+from report.pages.drawing.read_out import Along, plot_along
+from report.pages.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
 from trimmer import response_at
 
 if TYPE_CHECKING:

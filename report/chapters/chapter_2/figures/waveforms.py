@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.drawing.marks import arrow, beside, few_ticks, span
-from report.drawing.style import BLACK, LINES, new_figure, panels
-from report.evidence import Evidence
-from report.record import figure
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
+from report.pages.drawing.marks import arrow, beside, few_ticks, span
+from report.pages.drawing.style import BLACK, LINES, new_figure, panels
 from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash
 from trimmer.elements.backlashes.contact_equation import steady_motion
 

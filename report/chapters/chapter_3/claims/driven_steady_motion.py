@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from derivations.elements.incremental_dissipation import incremental_dissipation
-from report.claim import Confirmation
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.parts import close, so
+from report.judging.text import filled
 from report.numbers.driven_motion import FORCES, STARTED_ASIDE, DrivenRun
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind, harmonic_of_friction
-from report.parts import close, so
-from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA
+from report.numbers.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA
 from trimmer import FrictionBacklash
 
-SOURCE = "derivations/elements/incremental_dissipation.py"
 METHOD = filled(
     """
     energy of the difference of two motions, derived for every positive mass, stiffness and damping, every gap

@@ -9,15 +9,16 @@ import numpy as np
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
-from report.claim import Part, Uncheckable
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Part, Uncheckable
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_peaks
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import guard_over_cutter
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, line_near_second_mode
-from report.parts import assertion, close, digits, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     EXPERIMENT_GAP,
     LARGER_GAP,
@@ -27,10 +28,8 @@ from report.thesis import (
     SAMPLE_RATE,
     TABLE_2,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
-OPEN_LOOP, CLOSED_LOOP = "report/numbers/driven_motion.py", "report/numbers/released_motion.py"
 AT_THE_DRIVE = f"{driven.BY_LISTING}, 109.945 Hz and 1.5 mm, three forces of friction"
 PARAMETERS = "the parameters of the experiment's trimmer (table C.1), which are confidential"
 SETTLED = int(0.1 * SAMPLE_RATE)
@@ -55,7 +54,7 @@ def guard_shares(runs: Sequence[DrivenRun]) -> list[float]:
     return [float(np.ptp(guard) / np.ptp(cutter)) for guard, cutter in settled]
 
 
-@claim("fig-3.1", source=OPEN_LOOP, lines=(712, 714), paragraph=3)
+@claim("fig-3.1")
 def motions_without_play(known: Evidence) -> Record:
     runs = driven.runs_with(known, 0.0)
     shares = guard_shares(runs)
@@ -76,7 +75,7 @@ def motions_without_play(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-3.3", source=OPEN_LOOP, lines=(743, 743), paragraph=5)
+@claim("fig-3.3")
 def motions_with_play(known: Evidence) -> Record:
     shares = guard_shares(driven.runs_with(known, EXPERIMENT_GAP))
     yield measured("measured motions")
@@ -92,7 +91,7 @@ def largest(run: DrivenRun) -> set[int]:
     return set(sorted(range(1, run.harmonics.size), key=lambda order: -run.harmonics[order])[:3])
 
 
-@claim("fig-3.2", source=OPEN_LOOP, lines=(716, 723), paragraph=4)
+@claim("fig-3.2")
 def spectrum_without_play(known: Evidence) -> Record:
     runs = driven.runs_with(known, 0.0)
     first, third, fifth, seventh = (1e6 * runs[1].harmonics[order] for order in (1, 3, 5, 7))
@@ -113,7 +112,7 @@ def spectrum_without_play(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-3.4", source=OPEN_LOOP, lines=(761, 761), paragraph=6)
+@claim("fig-3.4")
 def spectrum_with_play(known: Evidence) -> Record:
     gap = float("200e-6")
     again = close("chapter 6, which quotes the gap again", float(GAPS_QUOTED["chapter 6"]), gap)
@@ -143,12 +142,7 @@ def spectrum_with_play(known: Evidence) -> Record:
     """).given(gap=1e6 * EXPERIMENT_GAP)
 
 
-@claim(
-    "fig-3.5",
-    source="report/chapters/chapter_3/claims/measured_peaks.py",
-    lines=(780, 780),
-    paragraph=1,
-)
+@claim("fig-3.5")
 def enlarged_spectrum(_: Evidence) -> Record:
     frequencies = [float(cell) for row in TABLE_2.values() for cell in row[1:]]
     low, high = min(frequencies), max(frequencies)
@@ -166,7 +160,7 @@ def enlarged_spectrum(_: Evidence) -> Record:
     """)
 
 
-@claim("fig-3.6", source=OPEN_LOOP, lines=(793, 795), paragraph=5)
+@claim("fig-3.6")
 def smallest_gap(known: Evidence) -> Record:
     even = power_of(max(float(run.harmonics[::2].max()) for run in driven.runs_with(known, EXPERIMENT_GAP)))
     yield assertion(
@@ -205,14 +199,7 @@ def following_the_drive(known: Evidence) -> Part:
     )
 
 
-@claim(
-    "fig-3.7",
-    source=OPEN_LOOP,
-    impact=Impact.DOWNSTREAM,
-    lines=(797, 801),
-    paragraph=5,
-    severity=Severity.RESULT,
-)
+@claim("fig-3.7")
 def largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
     thirds, fifths = (driven.micrometres(driven.runs_with(known, LARGER_GAP), order) for order in (3, 5))
@@ -239,14 +226,7 @@ def largest_gap(known: Evidence) -> Record:
     """).given(pin=1e3 * DRIVE_AMPLITUDE, largest=1e3 * LARGEST_GAP, larger=1e3 * LARGER_GAP)
 
 
-@claim(
-    "fig-3.8",
-    source=OPEN_LOOP,
-    impact=Impact.DOWNSTREAM,
-    lines=(808, 812),
-    paragraph=6,
-    severity=Severity.RESULT,
-)
+@claim("fig-3.8")
 def spectrum_of_the_largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
     run = known.motion.driven.run(LARGER_GAP, FORCES[0])
@@ -275,7 +255,7 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
     """).given(mode=mode, printed=OPEN_LOOP_PEAK)
 
 
-@claim("fig-3.9", source=CLOSED_LOOP, lines=(817, 821), paragraph=8)
+@claim("fig-3.9")
 def released_loop(known: Evidence) -> Record:
     released = known.motion.released
     lines = {

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from report.comparisons.digits import PrintedDigits
-from report.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
+from report.judging.comparisons.digits import PrintedDigits
+from report.numbers.thesis import FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
 BIN = Fraction(SAMPLE_RATE, FRAMES_OF_TABLES)
 """Distance of those bins, Hz."""

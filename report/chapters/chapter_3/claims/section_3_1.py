@@ -11,17 +11,16 @@ from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
 from report.chapters.chapter_3.claims.measured_peaks import BIN, on_a_bin, tabulated
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, digits, equal, expression, made_here, repeated, same, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import gains_where_phases_match
 from report.numbers.independent.spectrum_bins import bins, fitting_samples
-from report.parts import assertion, close, digits, equal, expression, made_here, repeated, same, so
-from report.record import Record, claim, text
-from report.thesis import SAMPLE_RATE
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import SAMPLE_RATE
 from trimmer import FrictionBacklash, limit_cycles
 
-SOURCE = "report/chapters/chapter_3/claims/measured_peaks.py"
 DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"
 """Of the experiment's record, as printed: s, Hz, frames."""
 STATED_FRAMES = int(FRAMES)
@@ -31,7 +30,7 @@ FEWEST, MOST = 1000, 4000
 """Numbers of samples, at 20 kHz, among which a grid for the tables is sought."""
 
 
-@claim("eq-3.1", source=SOURCE, lines=(689, 689), paragraph=2)
+@claim("eq-3.1")
 def distance_of_bins(_: Evidence) -> Record:
     rate, samples, frequency = sympy.symbols("F_s N f", positive=True)
     turns = frequency * samples / rate
@@ -47,7 +46,7 @@ def distance_of_bins(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-3.1-resolution", source=SOURCE, lines=(687, 691), paragraph=2)
+@claim("txt-3.1-resolution")
 def resolution(_: Evidence) -> Record:
     frames = SAMPLE_RATE * Fraction(DURATION)
     second = equal("a count of the instants before 0.1 s", len(range(0, 100_000, 50)), frames)
@@ -60,14 +59,7 @@ def resolution(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-3.1-bins",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(725, 754),
-    paragraph=4,
-    severity=Severity.SLIP,
-)
+@claim("txt-3.1-bins")
 def bins_of_the_tables(_: Evidence) -> Record:
     cells = tabulated()
     whole = [cell for cell in cells if on_a_bin(cell)]
@@ -105,13 +97,7 @@ def bins_of_the_tables(_: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-3.1-output-sign",
-    source="trimmer/balance/solve.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(685, 685),
-    paragraph=1,
-)
+@claim("txt-3.1-output-sign")
 def sign_of_the_output(known: Evidence) -> Record:
     states = (*coordinates, *velocities)
     derived, listed = (

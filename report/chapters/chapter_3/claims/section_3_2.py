@@ -12,17 +12,16 @@ from derivations.symbols import velocities
 from report.chapters.chapter_1.claims import MOVING_PARTS
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims import measured_peaks as peaks
-from report.claim import Confirmation
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, equal, lost_in_the_copy, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.spectrum_bins import a_drive_fits, bins
-from report.parts import assertion, close, digits, equal, lost_in_the_copy, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, FRAMES_OF_TABLES, SAMPLE_RATE, TABLE_2
 
-PEAKS = "report/chapters/chapter_3/claims/measured_peaks.py"
 RAW_DATA = "the recorded motions of the three measurements, which are confidential"
 DIFFERENCE = "219.890"
 """Both differences of table 3.1, Hz."""
@@ -42,7 +41,7 @@ ABOUT, ABOUT_SHARE = "109", 0.01
 """The drive's frequency where it is called approximate, Hz, and the share by which it then may be off."""
 
 
-@claim("txt-3.2-odd-harmonics", source=driven.SOURCE, lines=(723, 732), paragraph=4)
+@claim("txt-3.2-odd-harmonics")
 def odd_harmonics(known: Evidence) -> Record:
     thirds, fifths = (driven.micrometres(driven.runs_with(known, 0.0), order) for order in (3, 5))
     alike = "linear parts and friction are odd and all motions end with the same velocities"
@@ -73,7 +72,7 @@ def odd_harmonics(known: Evidence) -> Record:
     """).given(mode=known.numbers.modes[2].frequency)
 
 
-@claim("tab-3.1", source=PEAKS, lines=(725, 730), paragraph=4)
+@claim("tab-3.1")
 def first_table(_: Evidence) -> Record:
     for order, printed in peaks.TABLE_1.items():
         number, fault = order * peaks.DRIVE_BIN, None
@@ -109,14 +108,7 @@ def by_numpy(number: int) -> Confirmation:
     return close("NumPy's bins", float(frequencies[number]), float(number * peaks.BIN))
 
 
-@claim(
-    "tab-3.2",
-    source=PEAKS,
-    impact=Impact.NOTATION,
-    lines=(745, 754),
-    paragraph=5,
-    severity=Severity.SLIP,
-)
+@claim("tab-3.2")
 def second_table(_: Evidence) -> Record:
     measured = {}
     for name, row in TABLE_2.items():
@@ -153,14 +145,7 @@ def second_table(_: Evidence) -> Record:
     """).given(spacing=float(peaks.BIN), misprint=TABLE_2["M2"][0], meant=TABLE_2["M1"][0])
 
 
-@claim(
-    "txt-3.2-drive-frequency",
-    source=PEAKS,
-    impact=Impact.NOTATION,
-    lines=(714, 754),
-    paragraph=4,
-    severity=Severity.SLIP,
-)
+@claim("txt-3.2-drive-frequency")
 def drive_frequency(_: Evidence) -> Record:
     drive = peaks.DRIVE_BIN * peaks.BIN
     means = "a third of the third harmonic in table 3.1"
@@ -196,15 +181,7 @@ def drive_frequency(_: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-3.2-play-place",
-    source="derivations/mechanism.py",
-    impact=Impact.LOCAL,
-    lines=(736, 736),
-    paragraph=5,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-)
+@claim("txt-3.2-play-place")
 def place_of_the_play(known: Evidence) -> Record:
     bodies = sympy.hessian(known.derivation.kinetic_energy, velocities).rank()
     yield assertion(
@@ -229,7 +206,7 @@ def place_of_the_play(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-3.2-predicted-488", source=driven.SOURCE, lines=(736, 738), paragraph=5)
+@claim("txt-3.2-predicted-488")
 def predicted_frequency(known: Evidence) -> Record:
     missing = "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential"
     yield uncheckable("frequency of the prediction", "488 Hz", missing)
@@ -243,15 +220,7 @@ def predicted_frequency(known: Evidence) -> Record:
     """).given(pair=known.cycles.friction)
 
 
-@claim(
-    "txt-3.2-no-limit-cycle",
-    source=driven.SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(756, 763),
-    paragraph=6,
-    severity=Severity.CONCLUSION,
-    certainty=Certainty.PROVEN,
-)
+@claim("txt-3.2-no-limit-cycle")
 def no_limit_cycle(known: Evidence) -> Record:
     periodic, second = driven.has_the_drives_period(known), driven.confirm_period(known)
     every = "every motion of the driven model ends in one that repeats with the drive"

@@ -7,15 +7,14 @@ import sympy
 
 from derivations.elements.friction import FORCE
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
 from report.numbers.driven_motion import FORCES
+from report.numbers.evidence import Evidence
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
-from report.parts import assertion, close, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import EXPERIMENT_GAP, LARGEST_GAP, OPEN_LOOP_PEAK
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import EXPERIMENT_GAP, LARGEST_GAP, OPEN_LOOP_PEAK
 
-SOURCE = "report/numbers/released_motion.py"
 PEAK, PREDICTED = "350", "488"
 """Peak of figure 3.9 for every gap, and the limit cycle predicted for the same trimmer in section 3.2, Hz."""
 BIN = 10.0
@@ -31,14 +30,7 @@ UNMOVED = 0.005
 RISING = f"{driven.BY_LISTING}, gap {1e3 * EXPERIMENT_GAP:g} mm"
 
 
-@claim(
-    "txt-3.3-peak-350",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(812, 821),
-    paragraph=8,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-3.3-peak-350")
 def peak_350(known: Evidence) -> Record:
     mode, least = known.numbers.modes[1].frequency, FORCES_OF_FIGURE[0]
     inside, outside = (
@@ -92,7 +84,7 @@ def peak_350(known: Evidence) -> Record:
     """).given(lasting=goes_on, predicted=PREDICTED, peak=PEAK)
 
 
-@claim("txt-3.3-friction-suppresses", source=SOURCE, lines=(821, 821), paragraph=8)
+@claim("txt-3.3-friction-suppresses")
 def suppression(known: Evidence) -> Record:
     released, branches = known.motion.released, known.cycles.equivalent.in_place_both_channels
     lasting = [run for run in released.by_force if run.goes_on]
@@ -151,14 +143,7 @@ def suppression(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-3.3-friction-frequency",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(803, 803),
-    paragraph=6,
-    severity=Severity.SLIP,
-)
+@claim("txt-3.3-friction-frequency")
 def frequency_under_friction(known: Evidence) -> Record:
     yield assertion(
         "oscillations of the driven trimmer",

@@ -9,13 +9,11 @@ from derivations.elements.coulomb_contact import friction_forces, power, relativ
 from derivations.elements.friction import FORCE
 from derivations.symbols import masses, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import accelerations
-from report.comparisons.printed import over, product, total
-from report.evidence import Evidence
-from report.parts import assertion, expression, made_here, same, so
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
+from report.judging.comparisons.printed import over, product, total
+from report.judging.parts import assertion, expression, made_here, same, so
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 
-SOURCE = "derivations/elements/coulomb_contact.py"
 PRINTED_RATE = velocities[1] - velocities[0]
 PRINTED_FRICTION = product(FORCE, sympy.sign(total(velocities[1], -velocities[0])))
 PRINTED_SIGNS = (-1, 1, 0, 0)
@@ -29,14 +27,7 @@ def derived_forces(known: Evidence) -> tuple[sympy.Expr, ...]:
     return friction_forces(known.derivation.mechanism, cutter, motor)
 
 
-@claim(
-    "eq-3.2",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(769, 774),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("eq-3.2")
 def equations_of_motion(known: Evidence) -> Record:
     derivation, forces = known.derivation, derived_forces(known)
     takes = same(
@@ -77,15 +68,7 @@ def equations_of_motion(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-3.3-friction-force",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(767, 774),
-    paragraph=1,
-    severity=Severity.RESULT,
-    certainty=Certainty.PROVEN,
-)
+@claim("txt-3.3-friction-force")
 def force_of_friction(known: Evidence) -> Record:
     mechanism, simulated = known.derivation.mechanism, known.motion.printed_friction
     _, cutter, _, guard = mechanism.bodies

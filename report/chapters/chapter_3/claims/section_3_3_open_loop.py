@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.measured_peaks import TABLE_1
-from report.evidence import Evidence
+from report.judging.parts import assertion, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
 from report.numbers.driven_motion import FORCES, transient_peaks
-from report.parts import assertion, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import EXPERIMENT_GAP, LARGER_GAP, MEASURED_DRIVE_FREQUENCY, OPEN_LOOP_PEAK, TABLE_2
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import (
+    EXPERIMENT_GAP,
+    LARGER_GAP,
+    MEASURED_DRIVE_FREQUENCY,
+    OPEN_LOOP_PEAK,
+    TABLE_2,
+)
 
 FIFTH = "549.999"
 """The other peak of figure 3.8, Hz."""
@@ -19,14 +25,7 @@ PEAK_ITEM = f"{OPEN_LOOP_PEAK} Hz, peak of figure 3.8 that is no harmonic of the
 SUBHARMONICS = "subharmonics, word for harmonics of the drive"
 
 
-@claim(
-    "txt-3.3-open-loop-odd",
-    source=driven.SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(785, 787),
-    paragraph=3,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-3.3-open-loop-odd")
 def odd_harmonics(known: Evidence) -> Record:
     runs, odd = driven.runs_with(known, EXPERIMENT_GAP), driven.has_odd_harmonics_only(known)
     second = driven.confirm_odd(known)
@@ -78,14 +77,7 @@ def odd_harmonics(known: Evidence) -> Record:
     """).given(mode=known.numbers.modes[2].frequency)
 
 
-@claim(
-    "txt-3.3-peak-366",
-    source=driven.SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(812, 812),
-    paragraph=8,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-3.3-peak-366")
 def peak_366(known: Evidence) -> Record:
     order = float(OPEN_LOOP_PEAK) / MEASURED_DRIVE_FREQUENCY
     neighbours = (TABLE_1[3], TABLE_2["M1"][3])
@@ -129,7 +121,7 @@ def peak_366(known: Evidence) -> Record:
     )
 
 
-@claim("txt-3.3-peak-550", source=driven.SOURCE, lines=(812, 812), paragraph=8)
+@claim("txt-3.3-peak-550")
 def peak_550(known: Evidence) -> Record:
     fifth = 5 * MEASURED_DRIVE_FREQUENCY
     five = f"five times {MEASURED_DRIVE_FREQUENCY} Hz is {fifth:.3f}"
@@ -150,14 +142,7 @@ def peak_550(known: Evidence) -> Record:
     """).given(mode=known.numbers.modes[2].frequency, fifth=FIFTH, other=OPEN_LOOP_PEAK, bin=BIN_OF_FIGURE)
 
 
-@claim(
-    "txt-3.3-subharmonic",
-    source=driven.SOURCE,
-    impact=Impact.NOTATION,
-    lines=(812, 812),
-    paragraph=8,
-    severity=Severity.SLIP,
-)
+@claim("txt-3.3-subharmonic")
 def subharmonic(_: Evidence) -> Record:
     yield assertion(
         "the peak at 549.999 Hz",

@@ -19,27 +19,18 @@ from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.chapter_5.claims.section_5_2_5_friction_term import coulomb_part
 from report.chapters.second_ways import NEWTON, by_matching_real_parts
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, digits, expression, repeated
+from report.judging.record import Record, claim, text
 from report.numbers.equivalent_nonlinearity import FORCE, FORCES, OTHER_FORCE
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
-from report.parts import assertion, close, digits, expression, repeated
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
-SOURCE = "report/numbers/equivalent_nonlinearity.py"
 LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
 """N of Listing A.6."""
 
 
-@claim(
-    "fig-5.21",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1278, 1278),
-    paragraph=4,
-    severity=Severity.CONCLUSION,
-)
+@claim("fig-5.21")
 def three_panels(known: Evidence) -> Record:
     found, system = known.cycles.equivalent.other_gap, known.numbers.displacement_only
     inner, outer = found
@@ -63,9 +54,7 @@ def three_panels(known: Evidence) -> Record:
     """).given(share=OTHER_FORCE / LARGER_GAP / known.numbers.parameters.k2)
 
 
-@claim(
-    "fig-5.22", source=SOURCE, impact=Impact.LOCAL, lines=(1295, 1295), paragraph=8, severity=Severity.SLIP
-)
+@claim("fig-5.22")
 def without_force(known: Evidence) -> Record:
     stable, rounded = known.cycles.friction.stable, known.cycles.friction_listing.stable
     ratio, turning = friction_exactly(known.numbers, stable)
@@ -90,14 +79,7 @@ def without_force(known: Evidence) -> Record:
     """).given(inner=1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude, offset=1e6 * PLOT_OFFSET)
 
 
-@claim(
-    "fig-5.23",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1310, 1310),
-    paragraph=11,
-    severity=Severity.CONCLUSION,
-)
+@claim("fig-5.23")
 def one_force(known: Evidence) -> Record:
     numbers = known.cycles.equivalent
     yield section_5_2_5.intersections_part(numbers)
@@ -120,14 +102,7 @@ def one_force(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "fig-5.24",
-    source="report/numbers/friction_in_place.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1315, 1315),
-    paragraph=11,
-    severity=Severity.RESULT,
-)
+@claim("fig-5.24")
 def forces(known: Evidence) -> Record:
     numbers = known.cycles.equivalent
     listing = [known.cycles.friction.stable.frequency, *(cycle.frequency for cycle in numbers.by_force)]

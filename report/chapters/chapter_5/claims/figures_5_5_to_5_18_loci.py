@@ -10,30 +10,19 @@ from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
 from report.chapters.second_ways import LOEB, NEWTON, by_waveform
-from report.claim import Part, Slip
-from report.comparisons.printed import power, power_of
-from report.evidence import Evidence
+from report.judging.claim import Part, Slip
+from report.judging.comparisons.printed import power, power_of
+from report.judging.parts import assertion, close, digits, equal, made_here, so, uncheckable
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed, inertia_exactly
-from report.numbers.independent.loci import (
-    LIBRARY_GAP,
-    LIBRARY_GRID,
-    intersections_by_library,
-)
+from report.numbers.independent.loci import LIBRARY_GAP, LIBRARY_GRID, intersections_by_library
 from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.limit_cycle_numbers import cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, intersections, listing_contour
-from report.parts import assertion, close, digits, equal, made_here, so, uncheckable
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
-from report.verdict import Impact, Severity
-from trimmer import (
-    FrictionBacklash,
-    InertiaBacklash,
-    ViscousBacklash,
-    limit_cycles,
-)
+from report.numbers.thesis import LARGE_GAP, PLOT_OFFSET, SMALL_GAP, TURN
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, limit_cycles
 
-SOURCE = "trimmer/balance/solve.py"
 FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
 GAMMAS = (1.05, 1.25, 1.45)
@@ -42,7 +31,7 @@ STABLE_SIDE = TURN * 600
 """Angular frequency, rad/s, above which G is on the outer circle on its way to -1."""
 
 
-@claim("fig-5.5", source="trimmer/elements/backlashes/friction_backlash.py", lines=(997, 997), paragraph=3)
+@claim("fig-5.5")
 def second_implementation(known: Evidence) -> Record:
     gain = control.friction_backlash_nonlinearity(LIBRARY_GAP).describing_function
     distance = max(abs(friction_listing(a, LIBRARY_GAP) / gain(a) - 1) for a in LIBRARY_GRID)
@@ -101,14 +90,7 @@ def intersections_part(
     )
 
 
-@claim(
-    "fig-5.6",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1014, 1014),
-    paragraph=7,
-    severity=Severity.CONCLUSION,
-)
+@claim("fig-5.6")
 def tiny_gaps(known: Evidence) -> Record:
     for gap in ("1e-8", "2e-8"):
         yield intersections_part(known, gap, "0", SMALLEST_GAP, what="limit cycles")
@@ -134,14 +116,7 @@ def tiny_gaps(known: Evidence) -> Record:
     """).given(start=1e9 * EDGE * known.cycles.friction_listing.stable.amplitude)
 
 
-@claim(
-    "fig-5.8",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1050, 1050),
-    paragraph=12,
-    severity=Severity.RESULT,
-)
+@claim("fig-5.8")
 def one_intersection(known: Evidence) -> Record:
     stable, unstable = known.cycles.friction_listing.stable, known.cycles.friction_listing.unstable
     start = SMALL_GAP / 2 + PLOT_OFFSET
@@ -156,7 +131,7 @@ def one_intersection(known: Evidence) -> Record:
     """).given(inner=1e6 * SMALL_GAP * unstable.amplitude, start=1e6 * start)
 
 
-@claim("fig-5.10", source=SOURCE, lines=(1090, 1090), paragraph=19)
+@claim("fig-5.10")
 def larger_gap(known: Evidence) -> Record:
     found = inner, outer = limit_cycles(known.numbers.displacement_only, FrictionBacklash(LARGE_GAP))
     rounded = limit_cycles(known.cycles.listing, FrictionBacklash(LARGE_GAP))
@@ -191,13 +166,7 @@ def larger_gap(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "fig-5.13",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1169, 1169),
-    severity=Severity.RESULT,
-)
+@claim("fig-5.13")
 def inertia(known: Evidence) -> Record:
     system, stable = known.numbers.displacement_only, known.cycles.inertia.stable
     found, scaled = (limit_cycles(system, InertiaBacklash(gap)) for gap in (1.0, 1e-3))
@@ -219,11 +188,7 @@ def inertia(known: Evidence) -> Record:
     """).given(stable=stable)
 
 
-@claim(
-    "fig-5.15",
-    source="report/chapters/chapter_5/claims/figures_5_5_to_5_18_loci.py",
-    lines=(1195, 1195),
-)
+@claim("fig-5.15")
 def higher_harmonics(_: Evidence) -> Record:
     yield uncheckable(
         "the drawn thickness",
@@ -241,13 +206,7 @@ def higher_harmonics(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "fig-5.16",
-    source="report/numbers/listed_functions.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1216, 1216),
-    severity=Severity.RESULT,
-)
+@claim("fig-5.16")
 def viscous(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     listing = [omega for gamma in GAMMAS for omega in intersections(listing_contour(gamma), system)]
@@ -293,13 +252,7 @@ def viscous(known: Evidence) -> Record:
     """).given(first=min(listing) / TURN, last=max(listing) / TURN, low=min(inner), high=max(inner))
 
 
-@claim(
-    "fig-5.17",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1231, 1231),
-    severity=Severity.RESULT,
-)
+@claim("fig-5.17")
 def band(known: Evidence) -> Record:
     yield from band_parts(known)
     yield text("""
@@ -310,7 +263,7 @@ def band(known: Evidence) -> Record:
     """).given(high=known.cycles.inertia.stable.frequency)
 
 
-@claim("fig-5.18", source="trimmer/linear/crossings.py", lines=(1243, 1243), paragraph=6)
+@claim("fig-5.18")
 def coulomb(known: Evidence) -> Record:
     yield crossings_part(known)
     yield text("""

@@ -10,17 +10,15 @@ from report.chapters.chapter_5.claims.section_5_2_1_impulses import one_impulse_
 from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part as peak_of_friction
 from report.chapters.chapter_5.claims.section_5_2_2_simulated import peak_parts as peaks_of_inertia
 from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
-from report.claim import Confirmation
-from report.evidence import Evidence
+from report.judging.claim import Confirmation
+from report.judging.parts import assertion, close, digits, repeated, so
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.relay_and_friction import SETTLED_AFTER, difference_of_last_periods
 from report.numbers.relay_loop import VISCOUS
-from report.parts import assertion, close, digits, repeated, so
-from report.record import Record, claim, text
-from report.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
-DRIVEN, RELAY = "report/numbers/drive_amplitudes.py", "report/numbers/relay_loop.py"
 STANDS_OUT = 0.01
 """Share of the largest line below which another does not show beside it."""
 UNIT = 1e-8
@@ -28,14 +26,7 @@ UNIT = 1e-8
 BY_COEFFICIENTS = "Fourier coefficients of the exact orbit"
 
 
-@claim(
-    "fig-5.7",
-    source="report/numbers/impulse_response.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1033, 1033),
-    paragraph=9,
-    severity=Severity.CONCLUSION,
-)
+@claim("fig-5.7")
 def three_gaps(known: Evidence) -> Record:
     runs = known.motion.closed.impulses.runs
     strong = [run for run in runs if run.impulse == runs[0].impulse]
@@ -73,14 +64,7 @@ def others_by_balance(known: Evidence) -> Confirmation:
     return so(means, largest < STANDS_OUT)
 
 
-@claim(
-    "fig-5.9",
-    source="report/numbers/exact_orbits.py",
-    impact=Impact.LOCAL,
-    lines=(1067, 1067),
-    paragraph=16,
-    severity=Severity.SLIP,
-)
+@claim("fig-5.9")
 def small_gap(known: Evidence) -> Record:
     orbits = known.orbits
     exact, rounded = (
@@ -115,13 +99,7 @@ def small_gap(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "fig-5.11",
-    source=DRIVEN,
-    impact=Impact.DOWNSTREAM,
-    lines=(1129, 1129),
-    severity=Severity.RESULT,
-)
+@claim("fig-5.11")
 def driven_response(known: Evidence) -> Record:
     closed = known.motion.closed.reference.from_rest
     yield size_part(known, "output of the linear block")
@@ -141,14 +119,7 @@ def driven_response(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "fig-5.12",
-    source=DRIVEN,
-    impact=Impact.DOWNSTREAM,
-    lines=(1150, 1150),
-    paragraph=4,
-    severity=Severity.CONCLUSION,
-)
+@claim("fig-5.12")
 def driven_spectrum(known: Evidence) -> Record:
     sizes = abs(known.orbits.friction.stable.harmonics)
     others = float(sizes[1:].max() / sizes[0])
@@ -170,13 +141,7 @@ def driven_spectrum(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "fig-5.14",
-    source="report/numbers/timed_block.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1182, 1182),
-    severity=Severity.RESULT,
-)
+@claim("fig-5.14")
 def inertia(known: Evidence) -> Record:
     read, size = known.motion.closed.timed_block.largest_other_line
     yield from peaks_of_inertia(known)
@@ -189,14 +154,7 @@ def inertia(known: Evidence) -> Record:
     """).given(read=read, size=1e6 * size)
 
 
-@claim(
-    "fig-5.19",
-    source=RELAY,
-    impact=Impact.DOWNSTREAM,
-    lines=(1256, 1256),
-    severity=Severity.RESULT,
-    certainty=Certainty.READING,
-)
+@claim("fig-5.19")
 def relay(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
     means = f"exact simulation, whose last two of {SETTLED_AFTER} periods are alike"
@@ -224,15 +182,7 @@ def relay(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "fig-5.20",
-    source=RELAY,
-    impact=Impact.DOWNSTREAM,
-    lines=(1236, 1236),
-    paragraph=5,
-    severity=Severity.RESULT,
-    certainty=Certainty.READING,
-)
+@claim("fig-5.20")
 def relay_and_viscous(known: Evidence) -> Record:
     numbers = known.motion.closed.relay
     viscous = numbers.with_viscous

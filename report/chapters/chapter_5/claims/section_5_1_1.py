@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.linear_trimmer import deviation_from_pin
 from report.numbers.linear_numbers import LinearNumbers
-from report.parts import assertion, close, digits
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TURN
 from trimmer.linear import steady_state
 
-SOURCE = "trimmer/linear/in_time.py"
 SMALL_DEVIATION = 0.01
 
 
@@ -26,7 +25,7 @@ def amplitude_part(numbers: LinearNumbers) -> Part:
     return digits("amplitude of the settled output", "0.0015", settled, "m", second=second, item=item)
 
 
-@claim("txt-5.1.1-amplitude", source=SOURCE, lines=(903, 903), paragraph=3)
+@claim("txt-5.1.1-amplitude")
 def amplitude(known: Evidence) -> Record:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
     settled = steady_state(system, DRIVE_OMEGA, DRIVE_AMPLITUDE)
@@ -44,7 +43,7 @@ def amplitude(known: Evidence) -> Record:
     )
 
 
-@claim("fig-5.1", source=SOURCE, impact=Impact.LOCAL, lines=(901, 901), paragraph=2, severity=Severity.SLIP)
+@claim("fig-5.1")
 def time_response(known: Evidence) -> Record:
     numbers, deviation = known.numbers, known.numbers.start.deviation
     integrated = deviation_from_pin(numbers.parameters)

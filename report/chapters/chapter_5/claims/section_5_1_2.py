@@ -8,15 +8,15 @@ import control
 import numpy as np
 
 from report.chapters.second_ways import EXACTLY
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent import linear_trimmer
 from report.numbers.independent.exact_response import gain, gain_crossing, gain_ratio
 from report.numbers.linear_numbers import LinearNumbers
-from report.parts import assertion, close, digits, equal, made_here, repeated, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_OMEGA, LIMIT_CYCLE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks
 from trimmer.linear import (
     asymptotic_roll_off,
@@ -27,7 +27,6 @@ from trimmer.linear import (
     local_slope,
 )
 
-LOW_PASS = "trimmer/linear/low_pass.py"
 MUCH_SMALLER = 0.1
 HARMONICS = range(2, 40)
 CLEAR = 2.0
@@ -45,14 +44,7 @@ def no_encirclement_part(numbers: LinearNumbers) -> Part:
     return digits("encirclements of $-1$", "0", turns, second=second, item=item)
 
 
-@claim(
-    "txt-5.1.2-nyquist",
-    source="trimmer/linear/nyquist.py",
-    impact=Impact.LOCAL,
-    lines=(922, 922),
-    paragraph=4,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.1.2-nyquist")
 def nyquist(known: Evidence) -> Record:
     unstable = control.tf([0.5], [1, -1])
     silent = encirclements(unstable, -1.0) == 0
@@ -83,7 +75,7 @@ def nyquist(known: Evidence) -> Record:
     """)
 
 
-@claim("fig-5.3", source="trimmer/linear/nyquist.py", lines=(933, 933), paragraph=1)
+@claim("fig-5.3")
 def nyquist_locus(known: Evidence) -> Record:
     yield no_encirclement_part(known.numbers)
     yield text("""
@@ -92,14 +84,7 @@ def nyquist_locus(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.1.2-filtering",
-    source=LOW_PASS,
-    impact=Impact.DOWNSTREAM,
-    lines=(911, 918),
-    paragraph=2,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.1.2-filtering")
 def filtering(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     measured = TURN * MEASURED_DRIVE_FREQUENCY
@@ -156,7 +141,7 @@ def filtering(known: Evidence) -> Record:
     )
 
 
-@claim("fig-5.2", source="trimmer/linear/extrema.py", lines=(916, 916), paragraph=2)
+@claim("fig-5.2")
 def bode_plot(known: Evidence) -> Record:
     numbers = known.numbers
     peaks = resonance_peaks(numbers.displacement_only)
@@ -173,14 +158,7 @@ def bode_plot(known: Evidence) -> Record:
     """).given(clear=clear, peaks=peaks)
 
 
-@claim(
-    "txt-5.1.2-cutoff",
-    source=LOW_PASS,
-    impact=Impact.LOCAL,
-    lines=(911, 911),
-    paragraph=2,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.1.2-cutoff")
 def cutoff(known: Evidence) -> Record:
     numbers = known.numbers
     unity = gain_crossings(numbers.displacement_only)[-1]
@@ -214,14 +192,7 @@ def cutoff(known: Evidence) -> Record:
     """).given(first=first, last=last, above=100 * (unity / LIMIT_CYCLE_OMEGA - 1))
 
 
-@claim(
-    "txt-5.1.2-roll-off",
-    source=LOW_PASS,
-    impact=Impact.DOWNSTREAM,
-    lines=(911, 911),
-    paragraph=2,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.1.2-roll-off")
 def roll_off(known: Evidence) -> Record:
     numbers = known.numbers
     slope = asymptotic_roll_off(numbers.displacement_only)

@@ -8,18 +8,17 @@ import control
 import numpy as np
 import sympy
 
-from report.claim import CopyFault
-from report.comparisons.digits import PrintedDigits
-from report.comparisons.printed import power
-from report.evidence import Evidence
+from report.judging.claim import CopyFault
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power
+from report.judging.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent import linear_trimmer
-from report.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import linear_model
 from trimmer.thesis import TrimmerBody
 
-SOURCE = "derivations/transfer_function.py"
 PRINTED_NUMERATOR = ("1e7", "1.233e10", "5.939e14", "1.655e17", "4.079e21", "3.71e23", "5.79e27")
 PRINTED_DENOMINATOR = (
     *("1", "1378", "7.0767", "3.878e10", "1.069e15"),
@@ -28,14 +27,7 @@ PRINTED_DENOMINATOR = (
 CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index
 
 
-@claim(
-    "eq-5.1",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(909, 909),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("eq-5.1")
 def transfer_function(known: Evidence) -> Record:
     numbers, model = known.numbers, linear_model(known.numbers.parameters)
     wrong_output = numbers.combined_numerator({CUTTER: 1, GUARD: 1})
@@ -97,7 +89,7 @@ def _superscript(printed: str, derived: Fraction) -> CopyFault | None:
     return lost_in_the_copy(name, PrintedDigits(restored, derived))
 
 
-@claim("txt-5.1.2-order", source=SOURCE, lines=(911, 911), paragraph=2)
+@claim("txt-5.1.2-order")
 def order(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     above, below = (

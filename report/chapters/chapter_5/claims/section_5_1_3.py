@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from report.chapters.second_ways import EXACTLY
-from report.claim import Confirmation, Part
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.parts import assertion, close, digits, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import eigenvalues, gain, gain_ratio, peak
-from report.parts import assertion, close, digits, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, DRIVE_OMEGA, MEASURED_DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks
 from trimmer.linear import filtering_ratio
 from trimmer.linear.extrema import Extremum
 
-MODES = "trimmer/linear/modes.py"
 PRINTED_EIGENVALUES = (
     ("1,2", "-541.6448", "7159.6999"),
     ("3,4", "-80.5896", "3453.172"),
@@ -31,7 +30,7 @@ PLOT_READ = f"a plot with {DECADE:.0f} mm a decade is read to {READ_TO} mm, {100
 EXACT_ROOTS, EXACT_SLOPE = "the roots of the exact polynomial", "the slope of the exact gain"
 
 
-@claim("eq-5.2", source=MODES, lines=(937, 942), paragraph=2)
+@claim("eq-5.2")
 def printed_eigenvalues(known: Evidence) -> Record:
     exact = sorted(
         (root for root in eigenvalues(known.numbers) if root.imag > 0), key=lambda root: -root.imag
@@ -67,12 +66,7 @@ def nearest(peaks: Sequence[Extremum], omega: float) -> Extremum:
     return min(peaks, key=lambda each: abs(each.omega - omega))
 
 
-@claim(
-    "txt-5.1.3-hidden-peak",
-    source="trimmer/linear/extrema.py",
-    lines=(944, 944),
-    paragraph=3,
-)
+@claim("txt-5.1.3-hidden-peak")
 def hidden_peak(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     peaks = resonance_peaks(system)
@@ -107,14 +101,7 @@ def hidden_peak(known: Evidence) -> Record:
     """).given(others=max(map(abs, others)), last=last, stray=stray, mode=numbers.modes[0].omega_damped)
 
 
-@claim(
-    "txt-5.1.3-first-resonance",
-    source="trimmer/linear/low_pass.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(963, 963),
-    paragraph=7,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.1.3-first-resonance")
 def first_resonance(known: Evidence) -> Record:
     numbers, system = known.numbers, known.numbers.displacement_only
     frequency, measured = numbers.modes[0].frequency, MEASURED_DRIVE_FREQUENCY

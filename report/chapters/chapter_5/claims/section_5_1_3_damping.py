@@ -10,14 +10,16 @@ import sympy
 from derivations.state_space import output_row
 from report.chapters.chapter_5.claims.section_5_1_3 import (
     EXACT_SLOPE,
-    MODES,
     PLOT_READ,
     PRINTED_EIGENVALUES,
     READING_ACCURACY,
     nearest,
     peak_part,
 )
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, made_here, matrix, small
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import peak
 from report.numbers.independent.linear_trimmer import (
     antiresonances,
@@ -30,27 +32,16 @@ from report.numbers.linear_numbers import (
     lightly_damped_response,
     sum_of_displacements,
 )
-from report.parts import assertion, close, made_here, matrix, small
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import linear_model, resonance_peaks, response_at
 from trimmer.thesis import Displacement, TrimmerBody
 
-DAMPING = "report/numbers/linear_numbers.py"
 OUTPUT, SUM = np.array([0.0, 1.0, 0.0, -1.0]), np.ones(4)
 """Weights of the four displacements in the output of the thesis's loop, and in that of figure 5.4."""
 VISIBLE = 3
 """Peaks that the output of the thesis shows with all of the damping."""
 
 
-@claim(
-    "eq-5.3",
-    source="derivations/state_space.py",
-    impact=Impact.LOCAL,
-    lines=(950, 950),
-    paragraph=4,
-    severity=Severity.SLIP,
-)
+@claim("eq-5.3")
 def output_matrix(known: Evidence) -> Record:
     parameters, bodies = known.numbers.parameters, len(TrimmerBody)
     tracked = sympy.ImmutableMatrix.vstack(*(output_row(body, None, bodies) for body in range(bodies)))
@@ -80,12 +71,7 @@ def output_matrix(known: Evidence) -> Record:
     """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
 
 
-@claim(
-    "txt-5.1.3-damping",
-    source=MODES,
-    lines=(963, 963),
-    paragraph=7,
-)
+@claim("txt-5.1.3-damping")
 def damping(known: Evidence) -> Record:
     numbers, parameters = known.numbers, known.numbers.parameters
     systems = numbers.displacement_only, lightly_damped_response(parameters)
@@ -145,7 +131,7 @@ def damping(known: Evidence) -> Record:
     """).given(largest=max(map(abs, shifts)), highest=max(map(abs, of_modes)), first=first)
 
 
-@claim("fig-5.4", source=MODES, lines=(959, 959), paragraph=5)
+@claim("fig-5.4")
 def bode_plot_without_damping(known: Evidence) -> Record:
     found = resonance_peaks(sum_of_displacements(lightly_damped(known.numbers.parameters)))
     farthest = 0.0
@@ -161,14 +147,7 @@ def bode_plot_without_damping(known: Evidence) -> Record:
     """).given(farthest=100 * farthest)
 
 
-@claim(
-    "txt-5.1.3-antiresonances",
-    source=DAMPING,
-    impact=Impact.LOCAL,
-    lines=(963, 963),
-    paragraph=7,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.1.3-antiresonances")
 def valleys(known: Evidence) -> Record:
     parameters = known.numbers.parameters
     first = antiresonances(known.numbers.displacement_only)

@@ -10,29 +10,20 @@ import sympy
 from derivations.elements.backlash import GAP, friction_waveform
 from derivations.elements.waveform import describing_function
 from derivations.symbols import A
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, expression, made_here
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.symbolic import least_amplitude_with_contact
 from report.numbers.independent.waveforms import quadrature_gain
-from report.parts import assertion, close, digits, expression, made_here
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
-SOURCE = "trimmer/elements/backlashes/friction_backlash.py"
 OURS = FrictionBacklash(1.0)
 LIBRARY = control.friction_backlash_nonlinearity(1.0)
 
 
-@claim(
-    "eq-5.4",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1071, 1071),
-    paragraph=17,
-    severity=Severity.RESULT,
-    certainty=Certainty.READING,
-)
+@claim("eq-5.4")
 def domain(known: Evidence) -> Record:
     edge = 1.0 / float(OURS.domain(1.0))
     second = close("the contact angle exists", least_amplitude_with_contact(), edge)
@@ -49,15 +40,7 @@ def domain(known: Evidence) -> Record:
     """).given(cycle=known.cycles.friction.unstable)
 
 
-@claim(
-    "eq-5.5",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1075, 1075),
-    paragraph=18,
-    severity=Severity.RESULT,
-    certainty=Certainty.PROVEN,
-)
+@claim("eq-5.5")
 def proportionality(_: Evidence) -> Record:
     function = describing_function(friction_waveform(), A)
     at_one, at_ten = (complex((function * A / GAP).subs({GAP: 1, A: ratio})) for ratio in (1, 10))
@@ -88,12 +71,7 @@ def proportionality(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "eq-5.6",
-    source="report/chapters/chapter_5/claims/section_5_2_1_describing_function.py",
-    lines=(1114, 1114),
-    paragraph=21,
-)
+@claim("eq-5.6")
 def external_input(_: Evidence) -> Record:
     time, amplitude = sympy.Symbol("t", real=True), sympy.Rational("0.0015")
     printed = amplitude * sympy.sin(200 * sympy.pi * time)
@@ -106,7 +84,7 @@ def external_input(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.1-locus-directions", source=SOURCE, lines=(988, 988), paragraph=2)
+@claim("txt-5.2.1-locus-directions")
 def locus_directions(_: Evidence) -> Record:
     amplitudes = 1e6, 0.5 * (1 + 1e-2), 0.5 * (1 + 1e-4)
     far, near, nearer = (complex(-1 / OURS.describing_function(each)) for each in amplitudes)
@@ -138,14 +116,7 @@ def locus_directions(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.1-second-implementation",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(990, 999),
-    paragraph=3,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-second-implementation")
 def library(_: Evidence) -> Record:
     distance = max(
         abs(complex(OURS.describing_function(a)) - LIBRARY.describing_function(a))

@@ -9,19 +9,18 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from report.claim import Confirmation, Part
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.parts import assertion, close, made_here, small, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
 from report.numbers.drive_amplitudes import SAMPLES, AmplitudeRun
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
 from report.numbers.record import change
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
 from report.numbers.time_stepping import lines_in_steps, steps
-from report.parts import assertion, close, made_here, small, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash
 
-SOURCE = "report/numbers/drive_amplitudes.py"
 LOOP_CLOSED = "the output is fed back: the loop of figure 2.5 with the drive as its reference, e = r - y"
 PRINTED_SIZE = 1.0
 """Printed size of the output, mm."""
@@ -119,14 +118,7 @@ def line_part(known: Evidence, label: str) -> Part:
     )
 
 
-@claim(
-    "txt-5.2.1-open-loop-output",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1116, 1116),
-    paragraph=22,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2.1-open-loop-output")
 def output(known: Evidence) -> Record:
     opened, closed = open_loop(known), known.motion.closed.reference.from_rest
     orders = [int(order) + 2 for order in np.argsort(-opened.harmonics[2:])[:3]]
@@ -153,14 +145,7 @@ def output(known: Evidence) -> Record:
     """).given(ripple=1e6 * opened.ripple, base=1e3 * closed.base, line=1e3 * closed.line)
 
 
-@claim(
-    "txt-5.2.1-open-loop-peak",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1116, 1116),
-    paragraph=22,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.1-open-loop-peak")
 def peak(known: Evidence) -> Record:
     in_open_loop, closed = open_loop(known).harmonics[1], known.motion.closed.reference.from_rest.base
     yield line_part(known, "line at the limit cycle's frequency")
@@ -183,14 +168,7 @@ def peak(known: Evidence) -> Record:
     """).given(line=known.motion.closed.reference.from_rest.frequency)
 
 
-@claim(
-    "txt-5.2.1-drive-amplitude",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1118, 1118),
-    paragraph=23,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.1-drive-amplitude")
 def drive_amplitude(known: Evidence) -> Record:
     orbit, runs = known.orbits.friction.stable, known.motion.closed.reference.from_limit_cycle
     lines = [run.line for run in runs]

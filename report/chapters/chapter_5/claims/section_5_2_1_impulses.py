@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
-from report.claim import Part
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, equal
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.impulse_response import ABOVE, CHECKED
-from report.parts import assertion, close, equal
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, limit_cycles
 
 NO_OSCILLATION = "no oscillation for 1e-8 m and oscillation for 3e-8 m, simulated closed loop"
@@ -20,14 +20,7 @@ EDGE = 2e-8
 """Gap that the section takes for the smallest with a limit cycle, m."""
 
 
-@claim(
-    "txt-5.2.1-touching",
-    source="trimmer/balance/solve.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1007, 1016),
-    paragraph=6,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.1-touching")
 def touching(known: Evidence) -> Record:
     element = FrictionBacklash(EDGE)
     predicted, listed = (
@@ -91,15 +84,7 @@ def one_impulse_part(known: Evidence) -> Part:
     )
 
 
-@claim(
-    "txt-5.2.1-impulse-1e-8",
-    source="report/numbers/impulse_response.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1016, 1016),
-    paragraph=7,
-    severity=Severity.CONCLUSION,
-    certainty=Certainty.READING,
-)
+@claim("txt-5.2.1-impulse-1e-8")
 def impulse(known: Evidence) -> Record:
     numbers = known.motion.closed.impulses
     strongest = max(run.impulse for run in numbers.runs)

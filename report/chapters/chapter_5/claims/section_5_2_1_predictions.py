@@ -7,17 +7,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
-from report.claim import Confirmation, Part
-from report.comparisons.printed import power
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.printed import power
+from report.judging.parts import assertion, close, digits, made_here, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
-from report.parts import assertion, close, digits, made_here, repeated
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, LimitCycle, limit_cycles
 
-SOURCE = "trimmer/balance/solve.py"
 SCALING = "scaling of the describing function in the gap"
 TINY_GAP = 2e-11
 FREQUENCY = "733.33 Hz, limit cycle predicted for friction-controlled backlash"
@@ -88,14 +87,7 @@ def second_frequency(label: str, unstable: Predicted) -> Part:
     return digits(label, "533.22", exact.frequency, "Hz", second=second, slip=slip, item=item)
 
 
-@claim(
-    "txt-5.2.1-prediction",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1018, 1018),
-    paragraph=8,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-prediction")
 def prediction(known: Evidence) -> Record:
     _, stable = predicted(known)
     right, listing, both = stable.exact, stable.listing, known.cycles.friction_both_channels.stable
@@ -118,7 +110,7 @@ def prediction(known: Evidence) -> Record:
     )
 
 
-@claim("txt-5.2.1-stable", source="trimmer/balance/stability.py", lines=(1058, 1058), paragraph=14)
+@claim("txt-5.2.1-stable")
 def stability(known: Evidence) -> Record:
     cycle, orbit = known.cycles.friction.stable, known.orbits.friction.stable
     largest = abs(orbit.nontrivial_multipliers).max()
@@ -148,14 +140,7 @@ def stability(known: Evidence) -> Record:
     """).given(decay=-math.log(largest) / orbit.period)
 
 
-@claim(
-    "txt-5.2.1-second-limit-cycle",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1077, 1077),
-    paragraph=19,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-second-limit-cycle")
 def second_limit_cycle(known: Evidence) -> Record:
     unstable, _ = predicted(known)
     right, cycles = unstable.exact, known.cycles
@@ -186,9 +171,7 @@ def second_limit_cycle(known: Evidence) -> Record:
     """).given(seen_from=PLOT_OFFSET / (right.amplitude - 0.5))
 
 
-@claim(
-    "tab-5.1", source=SOURCE, impact=Impact.LOCAL, lines=(1079, 1083), paragraph=19, severity=Severity.SLIP
-)
+@claim("tab-5.1")
 def two_limit_cycles(known: Evidence) -> Record:
     unstable, stable = predicted(known)
     listed = stable.listing.frequency
@@ -211,9 +194,7 @@ def two_limit_cycles(known: Evidence) -> Record:
     """).given(unstable=unstable)
 
 
-@claim(
-    "tab-5.2", source=SOURCE, impact=Impact.LOCAL, lines=(1098, 1110), paragraph=21, severity=Severity.SLIP
-)
+@claim("tab-5.2")
 def ten_gaps(known: Evidence) -> Record:
     _, stable = predicted(known)
     for gap, printed in TABLE_5_2.items():

@@ -4,19 +4,14 @@ from __future__ import annotations
 
 import math
 
-from report.chapters.chapter_5.claims.section_5_2_1_predictions import (
-    SCALING,
-    SOURCE,
-    TINY_GAP,
-    at_the_tiny_gap,
-)
-from report.claim import Part
-from report.evidence import Evidence
+from report.chapters.chapter_5.claims.section_5_2_1_predictions import SCALING, TINY_GAP, at_the_tiny_gap
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers
-from report.parts import assertion, close, digits
-from report.record import Record, claim, text
-from report.thesis import PLOT_OFFSET
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import PLOT_OFFSET
 from trimmer import FrictionBacklash, limit_cycles
 
 SMALLEST_GAP = "2e-8 m, smallest gap with a limit cycle"
@@ -46,7 +41,7 @@ def proportional_part(known: Evidence) -> Part:
     )
 
 
-@claim("txt-5.2.1-proportional", source=SOURCE, lines=(1092, 1092), paragraph=20)
+@claim("txt-5.2.1-proportional")
 def proportional(known: Evidence) -> Record:
     yield proportional_part(known)
     yield text(r"""
@@ -56,7 +51,7 @@ def proportional(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-7-proportional", source=SOURCE, lines=(1380, 1380), paragraph=6)
+@claim("txt-7-proportional")
 def proportional_in_chapter_7(known: Evidence) -> Record:
     yield proportional_part(known)
     yield text("""
@@ -73,14 +68,7 @@ def smallest_gap_part(known: Evidence) -> Part:
     return digits(label, "2e-8", 0.0, "m", second=second, item=item, certainty=Certainty.PROVEN)
 
 
-@claim(
-    "txt-5.2.1-threshold",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1005, 1005),
-    paragraph=5,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.1-threshold")
 def threshold(known: Evidence) -> Record:
     stable = known.cycles.friction.stable.amplitude
     yield smallest_gap_part(known)
@@ -96,14 +84,7 @@ def threshold(known: Evidence) -> Record:
     """).given(at_1e_8=stable * 1e-8, seen_from=PLOT_OFFSET / (stable - 0.5), size=stable)
 
 
-@claim(
-    "txt-6-threshold",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1325, 1325),
-    paragraph=2,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-6-threshold")
 def threshold_in_chapter_6(known: Evidence) -> Record:
     yield smallest_gap_part(known)
     yield text("""

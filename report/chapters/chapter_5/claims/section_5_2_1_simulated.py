@@ -8,16 +8,14 @@ from fractions import Fraction
 import numpy as np
 
 from report.chapters.second_ways import TWO_DURATIONS
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits, made_here, repeated, so
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.record import Record as Samples
-from report.parts import assertion, close, digits, made_here, repeated, so
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import LARGE_GAP, SMALL_GAP
 
-SOURCE = "report/numbers/exact_orbits.py"
 STATED = Samples(0.1, 1_000_231)
 """The record of section 5.2.1."""
 ONE_SECOND = Samples(1.0, 1_000_231)
@@ -45,14 +43,7 @@ def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) ->
     return digits(label, printed, exact, "m", second=second, item=SIMULATED_AMPLITUDE)
 
 
-@claim(
-    "txt-5.2.1-simulated-amplitude",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1018, 1022),
-    paragraph=8,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-simulated-amplitude")
 def amplitude(known: Evidence) -> Record:
     orbits = known.orbits
     half = (3.303e-5 - -3.2961e-5) / 2
@@ -76,7 +67,7 @@ def amplitude(known: Evidence) -> Record:
     )
 
 
-@claim("txt-5.2.1-amplitude-error", source=SOURCE, lines=(1035, 1037), paragraph=9)
+@claim("txt-5.2.1-amplitude-error")
 def amplitude_error(known: Evidence) -> Record:
     predicted, exact = known.cycles.friction.stable.amplitude, known.orbits.friction.stable.amplitude
     quotient = abs(3.3138e-5 - 3.2995e-5) / 3.2995e-5
@@ -89,14 +80,7 @@ def amplitude_error(known: Evidence) -> Record:
     """).given(error=100 * (predicted / exact - 1))
 
 
-@claim(
-    "txt-5.2.1-simulated-frequency",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1041, 1041),
-    paragraph=11,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-simulated-frequency")
 def frequency(known: Evidence) -> Record:
     orbits = known.orbits
     exact = orbits.friction.stable.frequency
@@ -114,14 +98,7 @@ def frequency(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-5.2.1-frequency-error",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1041, 1043),
-    paragraph=11,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-frequency-error")
 def frequency_error(known: Evidence) -> Record:
     predicted, exact = known.cycles.friction.stable.frequency, known.orbits.friction.stable.frequency
     listing = known.cycles.friction_listing.stable.frequency
@@ -140,7 +117,7 @@ def frequency_error(known: Evidence) -> Record:
     """).given(quoted=quoted, error=100 * (predicted / exact - 1))
 
 
-@claim("txt-5.2.1-sampling", source="report/numbers/record.py", lines=(1052, 1054), paragraph=12)
+@claim("txt-5.2.1-sampling")
 def sampling(_: Evidence) -> Record:
     quotient = 10002300 / 1000231
     second = close("one over the time of 0.1 s", 1 / 0.1, quotient, 1e-5)
@@ -151,15 +128,7 @@ def sampling(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.1-peak-width",
-    source="report/numbers/record.py",
-    impact=Impact.LOCAL,
-    lines=(1045, 1054),
-    paragraph=12,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-)
+@claim("txt-5.2.1-peak-width")
 def peak_width(_: Evidence) -> Record:
     peak = float(PEAK)
     nearest, fine = (samples.nearest(peak) for samples in (STATED, ONE_SECOND))
@@ -181,14 +150,7 @@ def peak_width(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.1-simulated-4e-5",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1092, 1092),
-    paragraph=20,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-simulated-4e-5")
 def larger_gap(known: Evidence) -> Record:
     orbits, (inside, outside) = known.orbits, known.orbits.left_by
     inner, outer = orbits.friction.unstable, orbits.friction.stable

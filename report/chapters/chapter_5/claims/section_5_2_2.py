@@ -8,15 +8,15 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import LOEB, NEWTON, by_division_back, by_floquet
-from report.claim import Part
-from report.comparisons.printed import total
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.comparisons.printed import total
+from report.judging.parts import assertion, close, digits, expression, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import inertia_exactly
 from report.numbers.independent.loci import distance_from_curve
-from report.parts import assertion, close, digits, expression, so
-from report.record import Record, claim, text
-from report.thesis import TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import TURN
 from trimmer import InertiaBacklash, harmonic_leakage
 
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"
@@ -45,7 +45,7 @@ def balance_part(printed_form: str) -> Part:
     )
 
 
-@claim("eq-5.7", source="report/chapters/chapter_5/claims/section_5_2_2.py", lines=(1136, 1136), paragraph=2)
+@claim("eq-5.7")
 def harmonic_balance(_: Evidence) -> Record:
     yield balance_part(r"N(\beta)\,G(j\omega) + 1 = 0")
     yield text(r"""
@@ -87,14 +87,7 @@ def converted(label: str, printed: str, omega: float, item: str = "") -> Part:
     return digits(label, printed, frequency, "Hz", second=second, item=item)
 
 
-@claim(
-    "eq-5.8",
-    source="report/numbers/exact_orbits.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1158, 1158),
-    paragraph=5,
-    severity=Severity.RESULT,
-)
+@claim("eq-5.8")
 def band(known: Evidence) -> Record:
     orbit = known.orbits.inertia.stable
     multipliers = orbit.nontrivial_multipliers
@@ -127,15 +120,7 @@ def band(known: Evidence) -> Record:
     """).given(beside=abs(orbit.frequency - known.cycles.inertia.stable.frequency))
 
 
-@claim(
-    "txt-5.2.2-beta-range",
-    source="trimmer/elements/backlashes/inertia_backlash.py",
-    impact=Impact.LOCAL,
-    lines=(1131, 1131),
-    paragraph=1,
-    severity=Severity.RESULT,
-    certainty=Certainty.READING,
-)
+@claim("txt-5.2.2-beta-range")
 def beta_range(known: Evidence) -> Record:
     largest = float(InertiaBacklash(1.0).domain(1.0))
     second = close("the contact equation at half a turn", math.pi - math.sin(math.pi), largest)
@@ -162,14 +147,7 @@ def beta_range(known: Evidence) -> Record:
     """).given(beta=1 / known.cycles.inertia.unstable.amplitude)
 
 
-@claim(
-    "txt-5.2.2-prediction",
-    source="trimmer/balance/solve.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1138, 1138),
-    paragraph=3,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2.2-prediction")
 def prediction(known: Evidence) -> Record:
     cycles = known.cycles
     cycle = cycles.inertia.stable
@@ -194,7 +172,7 @@ def prediction(known: Evidence) -> Record:
     )
 
 
-@claim("txt-5.2.2-stable", source="trimmer/balance/stability.py", lines=(1138, 1140), paragraph=3)
+@claim("txt-5.2.2-stable")
 def stable(known: Evidence) -> Record:
     inner, outer = known.cycles.inertia.unstable, known.cycles.inertia.stable
     yield assertion(

@@ -10,14 +10,13 @@ import numpy as np
 from report.chapters.chapter_5.claims.section_5_2_1_driven import LOOP_CLOSED
 from report.chapters.chapter_5.claims.section_5_2_2 import BY_DURATIONS
 from report.chapters.second_ways import TWO_DURATIONS
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, digits, made_here
+from report.judging.record import Record, claim, text
+from report.judging.text import filled
+from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
-from report.parts import assertion, close, digits, made_here
-from report.record import Record, claim, text
-from report.text import filled
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
 from trimmer import InertiaBacklash
 
 OBSERVED = 660.0
@@ -31,14 +30,7 @@ BIN = 10.0
 """Width of a bin over 0.1 s, Hz."""
 
 
-@claim(
-    "txt-5.2.2-error",
-    source="trimmer/balance/solve.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1154, 1156),
-    paragraph=5,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2.2-error")
 def error(known: Evidence) -> Record:
     cycle, orbit = known.cycles.inertia.stable, known.orbits.inertia.stable
     printed = 100 * abs(814.9 - OBSERVED) / OBSERVED
@@ -117,14 +109,7 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
     return in_open_loop, of_limit_cycle
 
 
-@claim(
-    "txt-5.2.2-open-loop-659",
-    source="report/numbers/timed_block.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1140, 1152),
-    paragraph=4,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2.2-open-loop-659")
 def peak(known: Evidence) -> Record:
     block = known.motion.closed.timed_block
     read, size = block.largest_other_line

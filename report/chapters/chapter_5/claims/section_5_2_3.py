@@ -12,19 +12,18 @@ from derivations.elements.steps.limits import step as limits_step
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
 from report.chapters.chapter_5.claims.section_5_2_2 import balance_part
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
-from report.claim import Confirmation, Part
-from report.comparisons.assertion import Assertion
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.assertion import Assertion
+from report.judging.parts import assertion, close, digits, expression, repeated
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly, inertia_exactly
 from report.numbers.independent.loci import lies_between_the_limits
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
-from report.parts import assertion, close, digits, expression, repeated
-from report.record import Record, claim, text
-from report.thesis import ROUNDED, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
-SOLVER = "trimmer/balance/solve.py"
 UPPER_END = "815"
 """Upper end of the band of equation 5.10, Hz."""
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
@@ -55,14 +54,7 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
     )
 
 
-@claim(
-    "eq-5.10",
-    source=SOLVER,
-    impact=Impact.DOWNSTREAM,
-    lines=(1188, 1188),
-    paragraph=4,
-    severity=Severity.RESULT,
-)
+@claim("eq-5.10")
 def band(known: Evidence) -> Record:
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     yield from band_parts(known)
@@ -82,7 +74,7 @@ def band(known: Evidence) -> Record:
     )
 
 
-@claim("eq-5.11", source="report/chapters/chapter_5/claims/section_5_2_3.py", lines=(1199, 1199), paragraph=5)
+@claim("eq-5.11")
 def harmonic_balance(_: Evidence) -> Record:
     yield balance_part(r"N\left(\frac{b}{A}, \frac{M}{D}\omega\right)G(j\omega) + 1 = 0")
     yield text(r"""
@@ -92,7 +84,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.3-unstable-inner", source="trimmer/balance/stability.py", lines=(1186, 1186), paragraph=4)
+@claim("txt-5.2.3-unstable-inner")
 def inner(known: Evidence) -> Record:
     unstable = [cycle for cycles in known.cycles.viscous for cycle in cycles if cycle.omega < 4000]
     loads, orbits = len(TIME_CONSTANTS), (known.orbits.friction.unstable, known.orbits.inertia.unstable)
@@ -111,7 +103,7 @@ def inner(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.3-band", source=SOLVER, lines=(1186, 1186), paragraph=4)
+@claim("txt-5.2.3-band")
 def only_between(known: Evidence) -> Record:
     cycles, system = known.cycles, known.numbers.displacement_only
     low, high = cycles.friction.stable, cycles.inertia.stable
@@ -135,14 +127,7 @@ def only_between(known: Evidence) -> Record:
     """).given(largest=cycles.largest_viscous.amplitude, friction=low.amplitude, inertia=high.amplitude)
 
 
-@claim(
-    "txt-5.2.3-identify-760",
-    source=SOLVER,
-    impact=Impact.LOCAL,
-    lines=(1190, 1190),
-    paragraph=5,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.3-identify-760")
 def identify(known: Evidence) -> Record:
     limit = known.cycles.inertia.stable
     highest = max(cycle.frequency for each in known.cycles.viscous for cycle in each if cycle.stable)
@@ -169,7 +154,7 @@ def identify(known: Evidence) -> Record:
     """).given(width=limit.frequency - known.cycles.friction.stable.frequency)
 
 
-@claim("eq-5.9", source="derivations/elements/backlash.py", lines=(1173, 1173), paragraph=1)
+@claim("eq-5.9")
 def separation(_: Evidence) -> Record:
     mass, damping, omega = sympy.symbols("M D omega", positive=True)
     derived = separation_angle().subs(GAMMA, mass * omega / damping)
@@ -182,7 +167,7 @@ def separation(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.3-limits", source="derivations/elements/backlash.py", lines=(1175, 1175), paragraph=2)
+@claim("txt-5.2.3-limits")
 def limits_of_the_load(_: Evidence) -> Record:
     delay, ratio = sympy.Symbol("tau", positive=True), r"\frac{b}{A}"
     friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
@@ -205,13 +190,7 @@ def proven(*steps: ProvenStep) -> bool:
     return True
 
 
-@claim(
-    "txt-5.2.3-contours-bounded",
-    source="derivations/elements/steps/contours.py",
-    lines=(1175, 1177),
-    paragraph=2,
-    certainty=Certainty.PROVEN,
-)
+@claim("txt-5.2.3-contours-bounded")
 def contours_bounded(_: Evidence) -> Record:
     statement = "every viscous contour lies between those of friction and inertia"
     computed = Assertion(

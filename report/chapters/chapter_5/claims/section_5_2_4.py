@@ -12,20 +12,19 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
-from report.claim import Confirmation, Part
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, expression, made_here, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles, relay_and_friction
 from report.numbers.independent.waveforms import quadrature_gain
 from report.numbers.relay_loop import DURATION, HALF_PERIODS, STEP, PeriodicCandidates, RelayNumbers
+from report.numbers.thesis import LARGE_GAP, RELAY_LEVEL, SMALL_GAP
 from report.numbers.time_stepping import FINE_STEP
-from report.parts import assertion, close, digits, expression, made_here, so
-from report.record import Record, claim, text
-from report.thesis import LARGE_GAP, RELAY_LEVEL, SMALL_GAP
-from report.verdict import Certainty, Impact, Severity
 from trimmer.linear import real_axis_crossings
 
-SIMULATED = "report/numbers/relay_loop.py"
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
@@ -40,7 +39,7 @@ STEADY = 1.0
 PLACES_WITHOUT_UNIT = "figures 5.18 to 5.20, 5.22 and 5.23"
 
 
-@claim("eq-5.12", source="derivations/transfer_function.py", lines=(1220, 1220), paragraph=3)
+@claim("eq-5.12")
 def limit_of_response(known: Evidence) -> Record:
     above, below = relay_and_friction.fraction_of(known.numbers)
     form = r"\lim_{\omega\to+\infty} G(j\omega) \to (0, 0j)"
@@ -52,14 +51,7 @@ def limit_of_response(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "eq-5.13",
-    source="derivations/elements/friction.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1224, 1224),
-    paragraph=4,
-    severity=Severity.RESULT,
-)
+@claim("eq-5.13")
 def inverse(_: Evidence) -> Record:
     printed, left = -A * sympy.pi / (4 * FORCE), r"-\frac{1}{N}"
     for_friction, gain = sympy.simplify(-1 / FRICTION), quadrature_gain(friction_waveform(), A, VALUES)
@@ -92,7 +84,7 @@ def inverse(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.4-no-crossing", source="trimmer/linear/crossings.py", lines=(1209, 1209), paragraph=2)
+@claim("txt-5.2.4-no-crossing")
 def no_crossing(known: Evidence) -> Record:
     system = known.numbers.displacement_only
     crossings = real_axis_crossings(system)
@@ -203,14 +195,7 @@ def candidates_part(
     )
 
 
-@claim(
-    "txt-5.2.4-high-frequency",
-    source=SIMULATED,
-    impact=Impact.DOWNSTREAM,
-    lines=(1218, 1222),
-    paragraph=3,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2.4-high-frequency")
 def high_frequency(known: Evidence) -> Record:
     numbers = known.motion.closed.relay
     frequency, amplitude = numbers.sampled
@@ -233,7 +218,7 @@ def high_frequency(known: Evidence) -> Record:
     """).given(step=1e6 * STEP, frequency=frequency, amplitude=amplitude)
 
 
-@claim("txt-5.2.4-linear-in-fc", source=SIMULATED, lines=(1245, 1245), paragraph=6)
+@claim("txt-5.2.4-linear-in-fc")
 def linear_in_force(known: Evidence) -> Record:
     factor, signal = sympy.Symbol("k", positive=True), sympy.Symbol("y", real=True)
     scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
@@ -255,14 +240,7 @@ def linear_in_force(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.4-force-unit",
-    source="derivations/dimensions.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1226, 1245),
-    paragraph=5,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.4-force-unit")
 def force_unit(known: Evidence) -> Record:
     displacement, acceleration = sympy.symbols("u a")
     units = {**DIMENSIONS, displacement: LENGTH, acceleration: DIMENSION_OF_FORCE / DIMENSIONS[m2]}

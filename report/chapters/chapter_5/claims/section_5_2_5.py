@@ -7,19 +7,18 @@ from fractions import Fraction
 
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.second_ways import NEWTON
-from report.claim import Confirmation, Part
-from report.evidence import Evidence
+from report.judging.claim import Confirmation, Part
+from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Severity
 from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point
+from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles
 from report.numbers.listed_functions import equivalent_listing
 from report.numbers.released_bodies import RECORD
-from report.parts import assertion, close, digits, equal, made_here, repeated, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP
-from report.verdict import Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, RELEASED_PEAKS, SMALL_GAP
 from trimmer import LimitCycle, response_at
 
-BODIES = "report/numbers/released_bodies.py"
 PRINTED = "737.514"
 LINE_18 = "line 18 of Listing A.6 is used for the friction term"
 BY_LISTING = "all solutions of harmonic balance with the listing's function"
@@ -30,12 +29,7 @@ DIED_OUT = 1e-9
 """Share of the start that may be left of a motion that has died out."""
 
 
-@claim(
-    "txt-5.2.5-difference",
-    source="report/chapters/chapter_5/claims/section_5_2_4.py",
-    lines=(1301, 1305),
-    paragraph=11,
-)
+@claim("txt-5.2.5-difference")
 def difference(_: Evidence) -> Record:
     percent = 100 * abs(737.514 - 733.33) / 733.33
     in_fractions = float(100 * (Fraction("737.514") / Fraction("733.33") - 1))
@@ -88,14 +82,7 @@ def loop_closes(known: Evidence, turning: float, element: complex) -> Confirmati
     return close("$NG$ at that amplitude and frequency", element * response, -1)
 
 
-@claim(
-    "txt-5.2.5-prediction",
-    source="report/numbers/equivalent_nonlinearity.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1299, 1299),
-    paragraph=10,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.5-prediction")
 def prediction(known: Evidence) -> Record:
     numbers = known.cycles.equivalent
     (rounded,), (listing,) = numbers.rounded, numbers.listing
@@ -120,14 +107,7 @@ def prediction(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-5.2.5-amplitude",
-    source="report/numbers/friction_in_place.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1317, 1317),
-    paragraph=12,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.5-amplitude")
 def amplitude(known: Evidence) -> Record:
     numbers, friction = known.cycles.equivalent, known.cycles.friction.stable
     (listing,) = numbers.listing
@@ -213,14 +193,7 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
     return (*parts, reading)
 
 
-@claim(
-    "txt-5.2.5-fft",
-    source=BODIES,
-    impact=Impact.DOWNSTREAM,
-    lines=(1317, 1317),
-    paragraph=12,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.5-fft")
 def peaks(known: Evidence) -> Record:
     numbers = known.motion.closed.released_bodies
     modes, (_, second, third) = numbers.modes, map(float, RELEASED_PEAKS)

@@ -10,13 +10,12 @@ from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
-from report.claim import Part, Slip
-from report.evidence import Evidence
-from report.parts import expression, made_here, repeated, same
-from report.record import Record, claim, text
-from report.verdict import Impact, Severity
+from report.judging.claim import Part, Slip
+from report.judging.parts import expression, made_here, repeated, same
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Severity
+from report.numbers.evidence import Evidence
 
-OPERATOR = "derivations/elements/friction.py"
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)
 
 
@@ -38,14 +37,7 @@ def coulomb_part(over: sympy.Expr = sympy.S.One, made: Callable[[str, sympy.Expr
     )
 
 
-@claim(
-    "eq-5.14",
-    source=OPERATOR,
-    impact=Impact.DOWNSTREAM,
-    lines=(1266, 1266),
-    paragraph=3,
-    severity=Severity.RESULT,
-)
+@claim("eq-5.14")
 def equivalent(_: Evidence) -> Record:
     yield printed_backlash_part("backlash term")
     yield coulomb_part(over=A)
@@ -58,14 +50,7 @@ def equivalent(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.5-coulomb-term",
-    source=OPERATOR,
-    impact=Impact.DOWNSTREAM,
-    lines=(1259, 1261),
-    paragraph=2,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-5.2.5-coulomb-term")
 def coulomb_term(_: Evidence) -> Record:
     yield coulomb_part()
     yield text(r"""
@@ -78,14 +63,7 @@ def coulomb_term(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.5-omega-limit",
-    source=OPERATOR,
-    impact=Impact.DOWNSTREAM,
-    lines=(1280, 1284),
-    paragraph=5,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2.5-omega-limit")
 def large_frequency(_: Evidence) -> Record:
     printed, right = (sympy.limit(term, omega, sympy.oo) for term in (PRINTED_TERM, FRICTION))
     yield expression(
@@ -106,7 +84,7 @@ def large_frequency(_: Evidence) -> Record:
     """)
 
 
-@claim("txt-5.2.5-zero-fc", source=OPERATOR, lines=(1297, 1297), paragraph=9)
+@claim("txt-5.2.5-zero-fc")
 def without_force(_: Evidence) -> Record:
     yield expression("Coulomb term for $F_c = 0$", sympy.Integer(0), FRICTION.subs(COULOMB, 0))
     yield text("""

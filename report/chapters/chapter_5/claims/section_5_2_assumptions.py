@@ -12,16 +12,16 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, small, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.independent.waveforms import coefficient
 from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.numbers.listed_blocks import inertia_block
-from report.parts import assertion, close, small, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage, response_at
 
 LITTLE = 0.05
@@ -30,14 +30,7 @@ GAP = 0.5
 """Gap at which python-control's backlash is run, in any unit."""
 
 
-@claim(
-    "txt-5.2-assumptions",
-    source="trimmer/balance/leakage.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(967, 980),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("txt-5.2-assumptions")
 def assumptions(known: Evidence) -> Record:
     yield from _single(known)
     yield from _static_and_time_invariant()

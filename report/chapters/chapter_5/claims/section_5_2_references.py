@@ -7,18 +7,15 @@ import math
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
 from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
-from report.claim import Part
-from report.comparisons.digits import PrintedDigits
-from report.evidence import Evidence
-from report.inventory import read_inventory
+from report.data.statements import read_inventory, read_sections
+from report.judging.claim import Part
+from report.judging.comparisons.digits import PrintedDigits
+from report.judging.parts import assertion, close, digits, repeated
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed
-from report.parts import assertion, close, digits, repeated
-from report.record import Record, claim, text
-from report.sections import read_sections
-from report.thesis import SMALL_GAP, TURN
-from report.verdict import Impact, Severity
+from report.numbers.thesis import SMALL_GAP, TURN
 
-SOURCE = "report/chapters/chapter_5/claims/section_5_2_references.py"
 PREDICTED = "3.3138e-5"
 """Printed amplitude by harmonic balance, m."""
 QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 and section 5.2.5": "733.33"}
@@ -41,14 +38,7 @@ def refers(label: str, named: str, meant: str, what: str) -> Part:
     )
 
 
-@claim(
-    "txt-5.2.1-references",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1003, 1003),
-    paragraph=4,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-references")
 def to_the_models(_: Evidence) -> Record:
     place = next(section for section in read_sections() if "fig-3.6" in section.figures)
     named = next(section for section in read_sections() if section.number == "3.1")
@@ -71,14 +61,7 @@ def to_the_models(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.2-references",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1140, 1140),
-    paragraph=4,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.2-references")
 def of_inertia(_: Evidence) -> Record:
     yield refers("figure", "fig-5.16", "fig-5.14", "the open loop of inertia-controlled backlash")
     yield refers("listing of appendix A.11", "lst-A.10", "lst-A.8", "the block that Simulink needs")
@@ -91,14 +74,7 @@ def of_inertia(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.5-references",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1290, 1290),
-    paragraph=8,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.5-references")
 def of_zero_force(_: Evidence) -> Record:
     yield refers("figure", "fig-5.8", "fig-5.22", "the equivalent nonlinearity for $F_c = 0$")
     yield text("""
@@ -109,14 +85,7 @@ def of_zero_force(_: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-5.2.5-quoted-prediction",
-    source="report/numbers/limit_cycle_numbers.py",
-    impact=Impact.LOCAL,
-    lines=(1290, 1301),
-    paragraph=8,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.5-quoted-prediction")
 def quoted_prediction(known: Evidence) -> Record:
     cycle = known.cycles.friction_listing.stable
     predicted = cycle.frequency
@@ -150,14 +119,7 @@ def quoted_prediction(known: Evidence) -> Record:
     """).given(predicted=predicted, difference=difference)
 
 
-@claim(
-    "txt-5.2.1-amplitude-symbols",
-    source=SOURCE,
-    impact=Impact.NOTATION,
-    lines=(1018, 1028),
-    paragraph=8,
-    severity=Severity.SLIP,
-)
+@claim("txt-5.2.1-amplitude-symbols")
 def amplitude_symbols(known: Evidence) -> Record:
     under_the_symbol, simulated = "3.2995e-5", 3.2995e-5
     cycle = known.cycles.friction_listing.stable

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Final
 import control
 import numpy as np
 
-from report.drawing import plane
-from report.drawing.marks import beside
-from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, Look, panels
-from report.evidence import Evidence
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
 from report.numbers.limit_cycle_numbers import Pair, cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, listing_contour
-from report.record import figure
+from report.pages.drawing import plane
+from report.pages.drawing.marks import beside
+from report.pages.drawing.read_out import Along, plot_along
+from report.pages.drawing.style import BLACK, LINES, Look, panels
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, response_at
 
 if TYPE_CHECKING:

@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing.marks import beside
-from report.drawing.plane import curve, element_curve, frame, locus, mark
-from report.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
-from report.evidence import Evidence
+from report.judging.record import figure
 from report.numbers import equivalent_nonlinearity as model
+from report.numbers.evidence import Evidence
 from report.numbers.record import line_amplitudes
 from report.numbers.relay_loop import HALF_PERIODS, VISCOUS, friction_motion, output_at_jump
 from report.numbers.released_bodies import RECORD
-from report.record import figure
-from report.thesis import DRIVE_OMEGA, LARGER_GAP, RELEASED_PEAKS, SMALL_GAP
+from report.numbers.thesis import DRIVE_OMEGA, LARGER_GAP, RELEASED_PEAKS, SMALL_GAP
+from report.pages.drawing.marks import beside
+from report.pages.drawing.plane import curve, element_curve, frame, locus, mark
+from report.pages.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from trimmer import FrictionBacklash, pin_model
 from trimmer.linear import InputChannels
 

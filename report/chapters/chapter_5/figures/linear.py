@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.drawing.marks import arrow, beside
-from report.drawing.plane import LEADER, critical_point
-from report.drawing.read_out import Along, plot_along
-from report.drawing.style import BLACK, LINES, panels
-from report.evidence import Evidence
+from report.judging.record import figure
+from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import lightly_damped, pin_and_output, sum_of_displacements
-from report.record import figure
+from report.pages.drawing.marks import arrow, beside
+from report.pages.drawing.plane import LEADER, critical_point
+from report.pages.drawing.read_out import Along, plot_along
+from report.pages.drawing.style import BLACK, LINES, panels
 from trimmer import resonance_peaks, response_at
 from trimmer.drawing.frequency_response import decibels
 from trimmer.linear import bandwidth_crossings, gain_crossings

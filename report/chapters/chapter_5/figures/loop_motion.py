@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.drawing import plane
-from report.drawing.marks import beside
-from report.drawing.style import DOTTED, LINES, new_figure, panels
-from report.evidence import Evidence
+from report.judging.record import figure
 from report.numbers.drive_amplitudes import RECORD, SAMPLE_RATE, SETTLING, AmplitudeRun
+from report.numbers.evidence import Evidence
 from report.numbers.impulse_response import GAPS, SHOWN
 from report.numbers.record import Record, line_amplitudes
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
 from report.numbers.timed_block import RECORD as SHORT
-from report.record import figure
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP, SMALL_GAP
+from report.pages.drawing import plane
+from report.pages.drawing.marks import beside
+from report.pages.drawing.style import DOTTED, LINES, new_figure, panels
 from trimmer import FrictionBacklash
 from trimmer.spectra import Window, amplitude_spectrum
 

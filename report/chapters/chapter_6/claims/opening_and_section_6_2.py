@@ -9,15 +9,15 @@ import sympy
 from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.waveform import THETA
 from report.chapters.second_ways import ALL_LOADS, by_matching_real_parts, by_quadrature
-from report.comparisons.assertion import Assertion
-from report.comparisons.printed import power_of
-from report.evidence import Evidence
+from report.judging.comparisons.assertion import Assertion
+from report.judging.comparisons.printed import power_of
+from report.judging.parts import assertion, close, digits, lost_in_the_copy
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent import loci
 from report.numbers.independent.exact_response import gain_ratio
 from report.numbers.independent.waveforms import coefficient
-from report.parts import assertion, close, digits, lost_in_the_copy
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, harmonic_leakage, limit_cycles
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
 from trimmer.linear import asymptotic_roll_off
@@ -30,14 +30,7 @@ HIGH_OMEGA = 1e8
 """Angular frequency at which the slope of the gain is taken, rad/s."""
 
 
-@claim(
-    "txt-6-every-case",
-    source="trimmer/balance/solve.py",
-    impact=Impact.LOCAL,
-    lines=(1323, 1323),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("txt-6-every-case")
 def every_case(known: Evidence) -> Record:
     system, cycles = known.numbers.displacement_only, known.cycles
     counts = [len(found) for found in cycles.viscous]
@@ -79,14 +72,7 @@ def every_case(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-6.2-filter-order",
-    source="trimmer/linear/low_pass.py",
-    impact=Impact.DOWNSTREAM,
-    lines=(1339, 1339),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("txt-6.2-filter-order")
 def filter_order(known: Evidence) -> Record:
     order = -asymptotic_roll_off(known.numbers.displacement_only) / 20
     slope = -math.log10(gain_ratio(known.numbers, HIGH_OMEGA, 10))
@@ -102,7 +88,7 @@ def filter_order(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-6.2-higher-terms", source="trimmer/balance/leakage.py", lines=(1339, 1339), paragraph=1)
+@claim("txt-6.2-higher-terms")
 def higher_terms(known: Evidence) -> Record:
     wave, values = relay_waveform(), {FORCE: sympy.Integer(1)}
     zero = [wave.cosine_coefficient(2), wave.cosine_coefficient(3), wave.sine_coefficient(2)]
@@ -143,7 +129,7 @@ def higher_terms(known: Evidence) -> Record:
     """)
 
 
-@claim("txt-6.2-tangency", source="trimmer/balance/limit_cycle.py", lines=(1345, 1345), paragraph=2)
+@claim("txt-6.2-tangency")
 def tangency(known: Evidence) -> Record:
     cycles, system = known.cycles, known.numbers.displacement_only
     pairs = (cycles.friction, cycles.inertia, cycles.friction_both_channels)

@@ -10,11 +10,11 @@ import sympy
 from derivations.elements import backlash
 from derivations.elements.waveform import THETA, Segment, Waveform, describing_function
 from derivations.symbols import A
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, expression
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent import examples
-from report.parts import assertion, close, expression
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage
 
 GAP_HERE, TIME_CONSTANT = 0.2, 1.0
@@ -25,14 +25,7 @@ WELL_PREDICTED = 0.05
 """Share by which a predicted frequency may be off and still show that the method applies."""
 
 
-@claim(
-    "txt-6.1-piecewise",
-    source="derivations/elements/backlash.py",
-    impact=Impact.LOCAL,
-    lines=(1335, 1335),
-    paragraph=1,
-    severity=Severity.RESULT,
-)
+@claim("txt-6.1-piecewise")
 def piecewise_linear(known: Evidence) -> Record:
     for side, slope in zip(("first", "second"), slopes_in_contact(backlash.friction_waveform()), strict=True):
         label = f"friction-controlled, {side} contact: slope of output against input"
@@ -79,14 +72,7 @@ def slopes_in_contact(wave: Waveform) -> list[sympy.Expr]:
     return [sympy.simplify(value.diff(THETA) / pin.diff(THETA)) for value in following]
 
 
-@claim(
-    "txt-6.1-hard-nonlinearities",
-    source="derivations/elements/waveform.py",
-    impact=Impact.LOCAL,
-    lines=(1333, 1335),
-    paragraph=1,
-    severity=Severity.SLIP,
-)
+@claim("txt-6.1-hard-nonlinearities")
 def hard_nonlinearities(_: Evidence) -> Record:
     period = Segment(sympy.Integer(0), 2 * sympy.pi, (A * sympy.sin(THETA)) ** 3)
     gain = describing_function(Waveform((period,)), A)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from report.comparisons.printed import power
-from report.evidence import Evidence
+from report.judging.comparisons.printed import power
+from report.judging.parts import assertion, close
+from report.judging.record import Record, claim, text
+from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import LetGoLoad
-from report.parts import assertion, close
-from report.record import Record, claim, text
-from report.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
 
 LARGEST_FORCE = 1.0
 """Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N."""
@@ -19,18 +18,10 @@ GAPS_QUOTED = {
     "section 6.4": "100e-6",
 }
 """Gap of the experiment, or of the model that is held against it, m."""
-SOURCE = "report/chapters/chapter_6/claims/sections_6_3_and_6_4.py"
 DOMINANT = "friction dominates: backlash in the trimmer is friction-controlled"
 
 
-@claim(
-    "txt-6.3-friction-dominates",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1349, 1351),
-    paragraph=1,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-6.3-friction-dominates")
 def dominant_friction(known: Evidence) -> Record:
     mass = known.numbers.parameters.m2
     load = LetGoLoad(DRIVE_AMPLITUDE, DRIVE_OMEGA, LARGEST_FORCE / mass)
@@ -88,15 +79,7 @@ def dominant_friction(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-6-gap-quoted",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1357, 1357),
-    paragraph=1,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-)
+@claim("txt-6-gap-quoted")
 def gap_of_the_experiment(_: Evidence) -> Record:
     yield assertion(
         "",

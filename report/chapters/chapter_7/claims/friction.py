@@ -5,17 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
-from report.evidence import Evidence
+from report.judging.parts import assertion, so
+from report.judging.record import Record, claim, text
 from report.numbers.equivalent_nonlinearity import FORCES
-from report.parts import assertion, so
-from report.record import Record, claim, text
-from report.thesis import EXPERIMENT_GAP
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
 
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
 
 
-@claim("txt-7-coulomb", source="report/numbers/friction_in_place.py", lines=(1391, 1392), paragraph=9)
+@claim("txt-7-coulomb")
 def coulomb_friction(known: Evidence) -> Record:
     numbers, runs = known.cycles.equivalent, known.motion.released.by_force
     branch, both = numbers.in_place, numbers.in_place_both_channels
@@ -64,15 +63,7 @@ def coulomb_friction(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-7-coulomb-evidence",
-    source=driven.SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1391, 1392),
-    paragraph=9,
-    severity=Severity.CONCLUSION,
-    certainty=Certainty.PROVEN,
-)
+@claim("txt-7-coulomb-evidence")
 def where_it_was_shown(known: Evidence) -> Record:
     yield assertion(
         "the experiment",

@@ -12,17 +12,13 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
-from report.evidence import Evidence
+from report.judging.parts import assertion, close
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
 from report.numbers.drive_amplitudes import SAMPLES
+from report.numbers.evidence import Evidence
 from report.numbers.record import change, line_amplitudes
-from report.parts import assertion, close
-from report.record import Record, claim, text
-from report.thesis import (
-    DRIVE_AMPLITUDE,
-    DRIVE_FREQUENCY,
-    LARGE_GAP,
-)
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 from trimmer import FrictionBacklash
 
 DRIVE_AMPLITUDES = (0.0005, DRIVE_AMPLITUDE, 0.003)
@@ -31,13 +27,7 @@ SIMULATED = "exact simulation with 1.5 mm and 100 Hz"
 BY_RESPONSE = "fifth harmonic of the derived element times the response of $G$"
 
 
-@claim(
-    "txt-7-input-amplitude",
-    source="trimmer/elements/backlashes/friction_backlash.py",
-    impact=Impact.LOCAL,
-    lines=(1393, 1394),
-    paragraph=9,
-)
+@claim("txt-7-input-amplitude")
 def input_amplitude(known: Evidence) -> Record:
     decay = max(mode.eigenvalue.real for mode in known.numbers.modes)
     fifth = [open_loop_harmonic(known, FIFTH, amplitude) for amplitude in DRIVE_AMPLITUDES]
@@ -90,14 +80,7 @@ def input_amplitude(known: Evidence) -> Record:
     )
 
 
-@claim(
-    "txt-7-subharmonics",
-    source="report/numbers/drive_amplitudes.py",
-    impact=Impact.LOCAL,
-    lines=(1397, 1400),
-    paragraph=9,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-7-subharmonics")
 def subharmonics(known: Evidence) -> Record:
     run, orbit = open_loop(known), known.orbits.friction.stable
     first, second = run.output[:SAMPLES], run.output[SAMPLES:]

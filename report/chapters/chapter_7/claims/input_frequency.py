@@ -14,8 +14,11 @@ from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LIS
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop, open_loop_harmonic
 from report.chapters.chapter_7.claims.input import BY_RESPONSE, FIFTH, SIMULATED
 from report.chapters.second_ways import ALL_LOADS
-from report.claim import Part
-from report.evidence import Evidence
+from report.judging.claim import Part
+from report.judging.parts import assertion, close, expression, small, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
+from report.numbers.evidence import Evidence
 from report.numbers.listed_functions import (
     IN_GAPS,
     equivalent_contour,
@@ -23,9 +26,7 @@ from report.numbers.listed_functions import (
     inertia_listing,
     mean_distance,
 )
-from report.parts import assertion, close, expression, small, so
-from report.record import Record, claim, text
-from report.thesis import (
+from report.numbers.thesis import (
     DRIVE_FREQUENCY,
     DRIVE_OMEGA,
     LARGE_GAP,
@@ -33,7 +34,6 @@ from report.thesis import (
     MEASURED_DRIVE_OMEGA,
     TURN,
 )
-from report.verdict import Certainty, Impact, Severity
 from trimmer import LimitCycle, ViscousBacklash
 
 RELAY_FORCE, GAP = 0.15, 2e-3
@@ -43,13 +43,7 @@ FAST, SLOW = TURN * 1e5, TURN * 10.0
 BY_ORBITS = "the ratio of the exact orbits' frequencies"
 
 
-@claim(
-    "txt-7-input-frequency",
-    source="derivations/elements/backlash.py",
-    impact=Impact.LOCAL,
-    lines=(1395, 1396),
-    paragraph=9,
-)
+@claim("txt-7-input-frequency")
 def input_frequency(known: Evidence) -> Record:
     stable = [cycle for found in known.cycles.viscous for cycle in found if cycle.stable]
     largest = max(cycle.amplitude for cycle in stable)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from report.chapters.second_ways import ALL_LOADS, by_floquet
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import feedback_poles
-from report.parts import assertion, close, so
-from report.record import Record, claim, text
-from report.verdict import Certainty, Impact, Severity
 
-SOURCE = "report/numbers/exact_orbits.py"
 OVERALL = "backlash leaves the stability of the whole system as it is"
 FREQUENCIES = ("733", "815")
 """Frequencies of the stable limit cycles with friction and inertia alone, as chapter 6 prints them, Hz."""
@@ -23,15 +22,7 @@ BELOW = 0.05
 """Share by which the recommended model's amplitude may stay below another's and still stand for it."""
 
 
-@claim(
-    "txt-7-only-stable",
-    source=SOURCE,
-    impact=Impact.LOCAL,
-    lines=(1374, 1374),
-    paragraph=3,
-    severity=Severity.SLIP,
-    certainty=Certainty.READING,
-)
+@claim("txt-7-only-stable")
 def only_stable(known: Evidence) -> Record:
     cycle, orbit = known.cycles.friction.unstable, known.orbits.friction.unstable
     yield assertion(
@@ -56,14 +47,7 @@ def only_stable(known: Evidence) -> Record:
     """).given(growth=abs(orbit.nontrivial_multipliers).max())
 
 
-@claim(
-    "txt-7-play-stability",
-    source=SOURCE,
-    impact=Impact.DOWNSTREAM,
-    lines=(1388, 1389),
-    paragraph=9,
-    severity=Severity.CONCLUSION,
-)
+@claim("txt-7-play-stability")
 def play_and_stability(known: Evidence) -> Record:
     stable, unstable = known.orbits.friction.stable, known.orbits.friction.unstable
     inside, outside = known.orbits.left_by
@@ -122,7 +106,7 @@ def play_and_stability(known: Evidence) -> Record:
     """).given(unstable=unstable.amplitude, stable=stable.amplitude)
 
 
-@claim("txt-7-models", source="report/numbers/limit_cycle_numbers.py", lines=(1372, 1372), paragraph=2)
+@claim("txt-7-models")
 def models(known: Evidence) -> Record:
     cycles = known.cycles
     friction, inertia = known.orbits.friction.stable, known.orbits.inertia.stable

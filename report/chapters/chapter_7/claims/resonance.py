@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from report.chapters.second_ways import EXACTLY
-from report.evidence import Evidence
+from report.judging.parts import assertion, close, so
+from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty
+from report.numbers.evidence import Evidence
 from report.numbers.independent.exact_response import gain, gain_ratio
 from report.numbers.linear_numbers import lightly_damped_response
-from report.parts import assertion, close, so
-from report.record import Record, claim, text
-from report.thesis import DRIVE_FREQUENCY, TURN
-from report.verdict import Certainty, Impact, Severity
+from report.numbers.thesis import DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks, response_at
 
 PRECISELY = 0.5
@@ -18,14 +18,7 @@ THIRD = 3
 """Order of the lowest harmonic that an odd element adds."""
 
 
-@claim(
-    "txt-7-damping",
-    source="trimmer/linear/extrema.py",
-    impact=Impact.LOCAL,
-    lines=(1386, 1387),
-    paragraph=9,
-    severity=Severity.RESULT,
-)
+@claim("txt-7-damping")
 def damping(known: Evidence) -> Record:
     numbers, damped = known.numbers, resonance_peaks(known.numbers.displacement_only)
     light = lightly_damped_response(numbers.parameters)
@@ -54,14 +47,7 @@ def damping(known: Evidence) -> Record:
     """).given(moved=100 * moved)
 
 
-@claim(
-    "txt-7-operating-frequency",
-    source="trimmer/linear/modes.py",
-    impact=Impact.LOCAL,
-    lines=(1386, 1387),
-    paragraph=9,
-    severity=Severity.RESULT,
-)
+@claim("txt-7-operating-frequency")
 def operating_frequency(known: Evidence) -> Record:
     lowest = min(mode.frequency for mode in known.numbers.modes)
     undamped = min(mode.omega for mode in known.numbers.undamped) / TURN
@@ -81,14 +67,7 @@ def operating_frequency(known: Evidence) -> Record:
     """)
 
 
-@claim(
-    "txt-7-resonance",
-    source="trimmer/linear/extrema.py",
-    impact=Impact.NOTATION,
-    lines=(1387, 1387),
-    paragraph=9,
-    severity=Severity.SLIP,
-)
+@claim("txt-7-resonance")
 def resonance(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     peaks = resonance_peaks(numbers.displacement_only)

@@ -1,0 +1,97 @@
+"""The records of all chapters: found by looking through the modules, put in the order of the inventory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from pkgutil import walk_packages
+
+from report import chapters
+from report.judging.claim import Statement
+from report.judging.record import ClaimRecord, FigureRecord
+from report.judging.text import RecordError
+
+
+class ClaimIdError(RecordError):
+    """An id that the inventory does not know, that two records of one kind share, or that has no claim."""
+
+
+@dataclass(frozen=True)
+class Records:
+    """All claims and figures.
+
+    Attributes:
+        claims: Those of each module, by its name, in the order in which they stand in it.
+        figures: In the order of the inventory.
+    """
+
+    claims: Mapping[str, tuple[ClaimRecord, ...]]
+    figures: tuple[FigureRecord, ...]
+
+    @property
+    def by_id(self) -> dict[str, ClaimRecord]:
+        """The claims by their ids."""
+        return {record.id: record for group in self.claims.values() for record in group}
+
+
+def collect(inventory: Mapping[str, Statement]) -> Records:
+    """Import all modules of the chapters and return the records that they make.
+
+    Raises:
+        ClaimIdError: if the inventory lacks an id, if one stands twice, or if a statement has no claim.
+    """
+    found = list(_found())
+    claims = by_id([each for each in found if isinstance(each[1], ClaimRecord)], inventory)
+    figures = by_id([each for each in found if isinstance(each[1], FigureRecord)], inventory)
+    if lacking := [claim_id for claim_id in inventory if claim_id not in claims]:
+        raise ClaimIdError(
+            f"{', '.join(lacking)}: in the inventory, but without a record; write one in report/chapters "
+            "(of two functions with one name only the second is left)"
+        )
+    groups: dict[str, list[ClaimRecord]] = {}
+    for module, record in found:
+        if isinstance(record, ClaimRecord):
+            groups.setdefault(module, []).append(record)
+    drawn = (figures[claim_id] for claim_id in inventory if claim_id in figures)
+    return Records(
+        {module: tuple(group) for module, group in groups.items()},
+        tuple(record for record in drawn if isinstance(record, FigureRecord)),
+    )
+
+
+AnyRecord = ClaimRecord | FigureRecord
+
+
+def _found() -> Iterator[tuple[str, AnyRecord]]:
+    """Yield each record with the module that makes it; one that is imported elsewhere only once."""
+    seen: set[int] = set()
+    for module in walk_packages(chapters.__path__, f"{chapters.__name__}."):
+        for value in vars(import_module(module.name)).values():
+            if isinstance(value, AnyRecord) and id(value) not in seen:
+                seen.add(id(value))
+                yield module.name, value
+
+
+def by_id(found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statement]) -> dict[str, AnyRecord]:
+    """Return records of one kind by their ids.
+
+    Args:
+        found: The records, each with the name of its module.
+        inventory: The statements by their ids.
+
+    Raises:
+        ClaimIdError: naming id and modules, if the inventory lacks an id or two records share one.
+    """
+    records: dict[str, AnyRecord] = {}
+    homes: dict[str, str] = {}
+    for module, record in found:
+        if record.id not in inventory:
+            raise ClaimIdError(
+                f"{module}: {record.id} is not in the inventory; add a line to "
+                "report/data/further_statements.csv"
+            )
+        if record.id in records:
+            raise ClaimIdError(f"{record.id} stands twice, in {homes[record.id]} and {module}; keep one")
+        records[record.id], homes[record.id] = record, module
+    return records

@@ -1,0 +1,1 @@
+"""What the thesis states and what was measured, as files, and what reads them."""

@@ -1,0 +1,192 @@
+"""What comes out over one number of a mechanism, or over two: branch, range, influences, map."""
+
+from __future__ import annotations
+
+import itertools
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from report.design.quantities import place_words, scale_for
+from report.pages.drawing.style import BLACK, FAINT, LINES, new_figure, panels
+from trimmer.branches.special import SpecialKind
+from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.look import plain_label
+from trimmer.drawing.mechanisms.kinds import categories, category, legend_of
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from report.design.quantities import Scale
+    from trimmer.design.design_file import OpenRange
+    from trimmer.design.kept_map import DesignMap
+    from trimmer.design.paths import NumberPath, PathSide
+    from trimmer.design.ranges import RangeStudy
+    from trimmer.design.sensitivity import Sensitivities
+    from trimmer.design.targets import Target
+    from trimmer.design.trial import MeasureOfPart
+    from trimmer.design.varied_places import VariedNumber
+
+MARKERS = {
+    SpecialKind.GRAZING: ("o", "grazing"),
+    SpecialKind.STICK: ("s", "stick begins or ends"),
+    SpecialKind.FOLD: ("v", "fold"),
+    SpecialKind.PERIOD_DOUBLING: ("D", "period doubling"),
+    SpecialKind.TORUS: ("P", "torus"),
+    SpecialKind.SYMMETRY_BREAKING: ("X", "loss of symmetry"),
+}
+BLUE = LINES[0]["color"]
+
+
+def branch(path: NumberPath, output: str) -> Figure:
+    """Draw peak to peak of an output along a branch: stable orbits solid, unstable ones dashed."""
+    sides = [side for side in (path.down, path.up) if side is not None]
+    strokes = np.concatenate([side.stroke[output] for side in sides])
+    values = np.concatenate([side.values for side in sides])
+    across, up = scale_for(values, path.varied.unit), scale_for(strokes, "m")
+    figure, axes = panels(3.1)
+    for side in sides:
+        _line(axes, side, output, across, up)
+    seen: set[SpecialKind] = set()
+    for side in sides:
+        _special(axes, side, output, across, up, seen)
+    begin = sides[0].stroke[output][0]
+    axes.plot(
+        path.varied.value / across.factor,
+        begin / up.factor,
+        "o",
+        color=BLACK,
+        markersize=6,
+        label="as in the file",
+    )
+    axes.set(
+        xlabel=f"{plain_label(place_words(path.varied.place))} [{across.unit}]",
+        ylabel=f"{plain_label(output)}, peak to peak [{up.unit}]",
+    )
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    return figure
+
+
+def _line(axes: Axes, side: PathSide, output: str, across: Scale, up: Scale) -> None:
+    values, strokes = side.values / across.factor, side.stroke[output] / up.factor
+    for stable, group in itertools.groupby(range(len(values)), key=lambda at: bool(side.stable[at])):
+        places = list(group)
+        part = slice(max(places[0] - 1, 0), places[-1] + 1)
+        style, width = ("solid", 1.6) if stable else ("dashed", 0.9)
+        axes.plot(values[part], strokes[part], color=BLUE, linestyle=style, linewidth=width)
+
+
+def _special(
+    axes: Axes, side: PathSide, output: str, across: Scale, up: Scale, seen: set[SpecialKind]
+) -> None:
+    for each in side.special:
+        mark, name = MARKERS[each.kind]
+        label = None if each.kind in seen else name
+        seen.add(each.kind)
+        axes.plot(
+            each.value / across.factor, each.stroke[output] / up.factor, mark,
+            color=BLACK, markerfacecolor="white", markersize=5, markeredgewidth=0.9, linestyle="none",
+            label=label,
+        )  # fmt: skip
+
+
+def over_range(
+    study: RangeStudy,
+    of: OpenRange,
+    asked: Sequence[tuple[MeasureOfPart, str]],
+    bounds: Mapping[MeasureOfPart, float],
+    targets: tuple[Target, ...],
+) -> Figure:
+    """Draw measures at the points of a study over one of its numbers."""
+    at = study.ranges.index(of)
+    values = np.array([trial.values[at] for trial in study.trials])
+    met = np.array([not targets or trial.meets(targets) for trial in study.trials])
+    across = scale_for(values, of.unit)
+    rows = -(-len(asked) // 2)
+    figure, all_axes = panels(0.4 + 1.7 * rows, rows, min(len(asked), 2), squeeze=False)
+    flat = list(all_axes.flat)
+    for axes, (each, name) in zip(flat, asked, strict=False):
+        found = np.array([trial.value(each.measure, each.part) for trial in study.trials])
+        up = scale_for([*found, bounds.get(each, 0.0)], each.measure.value)
+        colour = LINES[0]["color"]
+        for chosen, face in ((met, colour), (~met, "white")):
+            axes.plot(
+                values[chosen] / across.factor, found[chosen] / up.factor, "o",
+                color=colour, markerfacecolor=face, markersize=4, linestyle="none",
+            )  # fmt: skip
+        if each in bounds:
+            axes.axhline(bounds[each] / up.factor, **FAINT)
+        axes.set(xlabel=f"{plain_label(place_words(of.place))} [{across.unit}]", ylabel=f"[{up.unit}]")
+        axes.set_title(plain_label(name))
+    for axes in flat[len(asked) :]:
+        axes.set_axis_off()
+    return figure
+
+
+MOST = 7
+"""Bars for each measure."""
+
+
+def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart, str]]) -> Figure:
+    """Draw the elasticities of some measures, one panel each.
+
+    Args:
+        sensitivities: What each number changes.
+        asked: The measures, and what they are called.
+    """
+    rows = -(-len(asked) // 2)
+    figure, all_axes = panels(0.5 + 1.75 * rows, rows, min(len(asked), 2), squeeze=False)
+    flat = list(all_axes.flat)
+    for axes, (each, name) in zip(flat, asked, strict=False):
+        ranked = sensitivities.ranked(each)[:MOST]
+        values = [entry.of(each).value for entry in ranked]  # type: ignore[union-attr]
+        colours = [LINES[0]["color"] if value > 0 else LINES[1]["color"] for value in values]
+        axes.barh(range(len(ranked)), values, color=colours, height=0.65)
+        axes.set_yticks(range(len(ranked)), [plain_label(place_words(entry.place)) for entry in ranked])
+        axes.invert_yaxis()
+        axes.axvline(0.0, color=BLACK, linewidth=0.7)
+        axes.grid(visible=False, axis="y")
+        axes.set_title(plain_label(name))
+        axes.set_xlabel("per cent for one per cent")
+    for axes in flat[len(asked) :]:
+        axes.set_axis_off()
+    return figure
+
+
+def kind_map(drawn: DesignMap) -> Figure:
+    """Draw the kinds of motion as areas, and the working point."""
+    result = drawn.result
+    names = [category(cell.motions[0]) for cell in result.cells]
+    legend = [each for each in categories() if each in names]
+    numbers = np.array([legend.index(each) for each in names]).reshape(result.shape)
+    first, second = (
+        scale_for(values, each.unit) for values, each in zip(result.values, _sides(drawn), strict=True)
+    )
+    figure = new_figure(3.5)
+    axes = figure.add_subplot()
+    colours = {number: each.colour for number, each in enumerate(legend)}
+    hatches = {number: each.hatch for number, each in enumerate(legend)}
+    across, up = (values / scale.factor for values, scale in zip(result.values, (first, second), strict=True))
+    draw_cells(axes, across, up, numbers, colours, hatches)
+    axes.plot(
+        drawn.first.value / first.factor, drawn.second.value / second.factor, "o",
+        color="white", markeredgecolor="black", markersize=7, clip_on=False,
+    )  # fmt: skip
+    axes.set(
+        xlabel=f"{plain_label(place_words(drawn.first.place))} [{first.unit}]",
+        ylabel=f"{plain_label(place_words(drawn.second.place))} [{second.unit}]",
+    )
+    axes.grid(visible=False)
+    axes.legend(
+        handles=legend_of(legend, result.inputs.settings.most_periods),
+        loc="upper left",
+        bbox_to_anchor=(1.01, 1.0),
+    )
+    return figure
+
+
+def _sides(drawn: DesignMap) -> tuple[VariedNumber, VariedNumber]:
+    return drawn.first, drawn.second

@@ -1,0 +1,259 @@
+"""Chapters beside those of the thesis, finished and frozen: first pages, twin, robustness, explorable."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Self, final
+
+from report.pages.figure import Figure
+
+
+@dataclass(frozen=True)
+class ExtraChapter:
+    """What is finished of an extra chapter; each has a template of its own."""
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """Its figures."""
+        return ()
+
+    @property
+    def named(self) -> Mapping[str, str]:
+        """Ids of the claims that it names, and where it does, in words."""
+        return MappingProxyType({})
+
+    def part(self, kept: Collection[str]) -> Self | None:
+        """Return what stays of it in a report with some claims only, by their ids; None if nothing does."""
+        return None
+
+
+@dataclass(frozen=True)
+class Highlight:
+    """A finding that matters most: where it stands (ids of claims or places), and what to do.
+
+    ``sentence`` and ``action`` are Markdown; the grade shown is that of the first place.
+    """
+
+    places: tuple[str, ...]
+    sentence: str
+    action: str
+
+
+@dataclass(frozen=True)
+class Opening:
+    """The first screen: what was found, what matters most, what a designer does (Markdown)."""
+
+    sentences: str
+    highlights: tuple[Highlight, ...]
+    figure: Figure
+    do: tuple[str, ...]
+    do_not: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A research question, its answers in the thesis and now (Markdown), and the ids of the claims behind."""
+
+    question: str
+    thesis: str
+    now: str
+    claims: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class CorrectedResult:
+    """A prediction of the thesis beside the corrected ones.
+
+    ``claim`` is the id of its claim; ``quantity`` and ``remark`` are plain text with TeX mathematics between
+    dollar signs. The three values are digits in ``unit``, or words, or empty where there is none.
+    """
+
+    claim: str
+    quantity: str
+    printed: str
+    harmonic_balance: str
+    exact_orbit: str
+    unit: str = ""
+    remark: str = ""
+
+
+@final
+@dataclass(frozen=True)
+class Overview(ExtraChapter):
+    """The first screen, the research questions with their answers, and corrected predictions."""
+
+    opening: Opening | None = None
+    answers: tuple[Answer, ...] = ()
+    corrected: tuple[CorrectedResult, ...] = ()
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """That of the first screen."""
+        return (self.opening.figure,) if self.opening else ()
+
+    @property
+    def named(self) -> Mapping[str, str]:
+        """Claims that answers and corrected predictions are about."""
+        answered = {claim: "a research question" for answer in self.answers for claim in answer.claims}
+        return answered | {each.claim: f"the corrected result “{each.quantity}”" for each in self.corrected}
+
+    def part(self, kept: Collection[str]) -> Self:
+        """Return the corrected predictions of some claims; the rest is about the whole report."""
+        corrected = tuple(each for each in self.corrected if each.claim in kept)
+        return replace(self, opening=None, answers=(), corrected=corrected)
+
+
+@dataclass(frozen=True)
+class Observation:
+    """A sentence on the physical twin, or a few: Markdown, with what it rests on and where that is computed.
+
+    ``title`` may be empty; ``evidence`` holds one check each, all of which hold, and is never empty.
+    """
+
+    id: str
+    title: str
+    text: str
+    evidence: tuple[str, ...]
+    source: str
+
+
+@dataclass(frozen=True)
+class TwinSection:
+    """A section of the chapter on the twin: observations and figures in their order."""
+
+    id: str
+    title: str
+    items: tuple[Observation | Figure, ...]
+
+
+@dataclass(frozen=True)
+class TwinChapter(ExtraChapter):
+    """What play does in the real trimmer: beside the thesis's chapters, and not about one of them."""
+
+    title: str
+    sections: tuple[TwinSection, ...]
+
+    @property
+    def observations(self) -> tuple[Observation, ...]:
+        """All observations in their order."""
+        return tuple(
+            item for section in self.sections for item in section.items if isinstance(item, Observation)
+        )
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """All figures in their order."""
+        return tuple(item for section in self.sections for item in section.items if isinstance(item, Figure))
+
+
+@dataclass(frozen=True)
+class Digits:
+    """Parameters (LaTeX) that are printed with a number of digits, and what these leave open at most, %."""
+
+    number: str
+    symbols: tuple[str, ...]
+    left_open: str
+
+
+@dataclass(frozen=True)
+class EffectRow:
+    """A corrected prediction and what the parameters do to it.
+
+    ``quantity`` and ``unit`` are plain text; ``nominal`` is the value at the thesis's parameters;
+    ``largest`` (LaTeX) is the parameter with the largest effect, ``reach`` what it does; ``band`` holds nine
+    tenths of the samples.
+    """
+
+    quantity: str
+    unit: str
+    nominal: str
+    largest: str
+    reach: str
+    band: str
+
+
+@dataclass(frozen=True)
+class SurvivalRow:
+    """A finding on a claim, in how many samples it holds, and on what that rests, in words."""
+
+    claim: str
+    finding: str
+    holds: str
+    because: str
+
+
+@dataclass(frozen=True)
+class Robustness(ExtraChapter):
+    """How far the corrected results hold when parameters change by ``percent``.
+
+    ``left_out`` of the ``samples`` have a loop without a stable limit cycle, and are in no band.
+    """
+
+    percent: int
+    samples: int
+    left_out: int
+    digits: tuple[Digits, ...]
+    effects: tuple[EffectRow, ...]
+    survivals: tuple[SurvivalRow, ...]
+    figure: Figure
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """Its only figure."""
+        return (self.figure,)
+
+    @property
+    def named(self) -> Mapping[str, str]:
+        """Claims whose findings survive or not."""
+        return {row.claim: "how far it holds" for row in self.survivals}
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number that a reader can move.
+
+    Attributes:
+        name: What the script calls it.
+        label: What the reader is told it is, as plain text.
+        minimum: Least value; of the decimal logarithm if ``logarithmic``.
+        maximum: Largest value, likewise.
+        value: Value to begin with, likewise.
+        logarithmic: Whether the slider moves the decimal logarithm.
+        factor: From the SI unit to the unit that is shown.
+        unit: The unit that is shown, as plain text.
+    """
+
+    name: str
+    label: str
+    minimum: float
+    maximum: float
+    value: float
+    logarithmic: bool
+    factor: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A drawing of the explorable: title, least and largest x and y, and what it shows, as plain text."""
+
+    title: str
+    limits: tuple[float, float, float, float]
+    description: str
+
+
+@dataclass(frozen=True)
+class Explorable(ExtraChapter):
+    """What a reader can move: the formulas as a script, sliders, panels, and a picture for print."""
+
+    formulas: str
+    sliders: tuple[Slider, ...]
+    panels: tuple[Panel, ...]
+    still: Figure
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """The picture for print."""
+        return (self.still,)

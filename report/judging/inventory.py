@@ -1,0 +1,100 @@
+"""Lists of the statements that are to be judged: ids, kinds, sections and subjects."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from report.judging.claim import Kind, Statement
+from report.judging.verdict import Certainty, Impact, Severity
+from trimmer.errors import TrimmerError
+
+
+class InventoryError(TrimmerError, ValueError):
+    """The inventory holds an id twice, or a kind that is not known, or a title has no statement."""
+
+
+def read_statements(*paths: Path) -> Mapping[str, Statement]:
+    """Read the statements of some files together, by id, in their order, with the subjects as titles.
+
+    Raises:
+        InventoryError: naming file, line and value, if an id stands twice, or a kind is not known.
+    """
+    entries: dict[str, Statement] = {}
+    for path in paths:
+        for line, entry in _entries(path):
+            if entry.id in entries:
+                raise InventoryError(f"{path.name}, line {line}: the id {entry.id} stands there twice")
+            entries[entry.id] = entry
+    return entries
+
+
+def titled(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statement]:
+    """Return the statements with the titles that the report gives them.
+
+    Args:
+        entries: The statements by id.
+        path: File with the columns ``id`` and ``title``.
+
+    Raises:
+        InventoryError: naming file, line and id, if a title stands twice or belongs to no statement.
+    """
+    titles: dict[str, str] = {}
+    with path.open(encoding="utf-8", newline="") as file:
+        for line, row in enumerate(csv.DictReader(file), start=2):
+            if row["id"] not in entries or row["id"] in titles:
+                fault = "stands there twice" if row["id"] in titles else "is not in the inventory"
+                raise InventoryError(f"{path.name}, line {line}: the id {row['id']} {fault}")
+            titles[row["id"]] = row["title"]
+    return {key: replace(each, title=titles.get(key, each.title)) for key, each in entries.items()}
+
+
+def filed(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statement]:
+    """Return the statements with what a table says of each.
+
+    Args:
+        entries: The statements by id.
+        path: File with the columns ``id``, ``source``, ``impact``, ``first_line``, ``last_line``,
+            ``paragraph``, ``severity`` and ``certainty``, a line for each statement.
+
+    Raises:
+        InventoryError: naming file and ids, if a statement has not one line or a line has no statement;
+            naming file, line and fault, if what it says is not a number or a word that there is.
+    """
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    ids = [row["id"] for row in rows]
+    if wrong := sorted({each for each in ids if ids.count(each) > 1} | (set(ids) ^ set(entries))):
+        raise InventoryError(f"{path.name}: has one line for each statement; see {', '.join(wrong)}")
+    found = dict(entries)
+    for line, row in enumerate(rows, start=2):
+        try:
+            found[row["id"]] = _filed(entries[row["id"]], row)
+        except ValueError as error:
+            raise InventoryError(f"{path.name}, line {line}: {error}") from error
+    return found
+
+
+def _filed(entry: Statement, row: Mapping[str, str]) -> Statement:
+    first, last = row["first_line"], row["last_line"]
+    return replace(
+        entry,
+        source=row["source"],
+        impact=Impact(row["impact"] or Impact.NONE.value),
+        lines=(int(first), int(last)) if first or last else None,
+        paragraph=int(row["paragraph"]) if row["paragraph"] else None,
+        severity=Severity(row["severity"]) if row["severity"] else None,
+        certainty=Certainty(row["certainty"]) if row["certainty"] else None,
+    )
+
+
+def _entries(path: Path) -> Iterator[tuple[int, Statement]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        for line, row in enumerate(csv.DictReader(file), start=2):
+            if None in row or None in row.values():
+                raise InventoryError(f"{path.name}, line {line}: not four columns; quote a comma")
+            if row["kind"] not in {kind.value for kind in Kind}:
+                raise InventoryError(f"{path.name}, line {line}: unknown kind {row['kind']!r}")
+            yield line, Statement(row["id"], Kind(row["kind"]), row["section"], row["subject"])

@@ -1,0 +1,148 @@
+"""A claim, or a figure, as one record: id, text and parts together, read from top to bottom.
+
+    @claim("eq-5.6")
+    def external_input(known: Evidence) -> Record:
+        yield expression("", printed, derived, left=r)
+        yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
+
+``known`` is whatever the claims are judged with; ``report.building.collect`` finds the records.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, final
+
+from report.judging.claim import Claim, Part, Uncheckable
+from report.judging.text import RecordError, filled
+from report.pages.drawing.drawn import drawn
+from report.pages.drawing.style import style
+from report.pages.figure import Figure
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+
+    Draw = Callable[[Any], matplotlib.figure.Figure]
+
+
+PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
+MARK = "\0"
+MOST_PARAGRAPHS = 2
+
+
+@final
+@dataclass(frozen=True)
+class Text:
+    """The text of a claim, as pandoc Markdown: one paragraph, or two.
+
+    The first says what is printed, what is true, and why, in one to four sentences; the second what a wrong
+    statement changes elsewhere.
+
+    Attributes:
+        prose: With a place for each number; see ``report.judging.text.filled``.
+        numbers: By the names that the prose uses.
+    """
+
+    prose: str
+    numbers: Mapping[str, object] = field(default_factory=dict)
+
+    def given(self, **numbers: object) -> Text:
+        """Return the text with its numbers."""
+        return replace(self, numbers=numbers)
+
+    @property
+    def paragraphs(self) -> list[str]:
+        """The paragraphs with the numbers in their places.
+
+        Raises:
+            RecordError: if there are more than two.
+            TextError: if the prose asks for other numbers than are given.
+        """
+        found = filled(PARAGRAPH.sub(MARK, self.prose.strip()), **self.numbers).split(MARK)
+        if len(found) > MOST_PARAGRAPHS:
+            raise RecordError(f"the text {found[0][:60]!r} has {len(found)} paragraphs, not one or two")
+        return found
+
+
+Item = Part | Uncheckable | Text
+Record = Iterator[Item]
+"""What the function of a claim yields: its parts in the order of the thesis, and one text."""
+
+
+def said(name: str, items: Callable[[Any], Iterator[Any]], known: Any) -> tuple[list[str], list[Any]]:
+    """Return the paragraphs of the one text that a record yields, and what it yields beside it.
+
+    Raises:
+        RecordError: with the record's name, if a text lacks a number, or if there is not one text.
+    """
+    try:
+        found = list(items(known))
+        texts = [item.paragraphs for item in found if isinstance(item, Text)]
+    except RecordError as error:
+        raise RecordError(f"{name}: {error}") from error
+    if len(texts) != 1:
+        raise RecordError(f"{name} has {len(texts)} texts; it needs one")
+    return texts[0], [item for item in found if not isinstance(item, Text)]
+
+
+@final
+@dataclass(frozen=True)
+class ClaimRecord:
+    """A claim before anything is judged.
+
+    Attributes:
+        id: As in the inventory.
+        items: Yields what the claim consists of.
+    """
+
+    id: str
+    items: Callable[[Any], Record]
+
+    def claim(self, known: Any) -> Claim:
+        """Return the claim with its numbers.
+
+        Raises:
+            RecordError: naming the claim, if a text lacks a number, or if there is not one text.
+        """
+        (explanation, *consequence), items = said(f"claim {self.id}", self.items, known)
+        return Claim(self.id, tuple(items), explanation, "".join(consequence))
+
+
+def claim(claim_id: str) -> Callable[[Callable[[Any], Record]], ClaimRecord]:
+    """Make a claim of a function that yields what it consists of, and give it the function's name."""
+    return lambda items: ClaimRecord(claim_id, items)
+
+
+def text(prose: str) -> Text:
+    """Return the text of a claim; one with numbers goes on with ``given``.
+
+    For the places and filters of the numbers see ``report.judging.text.filled``.
+    """
+    return Text(prose)
+
+
+@final
+@dataclass(frozen=True)
+class FigureRecord:
+    """A figure to draw: the claim's id, title, caption (Markdown), alternative text, and what draws it."""
+
+    id: str
+    title: str
+    caption: str
+    alternative_text: str
+    draw: Draw = field(repr=False)
+
+    def finished(self, known: Any) -> Figure:
+        """Draw the figure; it is then an SVG with its words."""
+        words = (self.id, self.title, self.caption, self.alternative_text)
+        return drawn(*words, lambda: self.draw(known))
+
+
+def figure(
+    figure_id: str, title: str, *, caption: str, alternative_text: str
+) -> Callable[[Draw], FigureRecord]:
+    """Make a figure of what draws it, in the report's look; caption and words may be text blocks."""
+    words = filled(caption), filled(alternative_text)
+    return lambda draw: FigureRecord(figure_id, title, *words, style()(draw))

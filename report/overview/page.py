@@ -1,0 +1,14 @@
+"""What the first pages say, made from what was solved."""
+
+from __future__ import annotations
+
+from report.document.extras import Overview
+from report.numbers.evidence import Evidence
+from report.overview.answers import answers
+from report.overview.corrected_results import corrected_results
+from report.overview.opening import opening
+
+
+def overview(known: Evidence) -> Overview:
+    """Return the first screen, the answers to the research questions, and the corrected predictions."""
+    return Overview(opening(known), answers(known), corrected_results(known))

@@ -1,0 +1,1 @@
+"""What turns Markdown and figures into pages, HTML and PDF: whoever has something to show uses it."""

@@ -1,0 +1,37 @@
+"""Links inside a report: each has to lead somewhere."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+_INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
+_IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)
+
+
+class BrokenLinkError(ValueError):
+    """The report links to a place that it does not have, or has the same place twice."""
+
+
+def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
+    """Check that places have names of their own and that each link leads to one.
+
+    Args:
+        markdown: the text of the report.
+        elsewhere: identifiers of the places that the report has outside of this text.
+
+    Raises:
+        BrokenLinkError: listing the names that stand twice, or the links that lead nowhere.
+    """
+    identifiers = [*_IDENTIFIER.findall(markdown), *elsewhere]
+    twice = sorted({identifier for identifier in identifiers if identifiers.count(identifier) > 1})
+    if twice:
+        raise BrokenLinkError(
+            f"the report has these identifiers twice, rename one of each: {', '.join(twice)}"
+        )
+    broken = sorted(set(_INTERNAL_LINK.findall(markdown)) - set(identifiers))
+    if broken:
+        raise BrokenLinkError(
+            f"the report links to places it does not have: {', '.join(broken)}; "
+            "correct the link or add the claim, step or figure"
+        )

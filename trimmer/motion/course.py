@@ -1,0 +1,131 @@
+"""A motion between two instants, and one that is seen once a period.
+
+Times in a ``Course`` count from its start, in which whole periods of the drive follow each other. Between the
+rows of its log the motion is linear, so it is known at all times.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.nodes import Nodes, nodes, sample
+from trimmer.hybrid.system import NOTHING
+from trimmer.hybrid.variation import propagated, propagator
+from trimmer.hybrid.work import Log
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Integers, Reals
+    from trimmer.hybrid.tables import Modes
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A motion between two instants.
+
+    Attributes:
+        modes: The modes of the system.
+        begin: The instant at which it begins.
+        end: The instant at which it ends.
+        ending: Why it ends there.
+        duration: s.
+        log: Its segments; times count from its start.
+    """
+
+    modes: Modes[Any]
+    begin: Instant
+    end: Instant
+    ending: Ending
+    duration: float
+    log: Log
+
+    @cached_property
+    def nodes(self) -> Nodes:
+        """The motion at the nodes of quadrature."""
+        return nodes(self.modes.tables, self.log, self.duration)
+
+    def states(self, times: Reals) -> Reals:
+        """Return the extended states, (times, N), at times, s, that do not decrease."""
+        return sample(self.modes.tables, self.log, times)
+
+    def turned(self, time: float, phase: float) -> Course:
+        """Return a motion that repeats after whole periods as one that begins at a later instant of it.
+
+        Nothing is integrated again, so that each event is there once, also where it comes to that instant.
+
+        Args:
+            time: From the start to that instant, s.
+            phase: Time of that instant since the start of a period, s.
+        """
+        count, log = int(np.searchsorted(self.log.start, time, side="right")), self.log
+        (extended,) = self.states(np.array([time]))
+        mode = int(log.mode[count - 1])
+        cut = Log._make(each[count - 1 : count].copy() for each in log)
+        cut.start[:], cut.state[:], cut.part[:], cut.kind[:], cut.function[:] = 0.0, extended, -1, NOTHING, -1
+        later = log._replace(start=log.start - time), log._replace(start=log.start + self.duration - time)
+        turned = cut, Log._make(each[count:] for each in later[0]), later[1].first(count)
+        begin = replace(
+            self.begin,
+            state=extended[: self.modes.system.layout.state_count],
+            statuses=self.modes[mode].statuses,
+            periods=0,
+            phase=phase,
+            zeros=np.zeros_like(self.begin.zeros),
+        )
+        end = replace(begin, periods=self.end.periods - self.begin.periods)
+        joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
+        return replace(self, begin=begin, end=end, log=joined)
+
+    def tangents(self, at_start: Reals) -> Reals:
+        """Return what becomes of small distances of the state, (n, columns), over the motion.
+
+        Distances that are none, since nothing depends on them, are taken out of them first.
+        """
+        return propagated(self.modes, self.log, self.duration, self.modes.system.layout.felt(at_start))
+
+    @property
+    def monodromy(self) -> Reals:
+        """The derivative of the state at the end by that at the start, (n, n)."""
+        return self.tangents(np.eye(self.modes.system.layout.state_count))
+
+    def before(self, row: int) -> Reals:
+        """Return the extended state, (N,), just before the event that begins a row of the log."""
+        log = self.log
+        elapsed = float(log.start[row] - log.start[row - 1])
+        state: Reals = propagator(self.modes, int(log.mode[row - 1]), elapsed) @ log.state[row - 1]
+        return state
+
+    @property
+    def times(self) -> Reals:
+        """Times, s, at which its mode changes, in their order."""
+        times: Reals = self.log.start[(self.log.kind != NOTHING) | (self.log.function >= 0)]
+        return times
+
+    @property
+    def events(self) -> list[tuple[float, int, int]]:
+        """Time, s, part and kind of each event that counts."""
+        rows = np.flatnonzero(self.log.kind != NOTHING)
+        return [
+            (float(self.log.start[row]), int(self.log.part[row]), int(self.log.kind[row])) for row in rows
+        ]
+
+
+@dataclass(frozen=True, eq=False)
+class Strobe:
+    """A motion seen once a period.
+
+    Attributes:
+        states: At the start and after each period, (periods + 1, n).
+        counts: Events of each period by kind, (periods, kinds).
+        end: The instant at which it ends.
+        ending: Why it ends there.
+    """
+
+    states: Reals
+    counts: Integers
+    end: Instant
+    ending: Ending

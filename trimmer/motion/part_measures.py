@@ -1,0 +1,42 @@
+"""What a part that touches, and one that rubs, does over a motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class ContactMeasures:
+    """What a play or a stop does.
+
+    Attributes:
+        impacts: Number of contacts made per drive period, the mean.
+        impact_speeds: Relative speed just before each contact of the motion, m/s, in their order.
+        largest_force: Largest modulus of its force, N; None where it has none, as behind a loop's backlash.
+        share: Share of the time in contact.
+    """
+
+    impacts: float
+    impact_speeds: tuple[float, ...]
+    largest_force: float | None
+    share: float
+
+    @property
+    def impact_speed(self) -> float:
+        """The largest of the speeds, m/s; 0 without impact."""
+        return max(self.impact_speeds, default=0.0)
+
+
+@dataclass(frozen=True)
+class FrictionMeasures:
+    """What a dry friction does.
+
+    Attributes:
+        work: Lost to it per drive period, the mean, J; without its viscous part.
+        power: Mean power lost to it, W: what wears it.
+        stick: Share of the time in stick.
+    """
+
+    work: float
+    power: float
+    stick: float
