@@ -36,6 +36,7 @@ class Tables(NamedTuple):
         terms: How many terms of the series do for fractions up to 4^-level of a step, (modes, LEVELS).
         taylor: Coefficients of s^k of the event functions, (modes, functions, N, K + 1).
         sizes: Sums of the moduli of what these are made of, (modes, functions, K + 1, N).
+        flow: The matrix M, (modes, N, N).
         hold: The state, made to fit what is held, transposed, (modes, N, N).
         function_count: Number of event functions, (modes,).
         owner: The parts that they belong to, (modes, functions).
@@ -49,6 +50,7 @@ class Tables(NamedTuple):
         resets: The resets, transposed, (resets, N, N).
         decaying_state: Place of the state of each part that may decay by itself, -1 for none, (m,).
         decay: Rates of those that decay, 1/s, 0 for others, (modes, m).
+        decayed: Rates of those that decay or have done so, and count as zero, 1/s, 0 for others, (modes, m).
         scale: Size by which it is measured what of it is negligible, (m,).
         bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
@@ -61,6 +63,7 @@ class Tables(NamedTuple):
     terms: Integers
     taylor: Reals
     sizes: Reals
+    flow: Reals
     hold: Reals
     function_count: Integers
     owner: Integers
@@ -73,6 +76,7 @@ class Tables(NamedTuple):
     resets: Reals
     decaying_state: Integers
     decay: Reals
+    decayed: Reals
     scale: Reals
     bernstein_from_taylor: Reals
 
@@ -92,6 +96,7 @@ def _empty(system: System, capacity: int, functions: int) -> Tables:
         terms=integers(LEVELS),
         taylor=np.empty((capacity, functions, size, degree)),
         sizes=np.empty((capacity, functions, degree, size)),
+        flow=np.empty((capacity, size, size)),
         hold=np.empty((capacity, size, size)),
         function_count=integers(),
         owner=integers(functions),
@@ -104,6 +109,7 @@ def _empty(system: System, capacity: int, functions: int) -> Tables:
         resets=np.empty((0, size, size)),
         decaying_state=decaying,
         decay=np.zeros((capacity, len(decaying))),
+        decayed=np.zeros((capacity, len(decaying))),
         scale=system.scales,
         bernstein_from_taylor=bernstein_from_taylor(),
     )
@@ -165,7 +171,8 @@ class Modes(Generic[_System]):
         tables = self.tables
         if modes <= len(tables.step) and functions <= tables.taylor.shape[1]:
             return
-        larger = _empty(self.system, 2 * len(tables.step), max(functions, tables.taylor.shape[1]))
+        capacity = max(len(tables.step), 2 * len(tables.step) * (modes > len(tables.step)))
+        larger = _empty(self.system, capacity, max(functions, tables.taylor.shape[1]))
         for name, old in tables._asdict().items():
             if name not in _FIXED:
                 new = getattr(larger, name)
@@ -191,9 +198,11 @@ class Modes(Generic[_System]):
         )
         tables.step[number] = tabulate(mode.flow, self.system.layout.state_count, rows, target)
         tables.statuses[number] = mode.statuses
-        tables.hold[number] = mode.hold.T
+        tables.flow[number], tables.hold[number] = mode.flow, mode.hold.T
         tables.function_count[number] = count
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
         tables.continuous[number, :count] = [each.continuous for each in mode.functions]
         tables.decay[number] = mode.decay
+        for place, rate in mode.decayed:
+            tables.decayed[number, tables.decaying_state == place] = rate

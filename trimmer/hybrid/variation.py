@@ -8,13 +8,12 @@ matrix is singular.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.hybrid.propagation import Room, propagate
 from trimmer.hybrid.tabulated_change import AT_REST
-from trimmer.hybrid.taylor import DEGREE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -37,20 +36,16 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     Returns:
         Distances at its end, (n, columns). Where contact or stick holds at the start, they fit it first.
     """
-    distances = np.ascontiguousarray(_fitted(modes, int(log.mode[0]), tangents))
+    distances, size = np.array(tangents, dtype=np.float64, order="C"), log.state.shape[1]
+    count = len(distances)
+    room = Room(np.empty_like(distances), np.empty((count, count)), np.empty(size), np.empty(size))
     rows = len(log.start)
-    row = 0
+    row = propagate(modes.tables, log, end, 0, distances, room)
     while row < rows:
-        following = row
-        while following < rows and log.start[following] == log.start[row]:
-            following += 1
-        last = following - 1  # Of the segments at one instant, the last one is that which goes on.
-        if row > 0:
-            _jump(modes, log, row, last, distances)
-        mode = int(log.mode[last])
-        until = log.start[following] if following < rows else end
-        _flow(modes, mode, float(until - log.start[last]), distances)
-        row = following
+        # Of the segments at one instant, the last one is that which goes on.
+        last = int(np.searchsorted(log.start, log.start[row], side="right")) - 1
+        _jump(modes, log, row, last, distances)
+        row = propagate(modes.tables, log, end, row, distances, room)
     return distances
 
 
@@ -60,21 +55,6 @@ def _fitted(modes: Modes[Any], mode: int, distances: Reals) -> Reals:
     for place, _ in modes[mode].decayed:
         fitted[place] = distances[place]
     return fitted
-
-
-def _flow(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> None:
-    """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
-    tables, count = modes.tables, len(distances)
-    settled = int(tables.settled[mode])
-    step, size = tables.step[settled], tables.screen.shape[1]
-    steps = max(math.ceil(duration / step) - 1, 0)
-    powers = (duration / step - steps) ** np.arange(DEGREE + 1)
-    flow = (powers @ tables.series[settled].reshape(size, DEGREE + 1, size)[:count, :, :count]).T
-    whole = np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
-    distances[:] = flow @ whole @ distances
-    # States that decay by themselves, or have done so, are left out of the flow.
-    for place, rate in modes[settled].decayed:
-        distances[place] *= np.exp(-rate * duration)
 
 
 def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) -> None:
