@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import inlined, kept, sources
-from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.linear_combination import copy
 from trimmer.hybrid.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow, rounding
+from trimmer.hybrid.sparse import hold
 from trimmer.hybrid.step_event import NO_EVENT
 from trimmer.hybrid.system import HOLD_BEGUN, NOTHING
-from trimmer.hybrid.tables import Tables
+from trimmer.hybrid.tables import Tables, rows_in
 from trimmer.hybrid.tabulated_change import change, is_tabulated
 from trimmer.hybrid.work import Log, Work
 
@@ -90,8 +91,7 @@ def _force(tables: Tables, work: Work, mode: int, forcing: Reals) -> None:
     state, size = work.state, work.state.size
     for i in range(forcing.size):
         state[size - forcing.size + i] = forcing[i]
-    combine(state, tables.hold[mode], size, work.following)
-    copy(work.following, size, state)
+    hold(tables.hold[mode], rows_in(tables, mode), state, work.following)
 
 
 @inlined

@@ -12,7 +12,8 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import inlined, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms
-from trimmer.hybrid.tables import Tables
+from trimmer.hybrid.sparse import write_terms
+from trimmer.hybrid.tables import Tables, rows_in
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.hybrid.work import Log
 
@@ -71,8 +72,14 @@ def _entry(sources: bytes) -> Callable[..., None]:
             copy(log.state[row], size, state)
             fresh = False
             while done < times.size and times[done] < until:
+                if not fresh and tables.is_sparse:
+                    write_terms(rows_in(tables, mode), step, state, terms)
+                    fresh = True
                 if times[done] - begin > step:
-                    combine(state, tables.screen[mode], size, following)
+                    if tables.is_sparse:
+                        evaluate_terms(terms, DEGREE + 1, 1.0, following)
+                    else:
+                        combine(state, tables.screen[mode], size, following)
                     copy(following, size, state)
                     begin += step
                     fresh = False

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from trimmer.arrays import Integers, Reals
+from trimmer.arrays import Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combined_moduli
 from trimmer.hybrid.tables import Tables
@@ -88,7 +88,7 @@ def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: R
     count, columns = distances.shape
     now, other = tables.settled[mode], room.distances
     step = tables.step[now]
-    steps = max(int(math.ceil(duration / step)) - 1, 0)
+    steps = max(math.ceil(duration / step) - 1, 0)
     fraction = duration / step - steps
     level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0) if fraction > 0.0 else LEVELS - 1
     _flow_of(tables.series[now], tables.terms[now, level], fraction, count, room.flow)

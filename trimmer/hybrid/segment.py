@@ -11,8 +11,9 @@ import math
 
 from trimmer.hybrid.compilation import compiled, inlined
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
-from trimmer.hybrid.step_event import NO_EVENT, first_event
-from trimmer.hybrid.tables import Tables
+from trimmer.hybrid.sparse import value_of
+from trimmer.hybrid.step_event import COUNT, NO_EVENT, first_event
+from trimmer.hybrid.tables import Tables, rows_in
 from trimmer.hybrid.taylor import LEVELS
 from trimmer.hybrid.work import Work
 
@@ -30,7 +31,9 @@ OUT_OF_STEPS = -3
 def _step(tables: Tables, work: Work, mode: int, now: int, fraction: float) -> None:
     """Go on for a fraction of a step, a whole one if it is greater than 1."""
     state = work.state
-    if fraction >= 1.0:
+    if tables.is_sparse:
+        evaluate_terms(work.terms, COUNT, min(fraction, 1.0), state)
+    elif fraction >= 1.0:
         copy(work.screened, state.size, state)
     elif fraction > 0.0:
         level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0)
@@ -64,9 +67,7 @@ def _is_near(tables: Tables, work: Work, mode: int) -> bool:
     for function in range(tables.function_count[mode]):
         owner = tables.owner[mode, function]
         if 0 <= owner < work.margins.size and tables.decay[mode, owner] > 0.0:
-            distance = 0.0
-            for i in range(work.state.size):
-                distance += tables.taylor[mode, function, i, 0] * work.state[i]
+            distance = value_of(tables.taylor[mode], rows_in(tables, mode), function, work.state)
             near |= distance <= NEAR * abs(work.state[tables.decaying_state[owner]])
     return near
 

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.compilation import compiled, inlined
 from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
-from trimmer.hybrid.linear_combination import (
-    any_below,
-    combine,
-    combined_moduli,
-    within,
-)
-from trimmer.hybrid.tables import Tables
+from trimmer.hybrid.linear_combination import any_below, combine, within
+from trimmer.hybrid.sparse import Rows, coefficient, expand, modulus_of, write_terms
+from trimmer.hybrid.tables import Tables, rows_in
 from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
 from trimmer.hybrid.work import Work
 
@@ -22,66 +18,73 @@ COUNT = DEGREE + 1
 """Coefficients of a polynomial."""
 
 
-@inlined
-def _known_zeros(tables: Tables, work: Work, now: int, function: int) -> int:
-    """Return how many derivatives of an event function are known to vanish, because of an event just now."""
-    owner, known = tables.owner[now, function], 0
-    if owner >= 0:
-        known = work.zeros[owner, tables.action[now, function]]
-    return known
+@compiled
+def _zeros(  # noqa: PLR0913
+    taylor: Reals,
+    sizes: Reals,
+    rows: Rows,
+    step: float,
+    function: int,
+    known: int,
+    at_start: bool,
+    state: Reals,
+    room: Reals,
+) -> tuple[int, float]:
+    """Make the coefficients zero that are known or found to be zero at the start.
 
-
-@inlined
-def _zeros(taylor: Reals, state: Reals, sizes: Reals, known: int, at_start: bool) -> int:
-    """Count the coefficients at the start that are known or found to be zero, and make them so."""
-    zeros, size = 0, combined_moduli(state, sizes[0])
+    Returns:
+        How many there are, and the value below which rounding decides whether the function is zero.
+    """
+    zeros, size = 0, modulus_of(sizes, rows, step, function, 0, state, room)
     while zeros < COUNT:
         if zeros >= known and taylor[zeros] != 0.0:
             if not at_start:
                 break
-            if abs(taylor[zeros]) > ROUNDING * max(size, combined_moduli(state, sizes[zeros])):
+            here = modulus_of(sizes, rows, step, function, zeros, state, room)
+            if abs(taylor[zeros]) > ROUNDING * max(size, here):
                 break
         taylor[zeros] = 0.0
         zeros += 1
-    return zeros
+    return zeros, ROUNDING * size
 
 
-@inlined
-def _root(
-    tables: Tables, work: Work, now: int, function: int, known: int, at_start: bool
-) -> tuple[float, bool]:
-    """Find the first zero of an event function within a step, and write where it touches zero.
+@compiled
+def _root(  # noqa: PLR0913
+    bernstein: Reals,
+    taylor: Reals,
+    zeros: int,
+    rounding: float,
+    at_start: bool,
+    bernstein_from_taylor: Reals,
+    pieces: Reals,
+) -> tuple[float, bool, float]:
+    """Find the first zero of an event function within a step.
 
     Returns:
-        The fraction of the step, ``NOWHERE`` for none, and whether it was negative at once.
+        The fraction of the step, ``NOWHERE`` for none, whether it was negative at once, and where it touches
+        zero before, ``NOWHERE`` if it does not.
     """
-    state, bernstein, taylor, sizes = work.state, work.bernstein, work.taylor, tables.sizes[now, function]
-    combine(state, tables.taylor[now, function], taylor.size, taylor)
-    rounding, root, jumped = ROUNDING * combined_moduli(state, sizes[0]), NOWHERE, False
-    zeros = _zeros(taylor, state, sizes, known, at_start)
+    root, jumped, touch = NOWHERE, False, NOWHERE
     if zeros < COUNT and not within(bernstein, rounding):  # Otherwise it stays at zero.
         zeros = min(zeros, MOST_ZEROS)
         if zeros > 0:
             # Without s^zeros, whose coefficients would drown the others in their rounding.
-            combine(taylor[zeros:], tables.bernstein_from_taylor[zeros], COUNT - zeros, bernstein)
+            combine(taylor[zeros:], bernstein_from_taylor[zeros], COUNT - zeros, bernstein)
         if bernstein[0] < 0.0:
             root, jumped = 0.0, at_start and zeros == 0
         elif any_below(bernstein, COUNT - zeros, 0.0):
-            root, work.touches[function] = first_root(
-                bernstein, taylor[zeros:], COUNT - zeros, rounding, work.pieces
-            )
-    return root, jumped
+            root, touch = first_root(bernstein, taylor[zeros:], COUNT - zeros, rounding, pieces)
+    return root, jumped, touch
 
 
-@inlined
-def _root_while_decaying(tables: Tables, work: Work, mode: int, now: int, function: int) -> float:
-    """Find the first zero within a step that leaves a decaying state out, which is added here."""
-    owner = tables.owner[now, function]
-    z = tables.decaying_state[owner]
-    share = tables.taylor[mode, function, z, 0] * work.state[z]
-    combine(work.state, tables.taylor[now, function], work.taylor.size, work.taylor)
-    decay = tables.decay[mode, owner] * tables.step[now]
-    return decaying_root(work.bernstein, work.taylor, share, decay, work.pieces)
+@compiled
+def _write(screened: Reals, first: int, margin: float, bernstein: Reals) -> bool:
+    """Write the Bernstein coefficients of a function; return whether one is at most the margin, or no number."""
+    below = False
+    for i in range(COUNT):
+        bernstein[i] = screened[first + i]
+        below |= not screened[first + i] > margin
+    return below
 
 
 @inlined
@@ -103,30 +106,44 @@ def first_event(
         once, and whether a decaying state that was left out has a say.
     """
     size, decaying = work.state.size, work.margins.size
+    state, screened, bernstein, taylor = work.state, work.screened, work.bernstein, work.taylor
     fired, fraction, jumped, close = NO_EVENT, NOWHERE, False, False
-    functions, first = tables.function_count[now], size
-    screened, bernstein = work.screened, work.bernstein
-    combine(work.state, tables.screen[now], size + functions * COUNT, screened)
+    functions, step, rows = tables.function_count[now], tables.step[now], rows_in(tables, now)
+    if tables.is_sparse:
+        write_terms(rows, step, state, work.terms)
+    else:
+        combine(state, tables.screen[now], size + functions * COUNT, screened)
     for function in range(functions):
         # First a glance at the coefficients, which is enough as a rule.
-        owner, margin = tables.owner[now, function], 0.0
+        owner, margin, known = tables.owner[now, function], 0.0, 0
         if now != mode and 0 <= owner < decaying:
             margin = work.margins[owner]
-        known = _known_zeros(tables, work, now, function) if at_start else 0
-        below, work.touches[function] = False, NOWHERE
-        for i in range(first, first + COUNT):
-            below |= not screened[i] > margin
+        if at_start and owner >= 0:
+            known = work.zeros[owner, tables.action[now, function]]
+        work.touches[function] = NOWHERE
+        if tables.is_sparse:
+            below = expand(
+                rows, function, margin, known, work.terms, tables.bernstein_from_taylor, taylor, bernstein
+            )
+        else:
+            below = _write(screened, size + function * COUNT, margin, bernstein)
         if known > 0 or below:
-            for i in range(COUNT):
-                bernstein[i] = screened[first + i]
+            if not tables.is_sparse:
+                combine(state, tables.taylor[now, function], COUNT, taylor)
             if margin > 0.0:
-                root, at_once = _root_while_decaying(tables, work, mode, now, function), False
+                z, at_once = tables.decaying_state[owner], False
+                share = coefficient(tables.taylor[mode], rows_in(tables, mode), function, z, size) * state[z]
+                root = decaying_root(bernstein, taylor, share, tables.decay[mode, owner] * step, work.pieces)
             else:
-                root, at_once = _root(tables, work, now, function, known, at_start)
+                zeros, rounding = _zeros(
+                    taylor, tables.sizes[now], rows, step, function, known, at_start, state, work.moduli
+                )
+                root, at_once, work.touches[function] = _root(
+                    bernstein, taylor, zeros, rounding, at_start, tables.bernstein_from_taylor, work.pieces
+                )
             if root == UNSURE or (known > 0 and margin > 0.0):
                 close = True
                 break
             if root < fraction or (root == 0.0 and owner == recent):
                 fired, fraction, jumped = function, root, at_once
-        first += COUNT
     return fired, fraction, jumped, close

@@ -1,15 +1,22 @@
-"""The modes that a motion has met, as the tables that the compiled integration reads."""
+"""The modes that a motion has met, as the tables that the compiled integration reads.
+
+Modes of small systems have tables of a whole step. Those of large ones, most of which are met once, are
+``trimmer.hybrid.sparse`` rows: then the tables of a step are empty.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Generic, NamedTuple, TypeVar
+from typing import ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
+from trimmer.errors import UnsupportedMotionError
+from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.series import ModeTables, tabulate
+from trimmer.hybrid.sparse import Rows, rows_of, step_of
 from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
@@ -21,12 +28,23 @@ JOINT = -2
 """In place of a mode to go on in: several parts at rest decide it together."""
 CAPACITY = 12
 """Modes for which there is room at first."""
+MOST_ENTRIES = 40_000
+"""Numbers in the tables of a step of one mode beyond which modes are rows."""
+MOST_MATRICES = 2_000_000
+"""Numbers in the matrices of flow of such modes that are kept; others are assembled anew where they are needed."""
+MOST_BYTES = 2**30
+"""Memory that the tables may take."""
 
 
 class Tables(NamedTuple):
     """First axis: mode; second: event function; last of transitions: fell to zero, or was negative at once.
 
     Attributes:
+        is_sparse: Whether modes are rows, and ``screen`` to ``hold`` are empty.
+        ends: Where in the entries the rows of a mode end, see ``trimmer.hybrid.sparse.Rows``,
+            (modes, 2 N + functions + 1).
+        columns: Places of the entries in their rows, (entries,).
+        values: The entries, (entries,).
         statuses: Of all parts, (modes, parts).
         settled: The mode without states that decay by themselves, itself if there are none, (modes,).
         step: Length h of a step, s, (modes,).
@@ -55,6 +73,10 @@ class Tables(NamedTuple):
         bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
 
+    is_sparse: bool
+    ends: Integers
+    columns: Integers
+    values: Reals
     statuses: Integers
     settled: Integers
     step: Reals
@@ -81,23 +103,40 @@ class Tables(NamedTuple):
     bernstein_from_taylor: Reals
 
 
-def _empty(system: System, capacity: int, functions: int) -> Tables:
+@inlined
+def rows_in(tables: Tables, mode: int) -> Rows:
+    """Return the rows of a mode."""
+    return Rows(tables.ends[mode], tables.columns, tables.values)
+
+
+def _entries(system: System) -> int:
+    """Return how many numbers the tables of a step of one mode have."""
+    size, functions = system.layout.size, 2 * system.part_count
+    return size * size * (DEGREE + 4) + 3 * size * functions * (DEGREE + 1)
+
+
+def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Tables:
     size, decaying, degree = system.layout.size, system.decaying_states, DEGREE + 1
+    tabulated, rows = (0, 2 * size + functions + 1) if is_sparse else (size, 0)
 
     def integers(*shape: int) -> Integers:
         return np.full((capacity, *shape), UNKNOWN, dtype=np.int64)
 
     return Tables(
+        is_sparse=is_sparse,
+        ends=np.zeros((capacity, rows), dtype=np.int64),
+        columns=np.empty(0, dtype=np.int64),
+        values=np.empty(0),
         statuses=integers(system.part_count),
         settled=integers(),
         step=np.empty(capacity),
-        screen=np.empty((capacity, size, size + functions * degree)),
-        series=np.empty((capacity, size, degree * size)),
+        screen=np.empty((capacity, tabulated, tabulated + functions * degree)),
+        series=np.empty((capacity, tabulated, degree * tabulated)),
         terms=integers(LEVELS),
-        taylor=np.empty((capacity, functions, size, degree)),
-        sizes=np.empty((capacity, functions, degree, size)),
-        flow=np.empty((capacity, size, size)),
-        hold=np.empty((capacity, size, size)),
+        taylor=np.empty((capacity, functions, tabulated, degree)),
+        sizes=np.empty((capacity, functions, degree, tabulated)),
+        flow=np.empty((capacity, tabulated, tabulated)),
+        hold=np.empty((capacity, tabulated, tabulated)),
         function_count=integers(),
         owner=integers(functions),
         action=integers(functions),
@@ -115,7 +154,7 @@ def _empty(system: System, capacity: int, functions: int) -> Tables:
     )
 
 
-_FIXED = ("decaying_state", "scale", "bernstein_from_taylor", "resets")
+_FIXED = ("is_sparse", "columns", "values", "decaying_state", "scale", "bernstein_from_taylor", "resets")
 _System = TypeVar("_System", bound=System)
 
 
@@ -128,31 +167,66 @@ class Modes(Generic[_System]):
         tables: Tables of the modes that were asked for.
     """
 
+    may_be_sparse: ClassVar[bool] = True
+    """Whether those of a large system are rows."""
     system: _System
-    _known: list[Mode] = field(default_factory=list, init=False, repr=False)
+    _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)
+    _known: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def tables(self) -> Tables:
         """Tables of all modes so far; they are replaced where there is no room."""
-        return _empty(self.system, CAPACITY, 2 * self.system.part_count)
+        is_sparse = self.may_be_sparse and _entries(self.system) > MOST_ENTRIES
+        return _empty(self.system, CAPACITY, 2 * self.system.part_count, is_sparse)
 
     def __getitem__(self, number: int) -> Mode:
+        if number not in self._known:
+            self._keep(number, self.system.mode(self._statuses[number]))
         return self._known[number]
 
+    def _keep(self, number: int, mode: Mode) -> None:
+        """Keep the equations of a mode, those of a large system for a while."""
+        most = max(MOST_MATRICES // mode.flow.size, 4)
+        if self.tables.is_sparse and len(self._known) >= most:
+            del self._known[next(iter(self._known))]
+        self._known[number] = mode
+
     def number(self, statuses: tuple[int, ...]) -> int:
-        """Return the number of a mode, which is tabulated when it is new."""
+        """Return the number of a mode, which is tabulated when it is new.
+
+        Raises:
+            UnsupportedMotionError: if the tables of so many modes would take too much memory.
+        """
         if statuses in self._numbers:
             return self._numbers[statuses]
         mode = self.system.mode(statuses)
         settled = self.number(mode.settled) if mode.settled != statuses else None
-        number = len(self._known)
+        number = len(self._statuses)
         self._make_room(number + 1, len(mode.functions))
         self._numbers[statuses] = number
-        self._known.append(mode)
+        self._statuses.append(statuses)
+        self._keep(number, mode)
         self._tabulate(number, mode)
         self.tables.settled[number] = number if settled is None else settled
         return number
+
+    def moduli(self, number: int, state: Reals) -> Reals:
+        """Return the moduli of what the event functions of a mode and their changes over a step are made of."""
+        tables, size = self.tables, abs(state)
+        count = int(tables.function_count[number])
+        if not tables.is_sparse:
+            sizes: Reals = tables.sizes[number, :count, :2].sum(axis=1) @ size
+            return sizes
+        ends, first = tables.ends[number], 2 * len(state)
+        size = size + tables.step[number] * self._product(ends[: len(state) + 1], size)
+        return self._product(ends[first : first + count + 1], size)
+
+    def _product(self, ends: Integers, vector: Reals) -> Reals:
+        """Return the moduli of rows times a vector (N,)."""
+        entries, rows = slice(ends[0], ends[-1]), np.repeat(np.arange(len(ends) - 1), np.diff(ends))
+        products = abs(self.tables.values[entries]) * vector[self.tables.columns[entries]]
+        return np.bincount(rows, weights=products, minlength=len(ends) - 1)
 
     def follow(self, number: int, function: int, jumped: bool) -> None:
         """Tabulate the mode that follows an event, if the statuses decide it."""
@@ -165,27 +239,53 @@ class Modes(Generic[_System]):
             self.tables.zeros[place] = 0
             for action, zeros in change.zeros:
                 self.tables.zeros[(*place, action)] = zeros
-            self.tables.reset[place] = NO_RESET if change.reset is None else self._keep(change.reset)
+            self.tables.reset[place] = NO_RESET if change.reset is None else self._keep_reset(change.reset)
 
     def _make_room(self, modes: int, functions: int) -> None:
         tables = self.tables
-        if modes <= len(tables.step) and functions <= tables.taylor.shape[1]:
+        room, has = len(tables.step), tables.owner.shape[1]
+        if modes <= room and functions <= has:
             return
-        capacity = max(len(tables.step), 2 * len(tables.step) * (modes > len(tables.step)))
-        larger = _empty(self.system, capacity, max(functions, tables.taylor.shape[1]))
+        room = 2 * room if modes > room else room
+        most = sum(each.nbytes for each in tables if isinstance(each, np.ndarray))
+        if most * (room / len(tables.step)) * (max(functions, has) / has) > MOST_BYTES:
+            raise UnsupportedMotionError(
+                f"the motion meets more than {modes - 1} combinations of contact and stick, "
+                f"and the tables of more would take more than {MOST_BYTES / 2**30:g} GB"
+            )
+        larger = _empty(self.system, room, max(functions, has), tables.is_sparse)
         for name, old in tables._asdict().items():
             if name not in _FIXED:
                 new = getattr(larger, name)
                 new[tuple(slice(0, length) for length in old.shape)] = old
-        self.__dict__["tables"] = larger._replace(resets=tables.resets)
+        fixed = {name: getattr(tables, name) for name in _FIXED}
+        self.__dict__["tables"] = larger._replace(**fixed)
 
-    def _keep(self, reset: Reals) -> int:
+    def _keep_reset(self, reset: Reals) -> int:
         """Keep a reset, and return its number."""
         tables = self.tables
         self.__dict__["tables"] = tables._replace(resets=np.concatenate([tables.resets, reset.T[None]]))
         return len(tables.resets)
 
-    def _tabulate(self, number: int, mode: Mode) -> None:
+    def _write_rows(self, number: int, mode: Mode) -> None:
+        """Write a mode as rows, behind those of the others."""
+        tables, rows = self.tables, [each.row for each in mode.functions]
+        begin = int(tables.ends[:number].max(initial=0))
+        ends, *entries = rows_of((mode.flow, mode.hold, np.array(rows).reshape(-1, len(mode.flow))))
+        last = begin + int(ends[-1])
+        if last > len(tables.values):
+            more = max(last, 2 * len(tables.values)) - len(tables.values)
+            longer = (
+                np.concatenate([each, np.zeros(more, each.dtype)]) for each in (tables.columns, tables.values)
+            )
+            columns, values = longer
+            tables = self.__dict__["tables"] = tables._replace(columns=columns, values=values)
+        tables.columns[begin:last], tables.values[begin:last] = entries
+        tables.ends[number, : len(ends)] = begin + ends
+        tables.step[number] = step_of(mode.flow, self.system.layout.state_count)
+
+    def _write_step(self, number: int, mode: Mode) -> None:
+        """Write the tables of a step."""
         tables, count = self.tables, len(mode.functions)
         rows = np.array([each.row for each in mode.functions]).reshape(count, len(mode.flow))
         target = ModeTables(
@@ -197,8 +297,15 @@ class Modes(Generic[_System]):
             tables.bernstein_from_taylor,
         )
         tables.step[number] = tabulate(mode.flow, self.system.layout.state_count, rows, target)
-        tables.statuses[number] = mode.statuses
         tables.flow[number], tables.hold[number] = mode.flow, mode.hold.T
+
+    def _tabulate(self, number: int, mode: Mode) -> None:
+        if self.tables.is_sparse:
+            self._write_rows(number, mode)
+        else:
+            self._write_step(number, mode)
+        tables, count = self.tables, len(mode.functions)
+        tables.statuses[number] = mode.statuses
         tables.function_count[number] = count
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from trimmer.arrays import Integers
 from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.sparse import hold, modulus_of, value_of
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, NOTHING, REVERSED
-from trimmer.hybrid.tables import NO_RESET, Tables
+from trimmer.hybrid.tables import NO_RESET, Tables, rows_in
 from trimmer.hybrid.work import Log, Work
 
 DECAYED = 2.0**-56
@@ -27,11 +28,11 @@ def is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool
         for function in range(tables.function_count[mode]):
             if function != fired and tables.action[mode, function] == ARRIVED:
                 # Another part that comes to rest at the same instant has a say as well.
-                value, size = 0.0, 0.0
-                for i in range(work.state.size):
-                    value += tables.taylor[mode, function, i, 0] * work.state[i]
-                    sizes = tables.sizes[mode, function, 0, i] + tables.sizes[mode, function, 1, i]
-                    size += sizes * abs(work.state[i])
+                rows = rows_in(tables, mode)
+                value = value_of(tables.taylor[mode], rows, function, work.state)
+                size, step, sizes = 0.0, tables.step[mode], tables.sizes[mode]
+                for k in range(2):
+                    size += modulus_of(sizes, rows, step, function, k, work.state, work.moduli)
                 if abs(value) <= AT_REST * size:
                     found = False
     return bool(found)
@@ -73,8 +74,7 @@ def change(
     if reset != NO_RESET:
         combine(state, tables.resets[reset], size, work.following)
         copy(work.following, size, state)
-    combine(state, tables.hold[target], size, work.following)
-    copy(work.following, size, state)
+    hold(tables.hold[target], rows_in(tables, target), state, work.following)
     copy(state, size, log.state[row])
     for function in range(tables.function_count[target]):
         other = tables.owner[target, function]

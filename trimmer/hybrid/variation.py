@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.hybrid.propagation import Room, propagate
+from trimmer.hybrid.sparse import Rows, carry
 from trimmer.hybrid.tabulated_change import AT_REST
 
 if TYPE_CHECKING:
@@ -39,6 +40,8 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     distances, size = np.array(tangents, dtype=np.float64, order="C"), log.state.shape[1]
     count = len(distances)
     room = Room(np.empty_like(distances), np.empty((count, count)), np.empty(size), np.empty(size))
+    if modes.tables.is_sparse:
+        return _by_rows(modes, log, end, distances)
     rows = len(log.start)
     row = propagate(modes.tables, log, end, 0, distances, room)
     while row < rows:
@@ -47,6 +50,35 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
         _jump(modes, log, row, last, distances)
         row = propagate(modes.tables, log, end, row, distances, room)
     return distances
+
+
+def _by_rows(modes: Modes[Any], log: Log, end: float, distances: Reals) -> Reals:
+    """Return what becomes of distances where modes are rows."""
+    distances = _fitted(modes, int(log.mode[0]), distances)
+    rows, row = len(log.start), 0
+    while row < rows:
+        following = int(np.searchsorted(log.start, log.start[row], side="right"))
+        last = following - 1
+        if row > 0:
+            _jump(modes, log, row, last, distances)
+        until = float(log.start[following] if following < rows else end)
+        _go_on(modes, int(log.mode[last]), until - log.start[last], distances)
+        row = following
+    return distances
+
+
+def _go_on(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> None:
+    """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
+    tables, count = modes.tables, len(distances)
+    settled = int(tables.settled[mode])
+    extended = np.zeros((distances.shape[1], tables.resets.shape[1]))
+    extended[:, :count] = distances.T
+    rows = Rows(tables.ends[settled], tables.columns, tables.values)
+    carry(rows, float(tables.step[settled]), duration, extended)
+    distances[:] = extended[:, :count].T
+    # States that decay by themselves, or have done so, are left out of the flow.
+    for place, rate in modes[settled].decayed:
+        distances[place] *= np.exp(-rate * duration)
 
 
 def _fitted(modes: Modes[Any], mode: int, distances: Reals) -> Reals:
@@ -108,12 +140,10 @@ def _falling(modes: Modes[Any], before: int, fired: int, state: Reals) -> list[E
     What is the same as one of them for all motions of the mode falls to zero with it in a neighbour too: two
     frictions of a body come to rest together where the other body of the one is held.
     """
-    mode, tables = modes[before], modes.tables
+    mode = modes[before]
     falling = [mode.functions[fired]]
-    count = len(mode.functions)
-    values = tables.taylor[before, :count, :, 0] @ state
-    sizes = tables.sizes[before, :count, :2].sum(axis=1) @ abs(state)
-    for number in np.flatnonzero(abs(values) <= AT_REST * sizes):
+    values = np.array([each.row for each in mode.functions]) @ state
+    for number in np.flatnonzero(abs(values) <= AT_REST * modes.moduli(before, state)):
         function = mode.functions[number]
         others = all(function.owner != each.owner for each in falling)
         if not others or function.row @ (mode.flow @ state) >= 0:
