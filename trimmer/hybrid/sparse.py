@@ -1,8 +1,9 @@
 """Modes of large systems as rows of what is not zero, from which each step is expanded anew: compiled.
 
-Tables of a step grow with the square of the number of states, for each event function too, and most modes of a
-large system are met once. Its matrices have few entries that are not zero, and the Taylor terms of one state
-cost no more than a look at tables would.
+Tables of a step grow with the square of the number of states, for each event function too, and most modes
+of a large system are met once. Its matrices have few entries that are not zero, and the Taylor terms of one
+state cost no more than a look at tables would. Where there are no rows, which the compiler sees, the tables
+serve.
 """
 
 from __future__ import annotations
@@ -23,10 +24,11 @@ if TYPE_CHECKING:
 
 
 class Rows(NamedTuple):
-    """Rows of one mode: those of its flow, of what it holds, and of its event functions.
+    """Rows of modes: of each those of its flow, of what it holds, and of its event functions.
 
     Attributes:
-        ends: Where in the entries each row ends, that of the first one begins before, (2 N + functions + 1,).
+        ends: Where in the entries each row ends, behind where the first one of a mode begins,
+            (modes, 2 N + functions + 1).
         columns: Places of the entries in their rows, (entries,).
         values: The entries, (entries,).
     """
@@ -36,15 +38,30 @@ class Rows(NamedTuple):
     values: Reals
 
 
-def rows_of(parts: Iterable[Reals]) -> Rows:
-    """Return the rows of some matrices, one after the other."""
+def with_rows(rows: Rows, mode: int, parts: Iterable[Reals]) -> Rows:
+    """Return rows with those of some matrices, one after the other, as those of a mode."""
     found = [(*np.nonzero(part), part) for part in parts]
-    counts = [np.bincount(rows, minlength=len(part)) for rows, _, part in found]
-    return Rows(
-        np.concatenate([[0], np.cumsum(np.concatenate(counts))]).astype(np.int64),
-        np.concatenate([columns for _, columns, _ in found]).astype(np.int64),
-        np.concatenate([part[rows, columns] for rows, columns, part in found]),
+    counts = [np.bincount(lines, minlength=len(part)) for lines, _, part in found]
+    begin = int(rows.ends[:mode].max(initial=0))
+    ends = begin + np.concatenate([[0], np.cumsum(np.concatenate(counts))])
+    rows.ends[mode, : len(ends)] = ends
+    more = max(ends[-1], 2 * len(rows.values)) - len(rows.values) if ends[-1] > len(rows.values) else 0
+    longer = Rows(
+        rows.ends,
+        np.concatenate([rows.columns, np.zeros(more, dtype=np.int64)]) if more else rows.columns,
+        np.concatenate([rows.values, np.zeros(more)]) if more else rows.values,
     )
+    longer.columns[begin : ends[-1]] = np.concatenate([columns for _, columns, _ in found])
+    longer.values[begin : ends[-1]] = np.concatenate([part[lines, columns] for lines, columns, part in found])
+    return longer
+
+
+def moduli_times(rows: Rows, mode: int, first: int, count: int, vector: Reals) -> Reals:
+    """Return the moduli of some rows of a mode times a vector (N,)."""
+    ends = rows.ends[mode, first : first + count + 1]
+    entries, lines = slice(ends[0], ends[-1]), np.repeat(np.arange(count), np.diff(ends))
+    products = abs(rows.values[entries]) * vector[rows.columns[entries]]
+    return np.bincount(lines, weights=products, minlength=count)
 
 
 def step_of(flow: Reals, states: int) -> float:
@@ -78,46 +95,38 @@ def step_of(flow: Reals, states: int) -> float:
 
 
 @compiled
-def multiply(rows: Rows, first: int, factor: float, vector: Reals, result: Reals) -> None:
-    """Write a factor times some rows times a vector (N,)."""
+def multiply(rows: Rows, mode: int, first: int, factor: float, vector: Reals, result: Reals) -> None:
+    """Write a factor times some rows of a mode times a vector (N,)."""
+    ends, columns, values = rows.ends[mode], rows.columns, rows.values
     for i in range(result.size):
         total = 0.0
-        for entry in range(rows.ends[first + i], rows.ends[first + i + 1]):
-            total += rows.values[entry] * vector[rows.columns[entry]]
+        for entry in range(ends[first + i], ends[first + i + 1]):
+            total += values[entry] * vector[columns[entry]]
         result[i] = factor * total
 
 
 @compiled
-def value(rows: Rows, row: int, vector: Reals) -> float:
-    """Return a row times a vector (N,)."""
-    total = 0.0
-    for entry in range(rows.ends[row], rows.ends[row + 1]):
-        total += rows.values[entry] * vector[rows.columns[entry]]
+def _function(rows: Rows, mode: int, function: int, terms: Reals, first: int, size: int) -> float:
+    """Return an event function of the state (size,) that begins at a place of an array."""
+    ends, total = rows.ends[mode], 0.0
+    for entry in range(ends[2 * size + function], ends[2 * size + function + 1]):
+        total += rows.values[entry] * terms[first + rows.columns[entry]]
     return total
 
 
 @compiled
-def entry_of(rows: Rows, row: int, column: int) -> float:
-    """Return an entry of a row."""
-    found = 0.0
-    for entry in range(rows.ends[row], rows.ends[row + 1]):
-        if rows.columns[entry] == column:
-            found = rows.values[entry]
-    return found
-
-
-@compiled
-def write_terms(rows: Rows, step: float, state: Reals, terms: Reals) -> None:
+def write_terms(rows: Rows, mode: int, step: float, state: Reals, terms: Reals) -> None:
     """Write the Taylor terms (M h)^k Z / k! of a state, side by side, (COUNT N,)."""
     size = state.size
     copy(state, size, terms)
     for k in range(1, COUNT):
-        multiply(rows, 0, step / k, terms[(k - 1) * size : k * size], terms[k * size : (k + 1) * size])
+        multiply(rows, mode, 0, step / k, terms[(k - 1) * size : k * size], terms[k * size : (k + 1) * size])
 
 
 @compiled
 def expand(  # noqa: PLR0913
     rows: Rows,
+    mode: int,
     function: int,
     margin: float,
     known: int,
@@ -132,12 +141,11 @@ def expand(  # noqa: PLR0913
         Whether one of its Bernstein coefficients is at most a margin. They are written only then, or if some
         are known to be zero.
     """
-    size = terms.size // COUNT
-    moduli = 0.0
+    size, rest = terms.size // COUNT, 0.0
     for k in range(COUNT):
-        taylor[k] = value(rows, 2 * size + function, terms[k * size : (k + 1) * size])
-        moduli += abs(taylor[k])
-    below = not taylor[0] - (moduli - abs(taylor[0])) > margin
+        taylor[k] = _function(rows, mode, function, terms, k * size, size)
+        rest += abs(taylor[k]) if k > 0 else 0.0
+    below = not taylor[0] - rest > margin
     if below or known > 0:
         combine(taylor, bernstein_from_taylor[0], COUNT, bernstein)
         below = False
@@ -147,91 +155,86 @@ def expand(  # noqa: PLR0913
 
 
 @compiled
-def modulus(rows: Rows, row: int, step: float, count: int, state: Reals, room: Reals) -> float:
-    """Return the sum of the moduli of what the coefficients of s^0, s^1, ... of a row are made of.
-
-    Args:
-        rows: The rows of the mode.
-        row: The row.
-        step: h, s.
-        count: How many coefficients.
-        state: The state, (N,).
-        room: Room for at least two states.
-    """
-    size, total = state.size, 0.0
-    now, following = room[:size], room[size : 2 * size]
+def _modulus(
+    rows: Rows, mode: int, step: float, function: int, count: int, state: Reals, room: Reals
+) -> float:
+    """Return the sum of the moduli of what the first coefficients of an event function are made of."""
+    ends, columns, values = rows.ends[mode], rows.columns, rows.values
+    size, total, row = state.size, 0.0, 2 * state.size + function
     for i in range(size):
-        now[i] = abs(state[i])
+        room[i] = abs(state[i])
     for k in range(count):
-        for entry in range(rows.ends[row], rows.ends[row + 1]):
-            total += abs(rows.values[entry]) * now[rows.columns[entry]]
-        if k + 1 < count:
-            for i in range(size):
-                following[i] = 0.0
-                for entry in range(rows.ends[i], rows.ends[i + 1]):
-                    following[i] += abs(rows.values[entry]) * now[rows.columns[entry]]
-            for i in range(size):
-                now[i] = following[i] * step / (k + 1)
+        for entry in range(ends[row], ends[row + 1]):
+            total += abs(values[entry]) * room[columns[entry]]
+        for i in range(size if k + 1 < count else 0):
+            room[size + i] = 0.0
+            for entry in range(ends[i], ends[i + 1]):
+                room[size + i] += abs(values[entry]) * room[columns[entry]]
+        for i in range(size if k + 1 < count else 0):
+            room[i] = room[size + i] * step / (k + 1)
     return total
 
 
 @compiled
-def hold(dense: Reals, rows: Rows, state: Reals, room: Reals) -> None:
-    """Make a state fit what a mode holds, by its matrix, transposed, or by its rows if that is empty."""
+def hold(dense: Reals, rows: Rows | None, mode: int, state: Reals, room: Reals) -> None:
+    """Make a state fit what a mode holds, by its matrix, transposed, or by its rows."""
     size = state.size
-    if len(dense) == size:
+    if rows is None:
         combine(state, dense, size, room)
     else:
-        multiply(rows, size, 1.0, state, room)
+        multiply(rows, mode, size, 1.0, state, room)
     copy(room, size, state)
 
 
 @compiled
-def value_of(taylor: Reals, rows: Rows, function: int, state: Reals) -> float:
-    """Return an event function, by its coefficients, (functions, N, K + 1), or by its row if there are none."""
+def value_of(taylor: Reals, rows: Rows | None, mode: int, function: int, state: Reals) -> float:
+    """Return an event function, by its coefficients, (functions, N, K + 1), or by its row."""
     size, total = state.size, 0.0
-    if taylor.shape[1] == size:
+    if rows is None:
         for i in range(size):
             total += taylor[function, i, 0] * state[i]
     else:
-        total = value(rows, 2 * size + function, state)
+        total = _function(rows, mode, function, state, 0, size)
     return total
 
 
 @compiled
-def coefficient(taylor: Reals, rows: Rows, function: int, place: int, size: int) -> float:
+def coefficient(taylor: Reals, rows: Rows | None, mode: int, function: int, place: int, size: int) -> float:
     """Return the entry of an event function at a place of the state (size,)."""
-    entry = 0.0
-    if taylor.shape[1] == size:
-        entry = taylor[function, place, 0]
+    found = 0.0
+    if rows is None:
+        found = taylor[function, place, 0]
     else:
-        entry = entry_of(rows, 2 * size + function, place)
-    return entry
+        ends = rows.ends[mode]
+        for entry in range(ends[2 * size + function], ends[2 * size + function + 1]):
+            if rows.columns[entry] == place:
+                found = rows.values[entry]
+    return found
 
 
 @compiled
 def modulus_of(  # noqa: PLR0913
-    sizes: Reals, rows: Rows, step: float, function: int, k: int, state: Reals, room: Reals
+    sizes: Reals, rows: Rows | None, mode: int, step: float, function: int, k: int, state: Reals, room: Reals
 ) -> float:
     """Return the sum of the moduli of what the coefficient of s^k of an event function is made of.
 
     By rows it is that of all coefficients up to that one.
     """
-    size, total = state.size, 0.0
-    if sizes.shape[2] == size:
+    total = 0.0
+    if rows is None:
         total = combined_moduli(state, sizes[function, k])
     else:
-        total = modulus(rows, 2 * size + function, step, k + 1, state, room)
+        total = _modulus(rows, mode, step, function, k + 1, state, room)
     return total
 
 
 def _entry(sources: bytes) -> Callable[..., None]:
-    def entry(rows: Rows, step: float, duration: float, tangents: Reals, terms: Reals) -> None:
+    def entry(rows: Rows, mode: int, step: float, duration: float, tangents: Reals, terms: Reals) -> None:
         sources  # noqa: B018
         for column in range(len(tangents)):
             left = duration
             while left > 0.0:
-                write_terms(rows, step, tangents[column], terms)
+                write_terms(rows, mode, step, tangents[column], terms)
                 evaluate_terms(terms, COUNT, min(left / step, 1.0), tangents[column])
                 left -= step
 
@@ -241,6 +244,6 @@ def _entry(sources: bytes) -> Callable[..., None]:
 _compiled_entry = _entry(sources())
 
 
-def carry(rows: Rows, step: float, duration: float, tangents: Reals) -> None:
+def carry(rows: Rows, mode: int, step: float, duration: float, tangents: Reals) -> None:
     """Multiply extended states (columns, N), in place, by the flow of a mode over a duration, s."""
-    _compiled_entry(rows, step, duration, tangents, np.empty(COUNT * tangents.shape[1]))
+    _compiled_entry(rows, mode, step, duration, tangents, np.empty(COUNT * tangents.shape[1]))

@@ -8,7 +8,7 @@ from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
 from trimmer.hybrid.linear_combination import any_below, combine, within
 from trimmer.hybrid.sparse import Rows, coefficient, expand, modulus_of, write_terms
-from trimmer.hybrid.tables import Tables, rows_in
+from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
 from trimmer.hybrid.work import Work
 
@@ -22,7 +22,8 @@ COUNT = DEGREE + 1
 def _zeros(  # noqa: PLR0913
     taylor: Reals,
     sizes: Reals,
-    rows: Rows,
+    rows: Rows | None,
+    mode: int,
     step: float,
     function: int,
     known: int,
@@ -35,12 +36,12 @@ def _zeros(  # noqa: PLR0913
     Returns:
         How many there are, and the value below which rounding decides whether the function is zero.
     """
-    zeros, size = 0, modulus_of(sizes, rows, step, function, 0, state, room)
+    zeros, size = 0, modulus_of(sizes, rows, mode, step, function, 0, state, room)
     while zeros < COUNT:
         if zeros >= known and taylor[zeros] != 0.0:
             if not at_start:
                 break
-            here = modulus_of(sizes, rows, step, function, zeros, state, room)
+            here = modulus_of(sizes, rows, mode, step, function, zeros, state, room)
             if abs(taylor[zeros]) > ROUNDING * max(size, here):
                 break
         taylor[zeros] = 0.0
@@ -49,7 +50,7 @@ def _zeros(  # noqa: PLR0913
 
 
 @compiled
-def _root(  # noqa: PLR0913
+def _root(
     bernstein: Reals,
     taylor: Reals,
     zeros: int,
@@ -78,23 +79,64 @@ def _root(  # noqa: PLR0913
 
 
 @compiled
-def _write(screened: Reals, first: int, margin: float, bernstein: Reals) -> bool:
-    """Write the Bernstein coefficients of a function; return whether one is at most the margin, or no number."""
+def _look_ahead(  # noqa: PLR0913
+    screen: Reals,
+    rows: Rows | None,
+    mode: int,
+    step: float,
+    functions: int,
+    state: Reals,
+    screened: Reals,
+    terms: Reals,
+) -> None:
+    """Write the state after a step and the Bernstein coefficients of all event functions, or Taylor terms."""
+    if rows is None:
+        combine(state, screen, state.size + functions * COUNT, screened)
+    else:
+        write_terms(rows, mode, step, state, terms)
+
+
+@compiled
+def _glance(  # noqa: PLR0913
+    rows: Rows | None,
+    mode: int,
+    function: int,
+    margin: float,
+    known: int,
+    screened: Reals,
+    terms: Reals,
+    bernstein_from_taylor: Reals,
+    taylor: Reals,
+    bernstein: Reals,
+) -> bool:
+    """Write the Bernstein coefficients of a function; say whether one is at most the margin, or no number."""
     below = False
-    for i in range(COUNT):
-        bernstein[i] = screened[first + i]
-        below |= not screened[first + i] > margin
+    if rows is None:
+        first = terms.size // COUNT + function * COUNT
+        for i in range(COUNT):
+            bernstein[i] = screened[first + i]
+            below |= not screened[first + i] > margin
+    else:
+        below = expand(rows, mode, function, margin, known, terms, bernstein_from_taylor, taylor, bernstein)
     return below
+
+
+@compiled
+def _write_taylor(dense: Reals, rows: Rows | None, state: Reals, taylor: Reals) -> None:
+    """Write the coefficients of s^k of an event function, which stand there already if modes are rows."""
+    if rows is None:
+        combine(state, dense, COUNT, taylor)
 
 
 @inlined
 def first_event(
-    tables: Tables, work: Work, mode: int, now: int, at_start: bool, recent: int
+    tables: Tables, rows: Rows | None, work: Work, mode: int, now: int, at_start: bool, recent: int
 ) -> tuple[int, float, bool, bool]:
     """Find which event function falls to zero first during a step from ``work.state``.
 
     Args:
         tables: The modes.
+        rows: Their rows, None if the tables of a step are there.
         work: The state, and what is known to be zero.
         mode: The mode.
         now: The same, or the one without decaying states, which are counted with margins alone.
@@ -105,14 +147,11 @@ def first_event(
         The event function, the fraction of the step at which it falls to zero, whether it was negative at
         once, and whether a decaying state that was left out has a say.
     """
-    size, decaying = work.state.size, work.margins.size
-    state, screened, bernstein, taylor = work.state, work.screened, work.bernstein, work.taylor
+    size, decaying, matrices = work.state.size, work.margins.size, tables.bernstein_from_taylor
+    state, bernstein, taylor = work.state, work.bernstein, work.taylor
     fired, fraction, jumped, close = NO_EVENT, NOWHERE, False, False
-    functions, step, rows = tables.function_count[now], tables.step[now], rows_in(tables, now)
-    if tables.is_sparse:
-        write_terms(rows, step, state, work.terms)
-    else:
-        combine(state, tables.screen[now], size + functions * COUNT, screened)
+    functions, step = tables.function_count[now], tables.step[now]
+    _look_ahead(tables.screen[now], rows, now, step, functions, state, work.screened, work.terms)
     for function in range(functions):
         # First a glance at the coefficients, which is enough as a rule.
         owner, margin, known = tables.owner[now, function], 0.0, 0
@@ -121,25 +160,22 @@ def first_event(
         if at_start and owner >= 0:
             known = work.zeros[owner, tables.action[now, function]]
         work.touches[function] = NOWHERE
-        if tables.is_sparse:
-            below = expand(
-                rows, function, margin, known, work.terms, tables.bernstein_from_taylor, taylor, bernstein
-            )
-        else:
-            below = _write(screened, size + function * COUNT, margin, bernstein)
+        below = _glance(
+            rows, now, function, margin, known, work.screened, work.terms, matrices, taylor, bernstein
+        )
         if known > 0 or below:
-            if not tables.is_sparse:
-                combine(state, tables.taylor[now, function], COUNT, taylor)
+            _write_taylor(tables.taylor[now, function], rows, state, taylor)
             if margin > 0.0:
                 z, at_once = tables.decaying_state[owner], False
-                share = coefficient(tables.taylor[mode], rows_in(tables, mode), function, z, size) * state[z]
+                share = coefficient(tables.taylor[mode], rows, mode, function, z, size) * state[z]
                 root = decaying_root(bernstein, taylor, share, tables.decay[mode, owner] * step, work.pieces)
             else:
+                sizes = tables.sizes[now]
                 zeros, rounding = _zeros(
-                    taylor, tables.sizes[now], rows, step, function, known, at_start, state, work.moduli
+                    taylor, sizes, rows, now, step, function, known, at_start, state, work.moduli
                 )
                 root, at_once, work.touches[function] = _root(
-                    bernstein, taylor, zeros, rounding, at_start, tables.bernstein_from_taylor, work.pieces
+                    bernstein, taylor, zeros, rounding, at_start, matrices, work.pieces
                 )
             if root == UNSURE or (known > 0 and margin > 0.0):
                 close = True

@@ -14,9 +14,8 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.errors import UnsupportedMotionError
-from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.series import ModeTables, tabulate
-from trimmer.hybrid.sparse import Rows, rows_of, step_of
+from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
@@ -31,7 +30,7 @@ CAPACITY = 12
 MOST_ENTRIES = 40_000
 """Numbers in the tables of a step of one mode beyond which modes are rows."""
 MOST_MATRICES = 2_000_000
-"""Numbers in the matrices of flow of such modes that are kept; others are assembled anew where they are needed."""
+"""Numbers in the matrices of such modes that are kept; others are assembled anew where they are needed."""
 MOST_BYTES = 2**30
 """Memory that the tables may take."""
 
@@ -40,11 +39,7 @@ class Tables(NamedTuple):
     """First axis: mode; second: event function; last of transitions: fell to zero, or was negative at once.
 
     Attributes:
-        is_sparse: Whether modes are rows, and ``screen`` to ``hold`` are empty.
-        ends: Where in the entries the rows of a mode end, see ``trimmer.hybrid.sparse.Rows``,
-            (modes, 2 N + functions + 1).
-        columns: Places of the entries in their rows, (entries,).
-        values: The entries, (entries,).
+        rows: The modes as rows; then ``screen`` to ``hold`` are empty. None for small systems.
         statuses: Of all parts, (modes, parts).
         settled: The mode without states that decay by themselves, itself if there are none, (modes,).
         step: Length h of a step, s, (modes,).
@@ -73,10 +68,7 @@ class Tables(NamedTuple):
         bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
 
-    is_sparse: bool
-    ends: Integers
-    columns: Integers
-    values: Reals
+    rows: Rows | None
     statuses: Integers
     settled: Integers
     step: Reals
@@ -103,12 +95,6 @@ class Tables(NamedTuple):
     bernstein_from_taylor: Reals
 
 
-@inlined
-def rows_in(tables: Tables, mode: int) -> Rows:
-    """Return the rows of a mode."""
-    return Rows(tables.ends[mode], tables.columns, tables.values)
-
-
 def _entries(system: System) -> int:
     """Return how many numbers the tables of a step of one mode have."""
     size, functions = system.layout.size, 2 * system.part_count
@@ -117,16 +103,15 @@ def _entries(system: System) -> int:
 
 def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Tables:
     size, decaying, degree = system.layout.size, system.decaying_states, DEGREE + 1
-    tabulated, rows = (0, 2 * size + functions + 1) if is_sparse else (size, 0)
+    tabulated = 0 if is_sparse else size
 
     def integers(*shape: int) -> Integers:
         return np.full((capacity, *shape), UNKNOWN, dtype=np.int64)
 
+    ends = np.zeros((capacity, 2 * size + functions + 1), dtype=np.int64)
+    rows = Rows(ends, np.empty(0, dtype=np.int64), np.empty(0)) if is_sparse else None
     return Tables(
-        is_sparse=is_sparse,
-        ends=np.zeros((capacity, rows), dtype=np.int64),
-        columns=np.empty(0, dtype=np.int64),
-        values=np.empty(0),
+        rows=rows,
         statuses=integers(system.part_count),
         settled=integers(),
         step=np.empty(capacity),
@@ -154,7 +139,7 @@ def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Ta
     )
 
 
-_FIXED = ("is_sparse", "columns", "values", "decaying_state", "scale", "bernstein_from_taylor", "resets")
+_FIXED = ("rows", "decaying_state", "scale", "bernstein_from_taylor", "resets")
 _System = TypeVar("_System", bound=System)
 
 
@@ -188,7 +173,7 @@ class Modes(Generic[_System]):
     def _keep(self, number: int, mode: Mode) -> None:
         """Keep the equations of a mode, those of a large system for a while."""
         most = max(MOST_MATRICES // mode.flow.size, 4)
-        if self.tables.is_sparse and len(self._known) >= most:
+        if self.tables.rows is not None and len(self._known) >= most:
             del self._known[next(iter(self._known))]
         self._known[number] = mode
 
@@ -212,21 +197,14 @@ class Modes(Generic[_System]):
         return number
 
     def moduli(self, number: int, state: Reals) -> Reals:
-        """Return the moduli of what the event functions of a mode and their changes over a step are made of."""
+        """Return the moduli of what event functions of a mode and their changes over a step are made of."""
         tables, size = self.tables, abs(state)
         count = int(tables.function_count[number])
-        if not tables.is_sparse:
+        if tables.rows is None:
             sizes: Reals = tables.sizes[number, :count, :2].sum(axis=1) @ size
             return sizes
-        ends, first = tables.ends[number], 2 * len(state)
-        size = size + tables.step[number] * self._product(ends[: len(state) + 1], size)
-        return self._product(ends[first : first + count + 1], size)
-
-    def _product(self, ends: Integers, vector: Reals) -> Reals:
-        """Return the moduli of rows times a vector (N,)."""
-        entries, rows = slice(ends[0], ends[-1]), np.repeat(np.arange(len(ends) - 1), np.diff(ends))
-        products = abs(self.tables.values[entries]) * vector[self.tables.columns[entries]]
-        return np.bincount(rows, weights=products, minlength=len(ends) - 1)
+        changes = tables.step[number] * moduli_times(tables.rows, number, 0, len(state), size)
+        return moduli_times(tables.rows, number, 2 * len(state), count, size + changes)
 
     def follow(self, number: int, function: int, jumped: bool) -> None:
         """Tabulate the mode that follows an event, if the statuses decide it."""
@@ -247,19 +225,24 @@ class Modes(Generic[_System]):
         if modes <= room and functions <= has:
             return
         room = 2 * room if modes > room else room
-        most = sum(each.nbytes for each in tables if isinstance(each, np.ndarray))
+        arrays = (*tables, *(tables.rows or ()))
+        most = sum(each.nbytes for each in arrays if isinstance(each, np.ndarray))
         if most * (room / len(tables.step)) * (max(functions, has) / has) > MOST_BYTES:
             raise UnsupportedMotionError(
                 f"the motion meets more than {modes - 1} combinations of contact and stick, "
                 f"and the tables of more would take more than {MOST_BYTES / 2**30:g} GB"
             )
-        larger = _empty(self.system, room, max(functions, has), tables.is_sparse)
+        larger = _empty(self.system, room, max(functions, has), tables.rows is not None)
         for name, old in tables._asdict().items():
             if name not in _FIXED:
                 new = getattr(larger, name)
                 new[tuple(slice(0, length) for length in old.shape)] = old
-        fixed = {name: getattr(tables, name) for name in _FIXED}
-        self.__dict__["tables"] = larger._replace(**fixed)
+        rows = larger.rows
+        if rows is not None and tables.rows is not None:
+            ends = tables.rows.ends
+            rows.ends[: len(ends), : ends.shape[1]] = ends
+            rows = tables.rows._replace(ends=rows.ends)
+        self.__dict__["tables"] = larger._replace(resets=tables.resets, rows=rows)
 
     def _keep_reset(self, reset: Reals) -> int:
         """Keep a reset, and return its number."""
@@ -267,22 +250,12 @@ class Modes(Generic[_System]):
         self.__dict__["tables"] = tables._replace(resets=np.concatenate([tables.resets, reset.T[None]]))
         return len(tables.resets)
 
-    def _write_rows(self, number: int, mode: Mode) -> None:
+    def _write_rows(self, number: int, mode: Mode, rows: Rows) -> None:
         """Write a mode as rows, behind those of the others."""
-        tables, rows = self.tables, [each.row for each in mode.functions]
-        begin = int(tables.ends[:number].max(initial=0))
-        ends, *entries = rows_of((mode.flow, mode.hold, np.array(rows).reshape(-1, len(mode.flow))))
-        last = begin + int(ends[-1])
-        if last > len(tables.values):
-            more = max(last, 2 * len(tables.values)) - len(tables.values)
-            longer = (
-                np.concatenate([each, np.zeros(more, each.dtype)]) for each in (tables.columns, tables.values)
-            )
-            columns, values = longer
-            tables = self.__dict__["tables"] = tables._replace(columns=columns, values=values)
-        tables.columns[begin:last], tables.values[begin:last] = entries
-        tables.ends[number, : len(ends)] = begin + ends
-        tables.step[number] = step_of(mode.flow, self.system.layout.state_count)
+        functions = np.array([each.row for each in mode.functions]).reshape(-1, len(mode.flow))
+        rows = with_rows(rows, number, (mode.flow, mode.hold, functions))
+        self.__dict__["tables"] = self.tables._replace(rows=rows)
+        self.tables.step[number] = step_of(mode.flow, self.system.layout.state_count)
 
     def _write_step(self, number: int, mode: Mode) -> None:
         """Write the tables of a step."""
@@ -300,10 +273,10 @@ class Modes(Generic[_System]):
         tables.flow[number], tables.hold[number] = mode.flow, mode.hold.T
 
     def _tabulate(self, number: int, mode: Mode) -> None:
-        if self.tables.is_sparse:
-            self._write_rows(number, mode)
-        else:
+        if self.tables.rows is None:
             self._write_step(number, mode)
+        else:
+            self._write_rows(number, mode, self.tables.rows)
         tables, count = self.tables, len(mode.functions)
         tables.statuses[number] = mode.statuses
         tables.function_count[number] = count

@@ -5,9 +5,9 @@ from __future__ import annotations
 from trimmer.arrays import Integers
 from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.linear_combination import combine, copy
-from trimmer.hybrid.sparse import hold, modulus_of, value_of
+from trimmer.hybrid.sparse import Rows, hold, modulus_of, value_of
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, NOTHING, REVERSED
-from trimmer.hybrid.tables import NO_RESET, Tables, rows_in
+from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.work import Log, Work
 
 DECAYED = 2.0**-56
@@ -17,7 +17,7 @@ AT_REST = 2.0**-44
 
 
 @inlined
-def is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool) -> bool:
+def is_tabulated(tables: Tables, rows: Rows | None, work: Work, mode: int, fired: int, jumped: bool) -> bool:
     """Return whether the tables say what follows an event, and no other part at rest has a say in it."""
     target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
     action, found = tables.action[mode, fired], target >= 0
@@ -28,11 +28,10 @@ def is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool
         for function in range(tables.function_count[mode]):
             if function != fired and tables.action[mode, function] == ARRIVED:
                 # Another part that comes to rest at the same instant has a say as well.
-                rows = rows_in(tables, mode)
-                value = value_of(tables.taylor[mode], rows, function, work.state)
+                value = value_of(tables.taylor[mode], rows, mode, function, work.state)
                 size, step, sizes = 0.0, tables.step[mode], tables.sizes[mode]
                 for k in range(2):
-                    size += modulus_of(sizes, rows, step, function, k, work.state, work.moduli)
+                    size += modulus_of(sizes, rows, mode, step, function, k, work.state, work.moduli)
                 if abs(value) <= AT_REST * size:
                     found = False
     return bool(found)
@@ -58,8 +57,15 @@ def _counted_kind(
 
 
 @inlined
-def change(
-    tables: Tables, work: Work, log: Log, row: int, mode: int, event: tuple[int, bool], counts: Integers
+def change(  # noqa: PLR0913
+    tables: Tables,
+    rows: Rows | None,
+    work: Work,
+    log: Log,
+    row: int,
+    mode: int,
+    event: tuple[int, bool],
+    counts: Integers,
 ) -> int:
     """Change the mode as the tables say, and log it in a row whose time is there; returns the new mode."""
     fired, jumped = event
@@ -74,7 +80,7 @@ def change(
     if reset != NO_RESET:
         combine(state, tables.resets[reset], size, work.following)
         copy(work.following, size, state)
-    hold(tables.hold[target], rows_in(tables, target), state, work.following)
+    hold(tables.hold[target], rows, target, state, work.following)
     copy(state, size, log.state[row])
     for function in range(tables.function_count[target]):
         other = tables.owner[target, function]

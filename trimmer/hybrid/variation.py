@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.hybrid.propagation import Room, propagate
-from trimmer.hybrid.sparse import Rows, carry
+from trimmer.hybrid.sparse import carry
 from trimmer.hybrid.tabulated_change import AT_REST
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     distances, size = np.array(tangents, dtype=np.float64, order="C"), log.state.shape[1]
     count = len(distances)
     room = Room(np.empty_like(distances), np.empty((count, count)), np.empty(size), np.empty(size))
-    if modes.tables.is_sparse:
+    if modes.tables.rows is not None:
         return _by_rows(modes, log, end, distances)
     rows = len(log.start)
     row = propagate(modes.tables, log, end, 0, distances, room)
@@ -73,8 +73,8 @@ def _go_on(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> N
     settled = int(tables.settled[mode])
     extended = np.zeros((distances.shape[1], tables.resets.shape[1]))
     extended[:, :count] = distances.T
-    rows = Rows(tables.ends[settled], tables.columns, tables.values)
-    carry(rows, float(tables.step[settled]), duration, extended)
+    assert tables.rows is not None
+    carry(tables.rows, settled, float(tables.step[settled]), duration, extended)
     distances[:] = extended[:, :count].T
     # States that decay by themselves, or have done so, are left out of the flow.
     for place, rate in modes[settled].decayed:
