@@ -247,7 +247,7 @@ class _Integration:
     def _tables(self) -> tuple[Tables, Work]:
         """Return the tables as they are now, and work space that fits them."""
         tables = self.modes.tables
-        if len(self.work.screened) != tables.screen.shape[2]:
+        if len(self.work.touches) != tables.owner.shape[1]:
             self.work = self.work._replace(
                 screened=np.empty(tables.screen.shape[2]), touches=np.empty(tables.owner.shape[1])
             )
@@ -321,15 +321,15 @@ class _Integration:
 
     def _at_rest(self, arrived: int | None) -> Places:
         """Return the parts whose switching functions are zero now, in order."""
-        tables, state, mode = self.modes.tables, self.work.state, self.modes[self.mode]
+        state, mode, moduli = self.work.state, self.modes[self.mode], None
         known = self.work.zeros[:, ARRIVED] > 0
         at_rest = {*mode.held, *np.flatnonzero(known).tolist()} | (
             {arrived} if arrived is not None else set()
         )
         for number, function in enumerate(mode.functions):
             if function.action == ARRIVED:
-                sizes = tables.sizes[self.mode, number, :2].sum(axis=0)
-                if abs(function.row @ state) <= AT_REST * (sizes @ abs(state)):
+                moduli = self.modes.moduli(self.mode, state) if moduli is None else moduli
+                if abs(function.row @ state) <= AT_REST * moduli[number]:
                     at_rest.add(function.owner)
         return np.array(sorted(at_rest), dtype=np.intp)
 

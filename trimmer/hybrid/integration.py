@@ -6,9 +6,10 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from trimmer.arrays import Integers, Reals
-from trimmer.hybrid.compilation import inlined, kept, sources
-from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.compilation import compiled, inlined, kept, sources
+from trimmer.hybrid.linear_combination import copy
 from trimmer.hybrid.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow, rounding
+from trimmer.hybrid.sparse import Rows, hold
 from trimmer.hybrid.step_event import NO_EVENT
 from trimmer.hybrid.system import HOLD_BEGUN, NOTHING
 from trimmer.hybrid.tables import Tables
@@ -75,7 +76,7 @@ _Reached = tuple[int, int, int, float, int, int, bool]
 """A ``Place`` without its name."""
 
 
-@inlined
+@compiled
 def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
     """Begin a segment that no event begins."""
     log.start[row], log.mode[row] = time, mode
@@ -84,27 +85,33 @@ def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
     copy(state, state.size, log.state[row])
 
 
-@inlined
-def _force(tables: Tables, work: Work, mode: int, forcing: Reals) -> None:
+@compiled
+def _force(dense: Reals, rows: Rows | None, mode: int, forcing: Reals, state: Reals, room: Reals) -> None:
     """Begin a period: what forces the states is known exactly, and the state is made to fit what is held."""
-    state, size = work.state, work.state.size
     for i in range(forcing.size):
-        state[size - forcing.size + i] = forcing[i]
-    combine(state, tables.hold[mode], size, work.following)
-    copy(work.following, size, state)
+        state[state.size - forcing.size + i] = forcing[i]
+    hold(dense, rows, mode, state, room)
 
 
-@inlined
-def _forget(work: Work, elapsed: float) -> None:
+@compiled
+def _forget(elapsed: float, zeros: Integers) -> None:
     """Forget what was known to be zero once time has gone on."""
     if elapsed > 0.0:
-        for part in range(work.zeros.shape[0]):
-            for action in range(work.zeros.shape[1]):
-                work.zeros[part, action] = 0
+        for part in range(zeros.shape[0]):
+            for action in range(zeros.shape[1]):
+                zeros[part, action] = 0
 
 
 @inlined
-def _reason(tables: Tables, work: Work, mode: int, event: tuple[int, bool], cascade: int, full: bool) -> int:
+def _reason(
+    tables: Tables,
+    rows: Rows | None,
+    work: Work,
+    mode: int,
+    event: tuple[int, bool],
+    cascade: int,
+    full: bool,
+) -> int:
     """Return why the integration is to stop before an event is heeded, ``GOES_ON`` if it is not."""
     (fired, jumped), reason = event, GOES_ON
     if fired == OUT_OF_STEPS:
@@ -113,12 +120,12 @@ def _reason(tables: Tables, work: Work, mode: int, event: tuple[int, bool], casc
         reason = DIVERGED
     elif cascade > LONGEST_CASCADE:
         reason = CYCLING
-    elif full or not is_tabulated(tables, work, mode, fired, jumped):
+    elif full or not is_tabulated(tables, rows, work, mode, fired, jumped):
         reason = TO_DECIDE
     return reason
 
 
-@inlined
+@compiled
 def _later(time: float, elapsed: float, late: float, exact: bool) -> tuple[float, float]:
     """Return a later time, and by how much the exact one is later than that, as far as it is followed."""
     longer = elapsed + late if exact else elapsed
@@ -126,14 +133,16 @@ def _later(time: float, elapsed: float, late: float, exact: bool) -> tuple[float
     return later, rounding(time, longer, later) if exact else 0.0
 
 
-@inlined
+@compiled
 def _note(reached: Reals, done: int, row: int, mode: int, time: float, late: float) -> None:
     reached[0], reached[1], reached[2], reached[3], reached[4] = done, row, mode, time, late
 
 
 def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
     # One function and not two within each other: of those that are compiled into another each is copied.
-    def entry(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, _Reached]:
+    def entry(
+        tables: Tables, rows: Rows | None, work: Work, log: Log, place: Place, task: Task
+    ) -> tuple[int, _Reached]:
         sources  # noqa: B018
         done, row, mode, time, steps_left, fired, jumped = place
         cascade, recent, begun = 0, NOBODY, fired != NO_EVENT
@@ -143,18 +152,18 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
         while begun or row + 1 < log.start.size:
             if not begun:
                 if time == 0.0:
-                    _force(tables, work, mode, task.forcing)
+                    _force(tables.hold[mode], rows, mode, task.forcing, work.state, work.following)
                 _begin(log, row, time, mode, work.state)
                 row, cascade, recent, begun = row + 1, 0, NOBODY, True
             if fired == NO_EVENT:
                 fired, jumped, elapsed, lost, steps, touches = follow(
-                    tables, work, mode, recent, (task.length - time) - late, steps_left
+                    tables, rows, work, mode, recent, (task.length - time) - late, steps_left
                 )
                 log.touches[row - 1] += touches
                 before, steps_left = time, steps_left - steps
                 time, late = _later(before, elapsed, lost + late, task.exact)
                 cascade = 0 if time > before else cascade + 1
-                _forget(work, elapsed)
+                _forget(elapsed, work.zeros)
             if fired == NO_EVENT:
                 done += 1
                 copy(work.state, work.state.size - task.forcing.size, task.states[done])
@@ -165,11 +174,11 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
                 reason = LOG_FULL
                 continue
             full = row >= log.start.size
-            reason = _reason(tables, work, mode, (fired, jumped), cascade, full)
+            reason = _reason(tables, rows, work, mode, (fired, jumped), cascade, full)
             if reason != GOES_ON:
                 break
             log.start[row], recent = time, tables.owner[mode, fired]
-            mode = change(tables, work, log, row, mode, (fired, jumped), task.counts[done])
+            mode = change(tables, rows, work, log, row, mode, (fired, jumped), task.counts[done])
             row, fired = row + 1, NO_EVENT
             if row + 1 >= log.start.size and not task.keeps and log.kind[row - 1] != HOLD_BEGUN:
                 _begin(log, 0, time, mode, work.state)
@@ -198,5 +207,5 @@ def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) ->
         Why it stopped, and where. After ``TO_DECIDE`` it goes on from there once the tables say what follows
         the event and the log has room, or from a place without event once somebody else has done it.
     """
-    reason, reached = _compiled_entry(tables, work, log, place, task)
+    reason, reached = _compiled_entry(tables, tables.rows, work, log, place, task)
     return reason, Place(*reached)

@@ -12,6 +12,7 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import inlined, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms
+from trimmer.hybrid.sparse import Rows, write_terms
 from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.hybrid.work import Log
@@ -59,7 +60,7 @@ def _decay(tables: Tables, log: Log, row: int, time: float, state: Reals) -> Non
 
 
 def _entry(sources: bytes) -> Callable[..., None]:
-    def entry(tables: Tables, log: Log, times: Reals, work: _Step, states: Reals) -> None:
+    def entry(tables: Tables, rows: Rows | None, log: Log, times: Reals, work: _Step, states: Reals) -> None:
         """Write the extended states at times that do not decrease; at an event, just after it."""
         sources  # noqa: B018
         state, following, terms = work
@@ -71,13 +72,19 @@ def _entry(sources: bytes) -> Callable[..., None]:
             copy(log.state[row], size, state)
             fresh = False
             while done < times.size and times[done] < until:
+                if rows is not None and not fresh:
+                    write_terms(rows, mode, step, state, terms)
+                    fresh = True
                 if times[done] - begin > step:
-                    combine(state, tables.screen[mode], size, following)
+                    if rows is not None:
+                        evaluate_terms(terms, DEGREE + 1, 1.0, following)
+                    else:
+                        combine(state, tables.screen[mode], size, following)
                     copy(following, size, state)
                     begin += step
                     fresh = False
                     continue
-                if not fresh:
+                if rows is None and not fresh:
                     combine(state, tables.series[mode], terms.size, terms)
                     fresh = True
                 evaluate_terms(terms, DEGREE + 1, (times[done] - begin) / step, states[done])
@@ -129,5 +136,7 @@ def sample(tables: Tables, log: Log, times: Reals) -> Reals:
     """
     size = log.state.shape[1]
     states = np.empty((len(times), size))
-    _compiled_entry(tables, log, np.ascontiguousarray(times, dtype=np.float64), _step(size), states)
+    _compiled_entry(
+        tables, tables.rows, log, np.ascontiguousarray(times, dtype=np.float64), _step(size), states
+    )
     return states

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.compilation import compiled, inlined
 from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
-from trimmer.hybrid.linear_combination import (
-    any_below,
-    combine,
-    combined_moduli,
-    within,
-)
+from trimmer.hybrid.linear_combination import any_below, combine, within
+from trimmer.hybrid.sparse import Rows, coefficient, expand, modulus_of, write_terms
 from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
 from trimmer.hybrid.work import Work
@@ -22,76 +18,125 @@ COUNT = DEGREE + 1
 """Coefficients of a polynomial."""
 
 
-@inlined
-def _known_zeros(tables: Tables, work: Work, now: int, function: int) -> int:
-    """Return how many derivatives of an event function are known to vanish, because of an event just now."""
-    owner, known = tables.owner[now, function], 0
-    if owner >= 0:
-        known = work.zeros[owner, tables.action[now, function]]
-    return known
+@compiled
+def _zeros(  # noqa: PLR0913
+    taylor: Reals,
+    sizes: Reals,
+    rows: Rows | None,
+    mode: int,
+    step: float,
+    function: int,
+    known: int,
+    at_start: bool,
+    state: Reals,
+    room: Reals,
+) -> tuple[int, float]:
+    """Make the coefficients zero that are known or found to be zero at the start.
 
-
-@inlined
-def _zeros(taylor: Reals, state: Reals, sizes: Reals, known: int, at_start: bool) -> int:
-    """Count the coefficients at the start that are known or found to be zero, and make them so."""
-    zeros, size = 0, combined_moduli(state, sizes[0])
+    Returns:
+        How many there are, and the value below which rounding decides whether the function is zero.
+    """
+    zeros, size = 0, modulus_of(sizes, rows, mode, step, function, 0, state, room)
     while zeros < COUNT:
         if zeros >= known and taylor[zeros] != 0.0:
             if not at_start:
                 break
-            if abs(taylor[zeros]) > ROUNDING * max(size, combined_moduli(state, sizes[zeros])):
+            here = modulus_of(sizes, rows, mode, step, function, zeros, state, room)
+            if abs(taylor[zeros]) > ROUNDING * max(size, here):
                 break
         taylor[zeros] = 0.0
         zeros += 1
-    return zeros
+    return zeros, ROUNDING * size
 
 
-@inlined
+@compiled
 def _root(
-    tables: Tables, work: Work, now: int, function: int, known: int, at_start: bool
-) -> tuple[float, bool]:
-    """Find the first zero of an event function within a step, and write where it touches zero.
+    bernstein: Reals,
+    taylor: Reals,
+    zeros: int,
+    rounding: float,
+    at_start: bool,
+    bernstein_from_taylor: Reals,
+    pieces: Reals,
+) -> tuple[float, bool, float]:
+    """Find the first zero of an event function within a step.
 
     Returns:
-        The fraction of the step, ``NOWHERE`` for none, and whether it was negative at once.
+        The fraction of the step, ``NOWHERE`` for none, whether it was negative at once, and where it touches
+        zero before, ``NOWHERE`` if it does not.
     """
-    state, bernstein, taylor, sizes = work.state, work.bernstein, work.taylor, tables.sizes[now, function]
-    combine(state, tables.taylor[now, function], taylor.size, taylor)
-    rounding, root, jumped = ROUNDING * combined_moduli(state, sizes[0]), NOWHERE, False
-    zeros = _zeros(taylor, state, sizes, known, at_start)
+    root, jumped, touch = NOWHERE, False, NOWHERE
     if zeros < COUNT and not within(bernstein, rounding):  # Otherwise it stays at zero.
         zeros = min(zeros, MOST_ZEROS)
         if zeros > 0:
             # Without s^zeros, whose coefficients would drown the others in their rounding.
-            combine(taylor[zeros:], tables.bernstein_from_taylor[zeros], COUNT - zeros, bernstein)
+            combine(taylor[zeros:], bernstein_from_taylor[zeros], COUNT - zeros, bernstein)
         if bernstein[0] < 0.0:
             root, jumped = 0.0, at_start and zeros == 0
         elif any_below(bernstein, COUNT - zeros, 0.0):
-            root, work.touches[function] = first_root(
-                bernstein, taylor[zeros:], COUNT - zeros, rounding, work.pieces
-            )
-    return root, jumped
+            root, touch = first_root(bernstein, taylor[zeros:], COUNT - zeros, rounding, pieces)
+    return root, jumped, touch
 
 
-@inlined
-def _root_while_decaying(tables: Tables, work: Work, mode: int, now: int, function: int) -> float:
-    """Find the first zero within a step that leaves a decaying state out, which is added here."""
-    owner = tables.owner[now, function]
-    z = tables.decaying_state[owner]
-    share = tables.taylor[mode, function, z, 0] * work.state[z]
-    combine(work.state, tables.taylor[now, function], work.taylor.size, work.taylor)
-    decay = tables.decay[mode, owner] * tables.step[now]
-    return decaying_root(work.bernstein, work.taylor, share, decay, work.pieces)
+@compiled
+def _look_ahead(  # noqa: PLR0913
+    screen: Reals,
+    rows: Rows | None,
+    mode: int,
+    step: float,
+    functions: int,
+    state: Reals,
+    screened: Reals,
+    terms: Reals,
+) -> None:
+    """Write the state after a step and the Bernstein coefficients of all event functions, or Taylor terms."""
+    if rows is None:
+        combine(state, screen, state.size + functions * COUNT, screened)
+    else:
+        write_terms(rows, mode, step, state, terms)
+
+
+@compiled
+def _glance(  # noqa: PLR0913
+    rows: Rows | None,
+    mode: int,
+    function: int,
+    margin: float,
+    known: int,
+    screened: Reals,
+    terms: Reals,
+    bernstein_from_taylor: Reals,
+    taylor: Reals,
+    bernstein: Reals,
+) -> bool:
+    """Write the Bernstein coefficients of a function; say whether one is at most the margin, or no number."""
+    below = False
+    if rows is None:
+        first = terms.size // COUNT + function * COUNT
+        for i in range(COUNT):
+            bernstein[i] = screened[first + i]
+            below |= not screened[first + i] > margin
+    else:
+        below = expand(rows, mode, function, margin, known, terms, bernstein_from_taylor, taylor, bernstein)
+    return below
+
+
+@compiled
+def _write_taylor(dense: Reals, rows: Rows | None, state: Reals, taylor: Reals) -> None:
+    """Write the coefficients of s^k of an event function, which stand there already if modes are rows."""
+    if rows is None:
+        combine(state, dense, COUNT, taylor)
 
 
 @inlined
 def first_event(
-    tables: Tables, work: Work, mode: int, now: int, at_start: bool, recent: int
+    tables: Tables, rows: Rows | None, work: Work, mode: int, now: int, at_start: bool, recent: int
 ) -> tuple[int, float, bool, bool]:
     """Find which event function falls to zero first during a step from ``work.state``.
 
     Args:
         tables: The modes.
+        rows: Their rows, None if the tables of a step are there.
         work: The state, and what is known to be zero.
         mode: The mode.
         now: The same, or the one without decaying states, which are counted with margins alone.
@@ -102,31 +147,39 @@ def first_event(
         The event function, the fraction of the step at which it falls to zero, whether it was negative at
         once, and whether a decaying state that was left out has a say.
     """
-    size, decaying = work.state.size, work.margins.size
+    size, decaying, matrices = work.state.size, work.margins.size, tables.bernstein_from_taylor
+    state, bernstein, taylor = work.state, work.bernstein, work.taylor
     fired, fraction, jumped, close = NO_EVENT, NOWHERE, False, False
-    functions, first = tables.function_count[now], size
-    screened, bernstein = work.screened, work.bernstein
-    combine(work.state, tables.screen[now], size + functions * COUNT, screened)
+    functions, step = tables.function_count[now], tables.step[now]
+    _look_ahead(tables.screen[now], rows, now, step, functions, state, work.screened, work.terms)
     for function in range(functions):
         # First a glance at the coefficients, which is enough as a rule.
-        owner, margin = tables.owner[now, function], 0.0
+        owner, margin, known = tables.owner[now, function], 0.0, 0
         if now != mode and 0 <= owner < decaying:
             margin = work.margins[owner]
-        known = _known_zeros(tables, work, now, function) if at_start else 0
-        below, work.touches[function] = False, NOWHERE
-        for i in range(first, first + COUNT):
-            below |= not screened[i] > margin
+        if at_start and owner >= 0:
+            known = work.zeros[owner, tables.action[now, function]]
+        work.touches[function] = NOWHERE
+        below = _glance(
+            rows, now, function, margin, known, work.screened, work.terms, matrices, taylor, bernstein
+        )
         if known > 0 or below:
-            for i in range(COUNT):
-                bernstein[i] = screened[first + i]
+            _write_taylor(tables.taylor[now, function], rows, state, taylor)
             if margin > 0.0:
-                root, at_once = _root_while_decaying(tables, work, mode, now, function), False
+                z, at_once = tables.decaying_state[owner], False
+                share = coefficient(tables.taylor[mode], rows, mode, function, z, size) * state[z]
+                root = decaying_root(bernstein, taylor, share, tables.decay[mode, owner] * step, work.pieces)
             else:
-                root, at_once = _root(tables, work, now, function, known, at_start)
+                sizes = tables.sizes[now]
+                zeros, rounding = _zeros(
+                    taylor, sizes, rows, now, step, function, known, at_start, state, work.moduli
+                )
+                root, at_once, work.touches[function] = _root(
+                    bernstein, taylor, zeros, rounding, at_start, matrices, work.pieces
+                )
             if root == UNSURE or (known > 0 and margin > 0.0):
                 close = True
                 break
             if root < fraction or (root == 0.0 and owner == recent):
                 fired, fraction, jumped = function, root, at_once
-        first += COUNT
     return fired, fraction, jumped, close

@@ -1,15 +1,21 @@
-"""The modes that a motion has met, as the tables that the compiled integration reads."""
+"""The modes that a motion has met, as the tables that the compiled integration reads.
+
+Modes of small systems have tables of a whole step. Those of large ones, most of which are met once, are
+``trimmer.hybrid.sparse`` rows: then the tables of a step are empty.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Generic, NamedTuple, TypeVar
+from typing import ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
+from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.series import ModeTables, tabulate
+from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
@@ -21,12 +27,19 @@ JOINT = -2
 """In place of a mode to go on in: several parts at rest decide it together."""
 CAPACITY = 12
 """Modes for which there is room at first."""
+MOST_ENTRIES = 40_000
+"""Numbers in the tables of a step of one mode beyond which modes are rows."""
+MOST_MATRICES = 2_000_000
+"""Numbers in the matrices of such modes that are kept; others are assembled anew where they are needed."""
+MOST_BYTES = 2**30
+"""Memory that the tables may take."""
 
 
 class Tables(NamedTuple):
     """First axis: mode; second: event function; last of transitions: fell to zero, or was negative at once.
 
     Attributes:
+        rows: The modes as rows; then ``screen`` to ``hold`` are empty. None for small systems.
         statuses: Of all parts, (modes, parts).
         settled: The mode without states that decay by themselves, itself if there are none, (modes,).
         step: Length h of a step, s, (modes,).
@@ -36,6 +49,7 @@ class Tables(NamedTuple):
         terms: How many terms of the series do for fractions up to 4^-level of a step, (modes, LEVELS).
         taylor: Coefficients of s^k of the event functions, (modes, functions, N, K + 1).
         sizes: Sums of the moduli of what these are made of, (modes, functions, K + 1, N).
+        flow: The matrix M, (modes, N, N).
         hold: The state, made to fit what is held, transposed, (modes, N, N).
         function_count: Number of event functions, (modes,).
         owner: The parts that they belong to, (modes, functions).
@@ -49,10 +63,12 @@ class Tables(NamedTuple):
         resets: The resets, transposed, (resets, N, N).
         decaying_state: Place of the state of each part that may decay by itself, -1 for none, (m,).
         decay: Rates of those that decay, 1/s, 0 for others, (modes, m).
+        decayed: Rates of those that decay or have done so, and count as zero, 1/s, 0 for others, (modes, m).
         scale: Size by which it is measured what of it is negligible, (m,).
         bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
     """
 
+    rows: Rows | None
     statuses: Integers
     settled: Integers
     step: Reals
@@ -61,6 +77,7 @@ class Tables(NamedTuple):
     terms: Integers
     taylor: Reals
     sizes: Reals
+    flow: Reals
     hold: Reals
     function_count: Integers
     owner: Integers
@@ -73,26 +90,38 @@ class Tables(NamedTuple):
     resets: Reals
     decaying_state: Integers
     decay: Reals
+    decayed: Reals
     scale: Reals
     bernstein_from_taylor: Reals
 
 
-def _empty(system: System, capacity: int, functions: int) -> Tables:
+def _entries(system: System) -> int:
+    """Return how many numbers the tables of a step of one mode have."""
+    size, functions = system.layout.size, 2 * system.part_count
+    return size * size * (DEGREE + 4) + 3 * size * functions * (DEGREE + 1)
+
+
+def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Tables:
     size, decaying, degree = system.layout.size, system.decaying_states, DEGREE + 1
+    tabulated = 0 if is_sparse else size
 
     def integers(*shape: int) -> Integers:
         return np.full((capacity, *shape), UNKNOWN, dtype=np.int64)
 
+    ends = np.zeros((capacity, 2 * size + functions + 1), dtype=np.int64)
+    rows = Rows(ends, np.empty(0, dtype=np.int64), np.empty(0)) if is_sparse else None
     return Tables(
+        rows=rows,
         statuses=integers(system.part_count),
         settled=integers(),
         step=np.empty(capacity),
-        screen=np.empty((capacity, size, size + functions * degree)),
-        series=np.empty((capacity, size, degree * size)),
+        screen=np.empty((capacity, tabulated, tabulated + functions * degree)),
+        series=np.empty((capacity, tabulated, degree * tabulated)),
         terms=integers(LEVELS),
-        taylor=np.empty((capacity, functions, size, degree)),
-        sizes=np.empty((capacity, functions, degree, size)),
-        hold=np.empty((capacity, size, size)),
+        taylor=np.empty((capacity, functions, tabulated, degree)),
+        sizes=np.empty((capacity, functions, degree, tabulated)),
+        flow=np.empty((capacity, tabulated, tabulated)),
+        hold=np.empty((capacity, tabulated, tabulated)),
         function_count=integers(),
         owner=integers(functions),
         action=integers(functions),
@@ -104,12 +133,13 @@ def _empty(system: System, capacity: int, functions: int) -> Tables:
         resets=np.empty((0, size, size)),
         decaying_state=decaying,
         decay=np.zeros((capacity, len(decaying))),
+        decayed=np.zeros((capacity, len(decaying))),
         scale=system.scales,
         bernstein_from_taylor=bernstein_from_taylor(),
     )
 
 
-_FIXED = ("decaying_state", "scale", "bernstein_from_taylor", "resets")
+_FIXED = ("rows", "decaying_state", "scale", "bernstein_from_taylor", "resets")
 _System = TypeVar("_System", bound=System)
 
 
@@ -122,31 +152,59 @@ class Modes(Generic[_System]):
         tables: Tables of the modes that were asked for.
     """
 
+    may_be_sparse: ClassVar[bool] = True
+    """Whether those of a large system are rows."""
     system: _System
-    _known: list[Mode] = field(default_factory=list, init=False, repr=False)
+    _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)
+    _known: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def tables(self) -> Tables:
         """Tables of all modes so far; they are replaced where there is no room."""
-        return _empty(self.system, CAPACITY, 2 * self.system.part_count)
+        is_sparse = self.may_be_sparse and _entries(self.system) > MOST_ENTRIES
+        return _empty(self.system, CAPACITY, 2 * self.system.part_count, is_sparse)
 
     def __getitem__(self, number: int) -> Mode:
+        if number not in self._known:
+            self._keep(number, self.system.mode(self._statuses[number]))
         return self._known[number]
 
+    def _keep(self, number: int, mode: Mode) -> None:
+        """Keep the equations of a mode, those of a large system for a while."""
+        most = max(MOST_MATRICES // mode.flow.size, 4)
+        if self.tables.rows is not None and len(self._known) >= most:
+            del self._known[next(iter(self._known))]
+        self._known[number] = mode
+
     def number(self, statuses: tuple[int, ...]) -> int:
-        """Return the number of a mode, which is tabulated when it is new."""
+        """Return the number of a mode, which is tabulated when it is new.
+
+        Raises:
+            UnsupportedMotionError: if the tables of so many modes would take too much memory.
+        """
         if statuses in self._numbers:
             return self._numbers[statuses]
         mode = self.system.mode(statuses)
         settled = self.number(mode.settled) if mode.settled != statuses else None
-        number = len(self._known)
+        number = len(self._statuses)
         self._make_room(number + 1, len(mode.functions))
         self._numbers[statuses] = number
-        self._known.append(mode)
+        self._statuses.append(statuses)
+        self._keep(number, mode)
         self._tabulate(number, mode)
         self.tables.settled[number] = number if settled is None else settled
         return number
+
+    def moduli(self, number: int, state: Reals) -> Reals:
+        """Return the moduli of what event functions of a mode and their changes over a step are made of."""
+        tables, size = self.tables, abs(state)
+        count = int(tables.function_count[number])
+        if tables.rows is None:
+            sizes: Reals = tables.sizes[number, :count, :2].sum(axis=1) @ size
+            return sizes
+        changes = tables.step[number] * moduli_times(tables.rows, number, 0, len(state), size)
+        return moduli_times(tables.rows, number, 2 * len(state), count, size + changes)
 
     def follow(self, number: int, function: int, jumped: bool) -> None:
         """Tabulate the mode that follows an event, if the statuses decide it."""
@@ -159,26 +217,48 @@ class Modes(Generic[_System]):
             self.tables.zeros[place] = 0
             for action, zeros in change.zeros:
                 self.tables.zeros[(*place, action)] = zeros
-            self.tables.reset[place] = NO_RESET if change.reset is None else self._keep(change.reset)
+            self.tables.reset[place] = NO_RESET if change.reset is None else self._keep_reset(change.reset)
 
     def _make_room(self, modes: int, functions: int) -> None:
         tables = self.tables
-        if modes <= len(tables.step) and functions <= tables.taylor.shape[1]:
+        room, has = len(tables.step), tables.owner.shape[1]
+        if modes <= room and functions <= has:
             return
-        larger = _empty(self.system, 2 * len(tables.step), max(functions, tables.taylor.shape[1]))
+        room = 2 * room if modes > room else room
+        arrays = (*tables, *(tables.rows or ()))
+        most = sum(each.nbytes for each in arrays if isinstance(each, np.ndarray))
+        if most * (room / len(tables.step)) * (max(functions, has) / has) > MOST_BYTES:
+            raise UnsupportedMotionError(
+                f"the motion meets more than {modes - 1} combinations of contact and stick, "
+                f"and the tables of more would take more than {MOST_BYTES / 2**30:g} GB"
+            )
+        larger = _empty(self.system, room, max(functions, has), tables.rows is not None)
         for name, old in tables._asdict().items():
             if name not in _FIXED:
                 new = getattr(larger, name)
                 new[tuple(slice(0, length) for length in old.shape)] = old
-        self.__dict__["tables"] = larger._replace(resets=tables.resets)
+        rows = larger.rows
+        if rows is not None and tables.rows is not None:
+            ends = tables.rows.ends
+            rows.ends[: len(ends), : ends.shape[1]] = ends
+            rows = tables.rows._replace(ends=rows.ends)
+        self.__dict__["tables"] = larger._replace(resets=tables.resets, rows=rows)
 
-    def _keep(self, reset: Reals) -> int:
+    def _keep_reset(self, reset: Reals) -> int:
         """Keep a reset, and return its number."""
         tables = self.tables
         self.__dict__["tables"] = tables._replace(resets=np.concatenate([tables.resets, reset.T[None]]))
         return len(tables.resets)
 
-    def _tabulate(self, number: int, mode: Mode) -> None:
+    def _write_rows(self, number: int, mode: Mode, rows: Rows) -> None:
+        """Write a mode as rows, behind those of the others."""
+        functions = np.array([each.row for each in mode.functions]).reshape(-1, len(mode.flow))
+        rows = with_rows(rows, number, (mode.flow, mode.hold, functions))
+        self.__dict__["tables"] = self.tables._replace(rows=rows)
+        self.tables.step[number] = step_of(mode.flow, self.system.layout.state_count)
+
+    def _write_step(self, number: int, mode: Mode) -> None:
+        """Write the tables of a step."""
         tables, count = self.tables, len(mode.functions)
         rows = np.array([each.row for each in mode.functions]).reshape(count, len(mode.flow))
         target = ModeTables(
@@ -190,10 +270,19 @@ class Modes(Generic[_System]):
             tables.bernstein_from_taylor,
         )
         tables.step[number] = tabulate(mode.flow, self.system.layout.state_count, rows, target)
+        tables.flow[number], tables.hold[number] = mode.flow, mode.hold.T
+
+    def _tabulate(self, number: int, mode: Mode) -> None:
+        if self.tables.rows is None:
+            self._write_step(number, mode)
+        else:
+            self._write_rows(number, mode, self.tables.rows)
+        tables, count = self.tables, len(mode.functions)
         tables.statuses[number] = mode.statuses
-        tables.hold[number] = mode.hold.T
         tables.function_count[number] = count
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
         tables.continuous[number, :count] = [each.continuous for each in mode.functions]
         tables.decay[number] = mode.decay
+        for place, rate in mode.decayed:
+            tables.decayed[number, tables.decaying_state == place] = rate

@@ -5,6 +5,7 @@ from __future__ import annotations
 from trimmer.arrays import Integers
 from trimmer.hybrid.compilation import inlined
 from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.sparse import Rows, hold, modulus_of, value_of
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, NOTHING, REVERSED
 from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.work import Log, Work
@@ -16,7 +17,7 @@ AT_REST = 2.0**-44
 
 
 @inlined
-def is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool) -> bool:
+def is_tabulated(tables: Tables, rows: Rows | None, work: Work, mode: int, fired: int, jumped: bool) -> bool:
     """Return whether the tables say what follows an event, and no other part at rest has a say in it."""
     target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
     action, found = tables.action[mode, fired], target >= 0
@@ -27,11 +28,10 @@ def is_tabulated(tables: Tables, work: Work, mode: int, fired: int, jumped: bool
         for function in range(tables.function_count[mode]):
             if function != fired and tables.action[mode, function] == ARRIVED:
                 # Another part that comes to rest at the same instant has a say as well.
-                value, size = 0.0, 0.0
-                for i in range(work.state.size):
-                    value += tables.taylor[mode, function, i, 0] * work.state[i]
-                    sizes = tables.sizes[mode, function, 0, i] + tables.sizes[mode, function, 1, i]
-                    size += sizes * abs(work.state[i])
+                value = value_of(tables.taylor[mode], rows, mode, function, work.state)
+                size, step, sizes = 0.0, tables.step[mode], tables.sizes[mode]
+                for k in range(2):
+                    size += modulus_of(sizes, rows, mode, step, function, k, work.state, work.moduli)
                 if abs(value) <= AT_REST * size:
                     found = False
     return bool(found)
@@ -57,8 +57,15 @@ def _counted_kind(
 
 
 @inlined
-def change(
-    tables: Tables, work: Work, log: Log, row: int, mode: int, event: tuple[int, bool], counts: Integers
+def change(  # noqa: PLR0913
+    tables: Tables,
+    rows: Rows | None,
+    work: Work,
+    log: Log,
+    row: int,
+    mode: int,
+    event: tuple[int, bool],
+    counts: Integers,
 ) -> int:
     """Change the mode as the tables say, and log it in a row whose time is there; returns the new mode."""
     fired, jumped = event
@@ -73,8 +80,7 @@ def change(
     if reset != NO_RESET:
         combine(state, tables.resets[reset], size, work.following)
         copy(work.following, size, state)
-    combine(state, tables.hold[target], size, work.following)
-    copy(work.following, size, state)
+    hold(tables.hold[target], rows, target, state, work.following)
     copy(state, size, log.state[row])
     for function in range(tables.function_count[target]):
         other = tables.owner[target, function]

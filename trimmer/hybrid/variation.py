@@ -8,12 +8,13 @@ matrix is singular.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.hybrid.propagation import Room, propagate
+from trimmer.hybrid.sparse import carry
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE
 
@@ -38,21 +39,48 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     Returns:
         Distances at its end, (n, columns). Where contact or stick holds at the start, they fit it first.
     """
-    distances = np.ascontiguousarray(_fitted(modes, int(log.mode[0]), tangents))
+    distances, size = np.array(tangents, dtype=np.float64, order="C"), log.state.shape[1]
+    count = len(distances)
+    room = Room(np.empty_like(distances), np.empty((count, count)), np.empty(size), np.empty(size))
+    if modes.tables.rows is not None:
+        return _by_rows(modes, log, end, distances)
     rows = len(log.start)
-    row = 0
+    row = propagate(modes.tables, log, end, 0, distances, room)
     while row < rows:
-        following = row
-        while following < rows and log.start[following] == log.start[row]:
-            following += 1
-        last = following - 1  # Of the segments at one instant, the last one is that which goes on.
+        # Of the segments at one instant, the last one is that which goes on.
+        last = int(np.searchsorted(log.start, log.start[row], side="right")) - 1
+        _jump(modes, log, row, last, distances)
+        row = propagate(modes.tables, log, end, row, distances, room)
+    return distances
+
+
+def _by_rows(modes: Modes[Any], log: Log, end: float, distances: Reals) -> Reals:
+    """Return what becomes of distances where modes are rows."""
+    distances = _fitted(modes, int(log.mode[0]), distances)
+    rows, row = len(log.start), 0
+    while row < rows:
+        following = int(np.searchsorted(log.start, log.start[row], side="right"))
+        last = following - 1
         if row > 0:
             _jump(modes, log, row, last, distances)
-        mode = int(log.mode[last])
-        until = log.start[following] if following < rows else end
-        _flow(modes, mode, float(until - log.start[last]), distances)
+        until = float(log.start[following] if following < rows else end)
+        _go_on(modes, int(log.mode[last]), until - log.start[last], distances)
         row = following
     return distances
+
+
+def _go_on(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> None:
+    """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
+    tables, count = modes.tables, len(distances)
+    settled = int(tables.settled[mode])
+    extended = np.zeros((distances.shape[1], tables.resets.shape[1]))
+    extended[:, :count] = distances.T
+    assert tables.rows is not None
+    carry(tables.rows, settled, float(tables.step[settled]), duration, extended)
+    distances[:] = extended[:, :count].T
+    # States that decay by themselves, or have done so, are left out of the flow.
+    for place, rate in modes[settled].decayed:
+        distances[place] *= np.exp(-rate * duration)
 
 
 def _fitted(modes: Modes[Any], mode: int, distances: Reals) -> Reals:
@@ -73,21 +101,6 @@ def propagator(modes: Modes[Any], mode: int, duration: float) -> Reals:
     whole: Reals = np.linalg.matrix_power(tables.screen[settled, :, :size].T, int(steps))
     found: Reals = rest @ whole
     return found
-
-
-def _flow(modes: Modes[Any], mode: int, duration: float, distances: Reals) -> None:
-    """Multiply distances (n, columns), in place, by the flow of a mode over a duration, s."""
-    tables, count = modes.tables, len(distances)
-    settled = int(tables.settled[mode])
-    step, size = tables.step[settled], tables.screen.shape[1]
-    steps = max(math.ceil(duration / step) - 1, 0)
-    powers = (duration / step - steps) ** np.arange(DEGREE + 1)
-    flow = (powers @ tables.series[settled].reshape(size, DEGREE + 1, size)[:count, :, :count]).T
-    whole = np.linalg.matrix_power(tables.screen[settled, :count, :count].T, steps)
-    distances[:] = flow @ whole @ distances
-    # States that decay by themselves, or have done so, are left out of the flow.
-    for place, rate in modes[settled].decayed:
-        distances[place] *= np.exp(-rate * duration)
 
 
 def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) -> None:
@@ -214,12 +227,10 @@ def _falling(modes: Modes[Any], before: int, fired: int, state: Reals) -> list[E
     What is the same as one of them for all motions of the mode falls to zero with it in a neighbour too: two
     frictions of a body come to rest together where the other body of the one is held.
     """
-    mode, tables = modes[before], modes.tables
+    mode = modes[before]
     falling = [mode.functions[fired]]
-    count = len(mode.functions)
-    values = tables.taylor[before, :count, :, 0] @ state
-    sizes = tables.sizes[before, :count, :2].sum(axis=1) @ abs(state)
-    for number in np.flatnonzero(abs(values) <= AT_REST * sizes):
+    values = np.array([each.row for each in mode.functions]) @ state
+    for number in np.flatnonzero(abs(values) <= AT_REST * modes.moduli(before, state)):
         function = mode.functions[number]
         others = all(function.owner != each.owner for each in falling)
         if not others or function.row @ (mode.flow @ state) >= 0:

@@ -23,7 +23,7 @@ class Work(NamedTuple):
         margins: By how much these could bring an event function of their part to zero earlier, (m,).
         touches: Fractions of a step at which event functions come to zero without crossing, (functions,).
         screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
-        following, terms, bernstein, taylor, pieces: Room for states and polynomials.
+        following, moduli, terms, bernstein, taylor, pieces: Room for states and polynomials.
     """
 
     state: Reals
@@ -33,6 +33,7 @@ class Work(NamedTuple):
     touches: Reals
     screened: Reals
     following: Reals
+    moduli: Reals
     terms: Reals
     bernstein: Reals
     taylor: Reals
@@ -41,7 +42,7 @@ class Work(NamedTuple):
 
 def work_for(tables: Tables) -> Work:
     """Return work space for the modes of a system."""
-    size, decaying, degree = tables.screen.shape[1], len(tables.scale), DEGREE + 1
+    size, decaying, degree = tables.resets.shape[1], len(tables.scale), DEGREE + 1
     parts = tables.statuses.shape[1]
     return Work(
         state=np.zeros(size),
@@ -51,6 +52,7 @@ def work_for(tables: Tables) -> Work:
         touches=np.empty(tables.owner.shape[1]),
         screened=np.empty(tables.screen.shape[2]),
         following=np.empty(size),
+        moduli=np.empty(2 * size),
         terms=np.empty(size * degree),
         bernstein=np.empty(degree),
         taylor=np.empty(degree),

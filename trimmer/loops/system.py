@@ -176,7 +176,9 @@ def _with(statuses: tuple[int, ...], changes: tuple[Change, ...]) -> tuple[int, 
 
 
 class LoopModes(Modes[LoopSystem]):
-    """The modes of a loop by number."""
+    """The modes of a loop by number; they are few."""
+
+    may_be_sparse = False
 
     def __getitem__(self, number: int) -> LoopMode:
         mode = super().__getitem__(number)
