@@ -12,15 +12,21 @@ from scipy.optimize import brentq
 from tests.mechanisms.brute_force import BruteForce, extend, settle
 from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
+from trimmer.balance.solve import limit_cycles
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.loci.follow_special import follow_special
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
+from trimmer.elements import CoulombFriction, FrictionBacklash
 from trimmer.errors import UnsupportedMotionError
+from trimmer.linear import InputChannels, pin_model
+from trimmer.loops import BodyFriction, TrimmerLoop
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Body, Friction, Link, Output, Pin
+from trimmer.orbits.periodic_orbits import periodic_orbits
+from trimmer.parameters import TrimmerParameters
 from trimmer.response.respond import respond
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -197,3 +203,17 @@ def test_respond_does_not_settle_to_an_unstable_motion() -> None:
 def test_special_points_are_not_followed_over_two_numbers(blocks: FollowedBranch) -> None:
     with pytest.raises(UnsupportedMotionError, match="driven motions only"):
         follow_special(blocks, blocks.special[0], "links.coupling.stiffness", 1.3)
+
+
+def test_an_orbit_that_begins_on_its_plane_is_told_from_the_next() -> None:
+    """Rounding puts the first state of this one on the other side of the plane through it."""
+    gap, parameters, channels = 200e-6, TrimmerParameters.thesis(), InputChannels.DISPLACEMENT_ONLY
+    system, small = pin_model(parameters, channels=channels), FrictionBacklash(gap / 5)
+    orbit, _ = periodic_orbits(system, small, limit_cycles(system, small)[::-1])
+    rubbing = BodyFriction("q2-q4", CoulombFriction(0.6))
+    loop = TrimmerLoop(parameters, FrictionBacklash(gap), channels=channels, frictions=(rubbing,))
+    state = [*5 * orbit.motion.state(0.0), 5 * float(orbit.motion.element_output(0.0)), orbit.period]
+    settings = FollowSettings(most_points=4, quiet=True, largest_step=0.05)
+    branch = follow(loop, "element.gap", gap, 10e-6, state=state, settings=settings)
+    assert branch.reason is BranchEnd.MOST_POINTS
+    assert np.all(np.diff([point.value for point in branch.points]) < 0)

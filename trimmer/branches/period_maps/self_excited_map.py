@@ -116,9 +116,15 @@ class SelfExcitedMap(MechanismMap):
         def height(time: float) -> float:
             return float(section.height(course.states(np.array([time]))[0, :size]))
 
+        def root(low: float, high: float) -> float:
+            # Rounding differs where the heights at many instants are computed at once.
+            if height(low) >= 0.0 or height(high) <= 0.0:
+                return min(low, high, key=lambda time: abs(height(time)))
+            return float(scipy.optimize.brentq(height, low, high))
+
         heights = section.height(course.states(times)[:, :size])
         rising = np.flatnonzero((heights[:-1] < 0.0) & (heights[1:] >= 0.0))
-        found = [float(scipy.optimize.brentq(height, times[at], times[at + 1])) for at in rising]
+        found = [root(float(times[at]), float(times[at + 1])) for at in rising]
         return [np.append(course.states(np.array([time]))[0, :size], state[-1]) for time in found]
 
 
