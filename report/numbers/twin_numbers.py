@@ -19,9 +19,10 @@ from report.numbers.twin.cases import (
     twin_case,
 )
 from report.numbers.twin.frozen_bridge import FrozenBridge, frozen_bridge
-from report.numbers.twin.grids import DAMPING_MAP, FRICTION_MAP, SPEED_MAP, STARTS_MAP, STIFFNESS_MAP
-from report.numbers.twin.kept_branch import KeptBranch, read_branches
+from report.numbers.twin.grids import COURSES, DAMPING_MAP, FRICTION_MAP, SPEED_MAP, STARTS_MAP, STIFFNESS_MAP
+from report.numbers.twin.kept_branch import FILE, KeptBranch, read_branches
 from report.numbers.twin.kept_map import read_map
+from report.numbers.twin.loop_numbers import LoopNumbers, solve_loop
 from report.numbers.twin.map_numbers import MapNumbers
 from report.numbers.twin.mechanism import (
     AMPLITUDE,
@@ -106,6 +107,7 @@ class TwinNumbers:
         damping: Kept map over gap and damping of the bridge, 0.5 N.
         starts: Kept map over gap and friction from several starts.
         branches: Kept branches over the gap with 2 N, each before those that part from it.
+        loop: The thesis's loop with friction.
     """
 
     small: Comparison
@@ -127,6 +129,7 @@ class TwinNumbers:
     damping: MapNumbers
     starts: MapNumbers
     branches: tuple[KeptBranch, ...]
+    loop: LoopNumbers
 
     @property
     def subharmonic(self) -> float:
@@ -152,7 +155,7 @@ def solve_twin() -> TwinNumbers:
     """
     maps = (FRICTION_MAP, SPEED_MAP, STIFFNESS_MAP, DAMPING_MAP, STARTS_MAP)
     friction, speed, stiffness, damping, starts = (MapNumbers(read_map(grid)) for grid in maps)
-    branches = read_branches()
+    branches = read_branches(COURSES, FILE)
     miss, apart = _mirrored()
     return TwinNumbers(
         small=_compared(SMALL_GAP, SMALL_FORCE),
@@ -174,6 +177,7 @@ def solve_twin() -> TwinNumbers:
         damping=damping,
         starts=starts,
         branches=branches,
+        loop=solve_loop(),
     )
 
 
@@ -209,7 +213,7 @@ def _branches_again(branches: tuple[KeptBranch, ...]) -> float:
     changes = []
     for branch in branches:
         for at in range(0, len(branch.values), SOLVED_AGAIN):
-            mechanism = branch.course.mechanism.with_value(branch.course.place, float(branch.values[at]))
+            mechanism = branch.course.subject.with_value(branch.course.place, float(branch.values[at]))
             orbit = forced_orbit(mechanism, periods=branch.periods, guess=branch.states[at])
             changes.append(abs(orbit.measures.peak_to_peak[STROKE] / branch.strokes[at] - 1))
     return max(changes)

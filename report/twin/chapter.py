@@ -13,7 +13,17 @@ from report.numbers.twin_numbers import TwinNumbers
 from report.pages.figure import Figure
 from report.twin.cell_check import MOST_OTHER, CellCheck, check_cells
 from report.twin.observation import ObservationRecord, Observed
-from report.twin.sections import branch, bridge, design, maps, measured, motion, open_questions, questions
+from report.twin.sections import (
+    branch,
+    bridge,
+    design,
+    loop,
+    maps,
+    measured,
+    motion,
+    open_questions,
+    questions,
+)
 
 TITLE: Final = "What play does in the real trimmer"
 SECTIONS: Final = (
@@ -21,6 +31,7 @@ SECTIONS: Final = (
     motion.SECTION,
     maps.SECTION,
     branch.SECTION,
+    loop.SECTION,
     measured.SECTION,
     questions.SECTION,
     design.SECTION,

@@ -1,4 +1,4 @@
-"""``make maps``: compute the maps and branches of the twin that are kept with the code.
+"""``make maps``: compute the maps and branches that are kept with the code.
 
 Each map is written cell by cell into a folder of ``build/maps``, and a run that was interrupted goes on from
 there. The folder is named after the code that computes cells, so that nothing goes on from what other code
@@ -14,11 +14,14 @@ from functools import partial
 from pathlib import Path
 
 from report.cache.source_closure import SourceTree
-from report.numbers.twin.grids import COURSES, GRIDS, Grid
-from report.numbers.twin.kept_branch import settings_of, write_branches
+from report.numbers.twin.closed_loop import FILE as LOOP_FILE
+from report.numbers.twin.closed_loop import LOOP_COURSES, without_friction
+from report.numbers.twin.grids import COURSES, GRIDS, Course, Grid
+from report.numbers.twin.kept_branch import FILE, settings_of, write_branches
 from report.numbers.twin.kept_files import FOLDER
 from report.numbers.twin.kept_map import write_map
-from trimmer import follow
+from trimmer import FollowedBranch, follow
+from trimmer.arrays import Reals
 from trimmer.errors import MapFileError
 from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import MapInputs
@@ -58,16 +61,16 @@ def make(work: Path, folder: Path = FOLDER, grids: Sequence[Grid] = GRIDS) -> No
         write_map(grid, cells, beside, folder)
 
 
-def make_branches(folder: Path = FOLDER) -> None:
-    """Follow the branches and write their file; they take seconds, so nothing of them is resumed."""
-    followed = []
-    for course in COURSES:
-        print(f"branch {course.name}", file=sys.stderr)
-        branch = follow(
-            course.mechanism, course.place, course.start, course.stop, settings=settings_of(course)
-        )
-        followed.append((course, branch))
-    write_branches(followed, folder)
+def make_branches() -> None:
+    """Follow the branches and write their files; they take seconds, so nothing of them is resumed."""
+    write_branches([(each, _followed(each)) for each in COURSES], FILE)
+    write_branches([(each, _followed(each, without_friction(each))) for each in LOOP_COURSES], LOOP_FILE)
+
+
+def _followed(course: Course, state: Reals | None = None) -> FollowedBranch:
+    print(f"branch {course.name}", file=sys.stderr)
+    interval = course.place, course.start, course.stop
+    return follow(course.subject, *interval, state=state, settings=settings_of(course))
 
 
 def _cells(inputs: MapInputs, file: Path) -> list[CellResult]:

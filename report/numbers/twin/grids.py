@@ -9,8 +9,8 @@ from typing import Final
 
 import numpy as np
 
-from report.numbers.twin.mechanism import CUTTER, DAMPING, FORCE, GAP, SPEED, STIFFNESS, twin
-from trimmer import Mechanism
+from report.numbers.twin.mechanism import CUTTER, DAMPING, FORCE, GAP, SPEED, STIFFNESS, STROKE, twin
+from trimmer import Mechanism, TrimmerLoop
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 
 WAITED: Final = 300
@@ -68,23 +68,27 @@ GRIDS: Final = (FRICTION_MAP, SPEED_MAP, STIFFNESS_MAP, DAMPING_MAP, STARTS_MAP)
 
 @dataclass(frozen=True)
 class Course:
-    """A branch that is kept: over the gap, from what the twin settles to from rest at its start.
+    """A branch that is kept: by itself from what the twin settles to from rest at its start.
 
     Attributes:
         name: Of the branch.
-        mechanism: What is varied.
+        subject: What is varied.
         place: The number that is varied.
         start: First value, SI units.
         stop: The end of the interval towards which it goes.
         bounds: The interval.
+        output: The output whose stroke is kept.
+        largest_step: See ``FollowSettings``.
     """
 
     name: str
-    mechanism: Mechanism
+    subject: Mechanism | TrimmerLoop
     place: str
     start: float
     stop: float
     bounds: tuple[float, float]
+    output: str = STROKE
+    largest_step: float = 0.01
 
 
 BRANCH_FORCE: Final = 2.0

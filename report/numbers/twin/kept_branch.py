@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.numbers.twin.grids import COURSES, Course
+from report.numbers.twin.grids import Course
 from report.numbers.twin.kept_files import FOLDER, read_kept, rounded, write_kept
-from report.numbers.twin.mechanism import STROKE
-from trimmer import FollowSettings
+from trimmer import FollowSettings, Mechanism, TrimmerLoop
 from trimmer.arrays import Reals
 
 if TYPE_CHECKING:
     from trimmer import FollowedBranch
 
-FILE: Final = "branches.json"
+FILE: Final = FOLDER / "branches.json"
+"""The branches of the twin."""
 STATE_DIGITS: Final = 10
 """Significant digits of values and states: as many as come out alike whenever a branch is followed."""
 
@@ -72,26 +71,28 @@ class KeptBranch:
         return tuple((float(self.values[first]), float(self.values[last])) for first, last in runs)
 
 
-def write_branches(followed: list[tuple[Course, FollowedBranch]], folder: Path = FOLDER) -> None:
+def write_branches(followed: list[tuple[Course, FollowedBranch]], path: Path) -> None:
     """Keep branches, and those that part from them."""
-    content = {course.name: [_as_data(each) for each in _family(branch)] for course, branch in followed}
-    write_kept(folder / FILE, inputs_of(COURSES), content)
+    content = {
+        course.name: [_as_data(each, course.output) for each in branch.all()] for course, branch in followed
+    }
+    write_kept(path, inputs_of(tuple(course for course, _ in followed)), content)
 
 
-def read_branches(folder: Path = FOLDER) -> tuple[KeptBranch, ...]:
+def read_branches(courses: tuple[Course, ...], path: Path) -> tuple[KeptBranch, ...]:
     """Return the branches that are kept, each followed by those that part from it.
 
     Raises:
         KeptDataError: if the file is not there, was made from something else, or has been changed since.
     """
-    content = read_kept(folder / FILE, inputs_of(COURSES))
-    return tuple(_from_data(course, data) for course in COURSES for data in content[course.name])
+    content = read_kept(path, inputs_of(courses))
+    return tuple(_from_data(course, data) for course in courses for data in content[course.name])
 
 
 def inputs_of(courses: tuple[Course, ...]) -> str:
     """Return the SHA-256 of all that the branches depend on, beside the program."""
     described = [
-        [each.name, each.mechanism.to_toml(), each.place, each.start, each.stop, asdict(settings_of(each))]
+        [each.name, _described(each.subject), each.place, each.start, each.stop, asdict(settings_of(each))]
         for each in courses
     ]
     return hashlib.sha256(json.dumps(described, sort_keys=True).encode()).hexdigest()
@@ -99,23 +100,24 @@ def inputs_of(courses: tuple[Course, ...]) -> str:
 
 def settings_of(course: Course) -> FollowSettings:
     """Return how a branch is followed."""
-    return FollowSettings(bounds=course.bounds, switches=1, quiet=True)
+    return FollowSettings(largest_step=course.largest_step, bounds=course.bounds, switches=1, quiet=True)
 
 
-def _family(branch: FollowedBranch) -> Iterator[FollowedBranch]:
-    yield branch
-    for other in branch.branches:
-        yield from _family(other)
+def _described(subject: Mechanism | TrimmerLoop) -> str | list[object]:
+    """Return what a branch depends on of what is varied, as data."""
+    if isinstance(subject, Mechanism):
+        return subject.to_toml()
+    return [repr(subject), subject.channels.value, {each: subject.value(each) for each in subject.places}]
 
 
-def _as_data(branch: FollowedBranch) -> dict[str, Any]:
+def _as_data(branch: FollowedBranch, output: str) -> dict[str, Any]:
     special = [[each.kind.word, rounded(each.value, STATE_DIGITS), each.note] for each in branch.special]
     return {
         "parted": "" if branch.parted is None else branch.parted.kind.word,
         "periods": branch.periods,
         "message": branch.message,
         "values": [rounded(point.value, STATE_DIGITS) for point in branch.points],
-        "strokes": [rounded(point.outputs[STROKE].peak_to_peak) for point in branch.points],
+        "strokes": [rounded(point.outputs[output].peak_to_peak) for point in branch.points],
         "stable": "".join("s" if point.stable else "u" for point in branch.points),
         "states": [[rounded(each, STATE_DIGITS) for each in point.state.tolist()] for point in branch.points],
         "special": special,

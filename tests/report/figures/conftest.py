@@ -9,6 +9,7 @@ from report.data.statements import read_inventory
 from report.pages.drawing.letters import letter_panels
 from report.twin.figures.bridge import bridge_in_slot
 from report.twin.figures.design import design_limits
+from report.twin.figures.loop import loop_branches
 from report.twin.figures.maps import branches_over_gap, friction_map, speed_map
 from report.twin.figures.motion import motions, spectra
 
@@ -19,6 +20,7 @@ TWIN = (
     motions,
     spectra,
     branches_over_gap,
+    loop_branches,
     design_limits,
 )
 """Figures of the chapter on the twin, which belong to no claim."""

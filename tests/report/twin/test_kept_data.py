@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 
 from report.numbers.twin.grids import COURSES, FRICTION_MAP, GRIDS, SPEED_MAP, Grid
-from report.numbers.twin.kept_branch import read_branches
+from report.numbers.twin.kept_branch import FILE, read_branches
 from report.numbers.twin.kept_files import FOLDER, KeptDataError, digest_of, digest_of_files
 from report.numbers.twin.kept_map import MEASURES, path_of, read_map
 from report.numbers.twin.map_numbers import MapNumbers
@@ -53,6 +53,7 @@ def test_all_files_are_there_and_moderate_in_size():
     assert {path.name for path in FOLDER.glob("*.json")} == {
         *(f"{grid.name}.json" for grid in GRIDS),
         "branches.json",
+        "loop.json",
     }
     assert sum(path.stat().st_size for path in FOLDER.glob("*.json")) < MOST_BYTES
 
@@ -185,7 +186,7 @@ def test_maps_are_made_resumed_and_read(tmp_path, capsys):
 
 
 def test_branches_begin_where_they_are_said_to():
-    branches = read_branches()
+    branches = read_branches(COURSES, FILE)
     for course in COURSES:
         first = next(each for each in branches if each.course.name == course.name)
         assert first.parted == ""

@@ -210,7 +210,8 @@ def one_force(known: Evidence) -> Figure:
     caption=r"""(a) Listing A.6 for $b$ = $4\times10^{-6}$ m and several $F_c$ (thesis, figure 5.24); the
     intersection, stable (full points), moves to the right and stops. (b) Amplitude over force for friction
     between cutter and guard; the stable and the unstable limit cycle (dotted) meet (diamond), and beyond that
-    force there is none.""",
+    force there is none. Exact orbits: “The thesis's loop over friction and gap”, in the chapter on the real
+    trimmer.""",
     alternative_text="""Left, five curves from minus one cross G at points that crowd together. Right, for
     each of two loops a falling solid curve and a rising dotted one that end in one point, at 8.1 and 6.3
     kilonewton per metre of gap.""",
