@@ -17,6 +17,7 @@ from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.hybrid.nodes import Nodes, nodes, sample
 from trimmer.hybrid.system import NOTHING
 from trimmer.hybrid.variation import propagated, propagator
+from trimmer.motion.units import Units
 from trimmer.hybrid.work import Log
 
 if TYPE_CHECKING:
@@ -175,6 +176,15 @@ class Flow(ABC):
         """What is read of the motion, by name."""
 
     @property
+    def units(self) -> Units:
+        """Units of what is measured."""
+        return Units("m")
+
+    def force_unit(self, part: str) -> str:
+        """Return the unit of what a part gives, as ``forces`` has it; empty for a number."""
+        return self.units.force
+
+    @property
     @abstractmethod
     def accelerations(self) -> Mapping[str, Signal]:
         """Acceleration of each body, m/s²; none where there are no bodies."""
@@ -216,6 +226,11 @@ class Flow(ABC):
     @abstractmethod
     def axes(self) -> Mapping[str, tuple[int, ...]]:
         """Places in the state of what a start may give, by name."""
+
+    @property
+    @abstractmethod
+    def axis_units(self) -> Mapping[str, tuple[str, ...]]:
+        """Units of what a start may give, by name, empty for numbers."""
 
     @abstractmethod
     def at_other(self, subject: Subject) -> Flow:
