@@ -17,8 +17,8 @@ from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.hybrid.nodes import Nodes, nodes, sample
 from trimmer.hybrid.system import NOTHING
 from trimmer.hybrid.variation import propagated, propagator
-from trimmer.motion.units import Units
 from trimmer.hybrid.work import Log
+from trimmer.motion.units import Units
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -64,12 +64,13 @@ def _told_meeting(special: SpecialCurves, meeting: Meeting) -> str:
 
 
 def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
+    units, power = result.outputs, result.measured_in.power
     measures = [
-        *((f"{name}, peak to peak", each, result.outputs[name]) for name, each in result.peak_to_peak.items()),
+        *((f"{name}, peak to peak", each, units[name]) for name, each in result.peak_to_peak.items()),
         ("impacts per drive period", result.impacts, ""),
         ("largest impact speed", result.impact_speed, result.measured_in.speed),
         *((f"{name}, rms acceleration", each, "m/s²") for name, each in result.rms_acceleration.items()),
-        *((f"{name}, wear power", each, result.measured_in.power) for name, each in result.wear_power.items()),
+        *((f"{name}, wear power", each, power) for name, each in result.wear_power.items()),
     ]
     return [_range(name, values, unit) for name, values, unit in measures if np.isfinite(values).any()]
 

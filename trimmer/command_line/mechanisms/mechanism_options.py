@@ -28,7 +28,7 @@ def add_set_option(parser: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="PLACE=VALUE",
-        help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
+        help="set a number, such as plays.bridge.gap=40um, or of a loop element.gap=40um; may be repeated",
     )
 
 
