@@ -36,7 +36,7 @@ def add_system_options(parser: ArgumentParser, *, output_is_file: bool = False) 
         metavar="FILE",
         help="mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves",
     )
-    add_set_option(parser)
+    add_set_option(parser, ", or of the loop, such as element.gap=40um")
     add_motion_options(parser, output_is_file=output_is_file)
 
 

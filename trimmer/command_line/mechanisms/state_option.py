@@ -66,7 +66,7 @@ def chosen_state(texts: Sequence[str], system: Mechanism | Loop) -> dict[str, tu
 def _number(option: str, text: str, unit: str, example: str) -> float:
     from trimmer.mechanism.units import UnitError, quantity
 
-    for wanted in (unit, "1"):
+    for wanted in ("1", unit):
         try:
             return quantity(text.strip(), wanted)
         except UnitError as error:
