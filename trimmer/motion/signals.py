@@ -5,7 +5,7 @@ A signal is given by a function from the number of a mode to a row (N,); its rat
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -14,7 +14,7 @@ import numpy as np
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Integers, Reals
     from trimmer.hybrid.tables import Modes
-    from trimmer.motion.flow import Course
+    from trimmer.motion.flow import Course, Flow
 
 Signal: TypeAlias = Callable[[int], "Reals"]
 
@@ -47,6 +47,14 @@ class Readout:
     signal: Signal
     unit: str
     speed: float = 0.0
+
+
+def signals_of(flow: Flow) -> Mapping[str, Readout]:
+    """Return what is shown of a motion: its outputs, or the bodies of a mechanism that has none."""
+    if flow.outputs:
+        return flow.outputs
+    size = flow.modes.system.layout.size
+    return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}
 
 
 def read(course: Course, readouts: Iterable[Readout], rows: Integers, states: Reals) -> Reals:

@@ -12,11 +12,9 @@ from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.motion.part import TOUCHING, Phase
-from trimmer.motion.signals import Readout, Steady, rate, read, while_status
+from trimmer.motion.signals import Steady, rate, read, signals_of, while_status
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Integers, Reals
@@ -24,14 +22,6 @@ if TYPE_CHECKING:
 
 POINTS = 4000
 """Points of a curve."""
-
-
-def signals_of(flow: Flow) -> Mapping[str, Readout]:
-    """Return what is drawn of a motion: its outputs, or the bodies of a mechanism that has none."""
-    if flow.outputs:
-        return flow.outputs
-    size = flow.modes.system.layout.size
-    return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}
 
 
 def draw_motion(flow: Flow, course: Course, ax: Axes | None = None) -> Axes:
