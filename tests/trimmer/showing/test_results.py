@@ -141,7 +141,8 @@ def test_a_data_frame_has_a_row_for_each_and_the_units(name: str) -> None:
 def test_columns_have_the_names_of_the_json(name: str) -> None:
     heading, before = JSON[name]
     found = RESULTS[name]()
-    found = getattr(found, "events", found)  # those of a motion, which itself is a table of signals
+    if isinstance(found, trimmer.Motion | trimmer.MechanismMotion):
+        found = found.events  # The motion itself is a table of signals.
     assert isinstance(found, Tabular)
     keys = {key.removeprefix(before) for key in documented(heading) if key.startswith(before)}
     places = set(getattr(found, "places", ()))
