@@ -38,7 +38,8 @@ WORDS = [
     "identify --frequency 740 --gap X", "identify --gap 4e-5 --frequency X",
     "identify --gap 4e-5 --frequency 740 --uncertainty X",
     *(f"{command} {words}" for command in (
-        "simulate", "respond --periods 20", "follow --points 3 --wait 30 --vary frequency --from 110 --to 111",
+        "simulate", "respond --periods 20",
+        "follow --points 3 --wait 30 --vary frequency --from 110 --to 111",
         "map --jobs 1 --periods 5 --vary frequency=110:111:2",
     ) for words in (
         f"{PLAY} --amplitude 1e-3 --drive X", f"{PLAY} --drive 110 --amplitude X",
