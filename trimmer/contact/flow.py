@@ -238,6 +238,11 @@ class ExactFlow(Flow):
         bodies = self.modes.system.layout.bodies
         return {name: (place, len(bodies) + place) for place, name in enumerate(bodies)}
 
+    @property
+    def axis_units(self) -> Mapping[str, tuple[str, ...]]:
+        """Units of displacement and velocity of each body."""
+        return dict.fromkeys(self.axes, (self.units.length, self.units.speed))
+
     @cached_property
     def parts(self) -> tuple[Part, ...]:
         """The contacts, then the frictions."""

@@ -117,6 +117,11 @@ class Loop(ABC):
         return ""
 
     @property
+    def state_units(self) -> tuple[str, ...]:
+        """Units of the states of ``model``, (n,): empty where they are not known."""
+        return ("",) * int(self.model.nstates)
+
+    @property
     def frequency(self) -> float | None:
         """Frequency of the drive, Hz; None without one."""
         drive: Drive | None = getattr(self, "drive", None)

@@ -16,10 +16,13 @@ from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.switched_component import EventKind
 from trimmer.loops.system import KINDS
 from trimmer.showing.drawn import Drawn
+from trimmer.showing.frame import to_frame
+from trimmer.showing.moments import POINTS, moments
 from trimmer.showing.shown import ShownFields, Tabular, counted
-from trimmer.showing.table import Column, Table, attributes
+from trimmer.showing.table import Column, Table, attributes, over_time
 
 if TYPE_CHECKING:
+    import pandas
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -70,6 +73,18 @@ class Event(ShownFields):
     mode: str
 
 
+class Events(tuple[Event, ...], Tabular):
+    """Events in order of time, which are a table too."""
+
+    __slots__ = ()
+
+    def _told(self) -> str:
+        return counted(len(self), "event")
+
+    def _table(self) -> Table:
+        return Table("Events", self, EVENT_COLUMNS)
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Motion(Tabular, Drawn):
     """A simulated motion, exact between and at its events.
@@ -89,7 +104,7 @@ class Motion(Tabular, Drawn):
     log: Log = field(repr=False)
 
     @cached_property
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> Events:
         """All events in order of time; simultaneous ones in the order in which they take effect.
 
         What a friction or relay does at one instant is one event, if it is in another mode afterwards. That a
@@ -103,7 +118,7 @@ class Motion(Tabular, Drawn):
             for change in self._changes(segment):
                 _list(listed, at_instant, change)
         modes = self.loop.modes
-        return tuple(
+        return Events(
             Event(
                 time=each.time,
                 kind=each.kind,
@@ -245,11 +260,32 @@ class Motion(Tabular, Drawn):
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
+    def to_dataframe(self, points: int = POINTS) -> pandas.DataFrame:
+        """Return output and the element's input and output over time as a data frame of pandas.
+
+        Units are in ``attrs["units"]``. Rows are instants that are evenly spread, and those of the events,
+        with the values just after each. The events themselves are in ``events.to_dataframe()``.
+
+        Args:
+            points: Instants that are evenly spread, at least 2.
+
+        Raises:
+            MissingPackageError: if pandas is not installed.
+            WrongTypeError, ValueError: if ``points`` cannot be used.
+        """
+        times, unit = moments(self.duration, self.event_times, points), self.loop.length
+        signals = {
+            "output": (unit, self.output(times)),
+            "element_input": (unit, self.element_input(times)),
+            "element_output": (unit, self.element_output(times)),
+        }
+        return to_frame(over_time("Signals over time", times, signals))
+
     def _told(self) -> str:
         return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"
 
     def _table(self) -> Table:
-        return Table("Events", self.events, EVENT_COLUMNS)
+        return self.events._table()
 
     def _element_output(self, mode: LoopMode) -> Reals:
         factors = np.array(self.loop.modes.system.interconnection.element_factors)

@@ -11,6 +11,9 @@ from importlib import import_module
 from typing import Any
 from warnings import warn
 
+__all__: tuple[str, ...] = ()
+"""Nothing is public here: what is measured of a motion is asked of a result."""
+
 
 def __getattr__(name: str) -> Any:
     """Return what stood here before loops had a room of their own, with a warning."""

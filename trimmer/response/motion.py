@@ -19,15 +19,19 @@ from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
+from trimmer.motion.flow import signals_of
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.energy import MechanismEnergy, energy_of
 from trimmer.showing.drawn import Drawn
+from trimmer.showing.frame import to_frame
+from trimmer.showing.moments import POINTS, moments
 from trimmer.showing.shown import Tabular, counted
-from trimmer.showing.table import Table, attributes
+from trimmer.showing.table import Table, attributes, over_time
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
 
+    import pandas
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
@@ -71,6 +75,18 @@ class MechanismEvent:
     kind: MechanismEventKind
 
 
+class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
+    """Events in order of time, which are a table too."""
+
+    __slots__ = ()
+
+    def _told(self) -> str:
+        return counted(len(self), "event")
+
+    def _table(self) -> Table:
+        return Table("Events", self, attributes(time="s", kind="", part=""))
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class MechanismMotion(Tabular, Drawn):
     """A simulated motion of a mechanism, exact between and at its events.
@@ -111,11 +127,11 @@ class MechanismMotion(Tabular, Drawn):
         return self.outcome.value
 
     @cached_property
-    def events(self) -> tuple[MechanismEvent, ...]:
+    def events(self) -> MechanismEvents:
         """All events in order of time."""
         layout = self.course.modes.system.layout
         parts = (*layout.contacts, *layout.frictions)
-        return tuple(
+        return MechanismEvents(
             MechanismEvent(time, parts[part], KINDS[kind]) for time, part, kind in self.course.events
         )
 
@@ -212,12 +228,32 @@ class MechanismMotion(Tabular, Drawn):
         """
         return undetermined(self.course)
 
+    def to_dataframe(self, points: int = POINTS) -> pandas.DataFrame:
+        """Return the outputs over time as a data frame of pandas, or the bodies if there are none.
+
+        Units are in ``attrs["units"]``. Rows are instants that are evenly spread, and those of the events,
+        with the values just after each. The events themselves are in ``events.to_dataframe()``.
+
+        Args:
+            points: Instants that are evenly spread, at least 2.
+
+        Raises:
+            MissingPackageError: if pandas is not installed.
+            WrongTypeError, ValueError: if ``points`` cannot be used.
+        """
+        times = moments(self.duration, self.course.times, points)
+        signals = {
+            name: (each.unit, self._signal(each.signal, times))
+            for name, each in signals_of(self.flow).items()
+        }
+        return to_frame(over_time("Signals over time", times, signals))
+
     def _told(self) -> str:
         title, events = self.mechanism.title, counted(len(self.events), "event")
         return f"{title}, {self.duration:.6g} s, {events}, {self.message}"
 
     def _table(self) -> Table:
-        return Table("Events", self.events, attributes(time="s", kind="", part=""))
+        return self.events._table()
 
     @property
     def _size(self) -> int:
