@@ -33,7 +33,7 @@ from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
 if TYPE_CHECKING:
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.response.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
@@ -89,7 +89,7 @@ def _run(arguments: Namespace) -> int:
     return INTERRUPTED if getattr(motion, "outcome", None) is Outcome.INTERRUPTED else ENDED_EARLY
 
 
-def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
+def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
     system = chosen_system(arguments)
     from trimmer.command_line.loops import motion_text as of_loop
@@ -127,7 +127,7 @@ def _check_duration(arguments: Namespace) -> None:
         )
 
 
-def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
+def _write(arguments: Namespace, motion: LoopMotion | MechanismMotion) -> None:
     """Write the files that are wanted."""
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
@@ -144,30 +144,30 @@ def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
         write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
 
 
-def _note_aliasing(motion: Motion | MechanismMotion, arguments: Namespace) -> None:
+def _note_aliasing(motion: LoopMotion | MechanismMotion, arguments: Namespace) -> None:
     """Note on standard error a drive that the files cannot show."""
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.spectra.doubts import aliasing_doubt
 
-    drive = motion.loop.frequency if isinstance(motion, Motion) else motion.mechanism.frequency
+    drive = motion.loop.frequency if isinstance(motion, LoopMotion) else motion.mechanism.frequency
     doubt = aliasing_doubt(drive, arguments.sample_rate) if drive else None
     if doubt is not None:
         note(f"note: {doubt}")
 
 
-def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signal]:
+def _signals(motion: LoopMotion | MechanismMotion, sample_rate: float) -> list[Signal]:
     """Sample the outputs; of a loop, its output, and input and output of the backlash, m."""
     import numpy as np
 
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.command_line.mechanisms import motion_text as of_mechanism
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.signals.signal import Signal
 
     times = np.arange(int(motion.duration * sample_rate)) / sample_rate
     sampled = (
         of_loop.displacements(motion, times)
-        if isinstance(motion, Motion)
+        if isinstance(motion, LoopMotion)
         else of_mechanism.displacements(motion, times)
     )
     return [Signal(values, sample_rate, name, "m") for name, values in sampled.items()]

@@ -11,7 +11,7 @@ import numpy as np
 from trimmer.hybrid.advance import Instant
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.initial import resumed
-from trimmer.loops.loop_signal import LoopSignal, row_in_modes
+from trimmer.loops.loop_signal import READ, LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.relay_component import RelayComponent
@@ -30,13 +30,6 @@ if TYPE_CHECKING:
     from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.signals import Signal
     from trimmer.motion.subject import Subject
-
-READ = {
-    "output": LoopSignal.OUTPUT,
-    "element_input": LoopSignal.ELEMENT_INPUT,
-    "element_output": LoopSignal.ELEMENT_OUTPUT,
-}
-"""What is read of every loop, by name."""
 
 
 @dataclass(frozen=True, eq=False)

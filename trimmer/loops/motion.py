@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -12,17 +12,15 @@ import numpy as np
 
 from trimmer.arguments import real_values
 from trimmer.hybrid.nodes import sample
+from trimmer.loops.loop_signal import READ, row_in_modes
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.switched_component import EventKind
 from trimmer.loops.system import KINDS
-from trimmer.showing.drawn import Drawn
-from trimmer.showing.frame import to_frame
-from trimmer.showing.moments import POINTS, moments
+from trimmer.motion.motion import Motion
 from trimmer.showing.shown import ShownFields, Tabular, counted
-from trimmer.showing.table import Column, Table, attributes, over_time
+from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
-    import pandas
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Reals
@@ -86,7 +84,7 @@ class Events(tuple[Event, ...], Tabular):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion(Tabular, Drawn):
+class LoopMotion(Motion):
     """A simulated motion, exact between and at its events.
 
     ``plot`` draws the output, and input and output of the element, over time, with contact and stick marked.
@@ -260,26 +258,16 @@ class Motion(Tabular, Drawn):
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
-    def to_dataframe(self, points: int = POINTS) -> pandas.DataFrame:
-        """Return output and the element's input and output over time as a data frame of pandas.
+    @property
+    def signals(self) -> Mapping[str, str]:
+        """The unit of output, and of input and output of the element; empty where it is not known."""
+        return dict.fromkeys(READ, self.loop.length)
 
-        Units are in ``attrs["units"]``. Rows are instants that are evenly spread, and those of the events,
-        with the values just after each. The events themselves are in ``events.to_dataframe()``.
-
-        Args:
-            points: Instants that are evenly spread, at least 2.
-
-        Raises:
-            MissingPackageError: if pandas is not installed.
-            WrongTypeError, ValueError: if ``points`` cannot be used.
-        """
-        times, unit = moments(self.duration, self.event_times, points), self.loop.length
-        signals = {
-            "output": (unit, self.output(times)),
-            "element_input": (unit, self.element_input(times)),
-            "element_output": (unit, self.element_output(times)),
-        }
-        return to_frame(over_time("Signals over time", times, signals))
+    def _read(self, name: str, times: ArrayLike) -> Reals:
+        row = row_in_modes(self.loop, READ[name])
+        values: Reals
+        (values,) = self.values(times, lambda mode: row(mode)[None])
+        return values
 
     def _told(self) -> str:
         return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"

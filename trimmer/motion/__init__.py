@@ -17,6 +17,8 @@ __all__: tuple[str, ...] = ()
 
 def __getattr__(name: str) -> Any:
     """Return what stood here before loops had a room of their own, with a warning."""
+    if name == "Motion":
+        return import_module("trimmer.motion.motion").Motion
     loops = import_module("trimmer.loops")
     if name.startswith("_") or name not in dir(loops):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

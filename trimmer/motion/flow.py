@@ -28,12 +28,19 @@ BLOCK = 100_000
 """Steps that periods followed in one call of the compiled code may take: no interrupt ends it."""
 
 
+MADE_AGAIN = ("outputs", "accelerations", "parts")
+
+
 class Flow(ABC):
     """The exact motion of a mechanism or a loop, of which everything else is asked.
 
     What differs between them is below: where a motion begins, what its states and parts are, and what is
     measured of it. The state of n entries holds what the system itself moves; what forces it is not in it.
     """
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: what is read of a motion is made again."""
+        return {name: value for name, value in vars(self).items() if name not in MADE_AGAIN}
 
     @property
     @abstractmethod

@@ -20,18 +20,15 @@ from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
 from trimmer.motion.flow import signals_of
+from trimmer.motion.motion import Motion
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.energy import MechanismEnergy, energy_of
-from trimmer.showing.drawn import Drawn
-from trimmer.showing.frame import to_frame
-from trimmer.showing.moments import POINTS, moments
 from trimmer.showing.shown import Tabular, counted
-from trimmer.showing.table import Table, attributes, over_time
+from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
+    from collections.abc import Callable, Collection, Mapping
 
-    import pandas
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
@@ -88,7 +85,7 @@ class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class MechanismMotion(Tabular, Drawn):
+class MechanismMotion(Motion):
     """A simulated motion of a mechanism, exact between and at its events.
 
     ``plot`` draws the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
@@ -228,25 +225,18 @@ class MechanismMotion(Tabular, Drawn):
         """
         return undetermined(self.course)
 
-    def to_dataframe(self, points: int = POINTS) -> pandas.DataFrame:
-        """Return the outputs over time as a data frame of pandas, or the bodies if there are none.
+    @property
+    def event_times(self) -> Reals:
+        """Times at which its mode changes, s, (changes,)."""
+        return self.course.times
 
-        Units are in ``attrs["units"]``. Rows are instants that are evenly spread, and those of the events,
-        with the values just after each. The events themselves are in ``events.to_dataframe()``.
+    @property
+    def signals(self) -> Mapping[str, str]:
+        """The unit of each output, or body if there is no output."""
+        return {name: each.unit for name, each in signals_of(self.flow).items()}
 
-        Args:
-            points: Instants that are evenly spread, at least 2.
-
-        Raises:
-            MissingPackageError: if pandas is not installed.
-            WrongTypeError, ValueError: if ``points`` cannot be used.
-        """
-        times = moments(self.duration, self.course.times, points)
-        signals = {
-            name: (each.unit, self._signal(each.signal, times))
-            for name, each in signals_of(self.flow).items()
-        }
-        return to_frame(over_time("Signals over time", times, signals))
+    def _read(self, name: str, times: ArrayLike) -> Reals:
+        return self._signal(signals_of(self.flow)[name].signal, times)
 
     def _told(self) -> str:
         title, events = self.mechanism.title, counted(len(self.events), "event")

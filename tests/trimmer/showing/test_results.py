@@ -34,6 +34,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "ClosedLoop": results.loop,
     "TrimmerLoop": lambda: results.driven().loop,
     "Motion": results.driven,
+    "LoopMotion": results.driven,
     "Event": lambda: results.driven().events[0],
     "EnergyBalance": lambda: trimmer.energy_balance(results.driven()),
     "MechanismMotion": results.stopped,

@@ -11,7 +11,7 @@ from trimmer.command_line.patience import patience
 from trimmer.command_line.state_option import chosen_state
 
 if TYPE_CHECKING:
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.motion import MechanismMotion
 
@@ -42,11 +42,11 @@ def check_periods(duration: float, frequency: float | None) -> None:
         )
 
 
-def draw(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
+def draw(arguments: Namespace, motion: LoopMotion | MechanismMotion) -> None:
     """Draw the picture that is wanted."""
     from trimmer.drawing.content import figure_of
     from trimmer.drawing.mechanisms.response import motion_figure
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
 
-    figure = figure_of(motion.plot) if isinstance(motion, Motion) else motion_figure(motion)
+    figure = figure_of(motion.plot) if isinstance(motion, LoopMotion) else motion_figure(motion)
     write_picture(arguments, figure)
