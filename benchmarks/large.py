@@ -16,7 +16,7 @@ from argparse import ArgumentParser
 import numpy as np
 
 from benchmarks.calibration import calibration, sentence
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Stop
 
@@ -63,7 +63,7 @@ def chain(bodies: int, stops: int, frictions: int) -> Mechanism:
 
 def measure(bodies: int, stops: int, frictions: int) -> None:
     """Print the number of events, the time of one when all modes are met, s, and the largest memory, MB."""
-    flow = ExactFlow(chain(bodies, stops, frictions))
+    flow = MechanismFlow(chain(bodies, stops, frictions))
     start = flow.rest()
     events = len(flow.timed(start, DURATION).events)
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

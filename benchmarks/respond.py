@@ -15,7 +15,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import FREE, RELAXING
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import forced_orbit
@@ -58,7 +58,7 @@ def orbit_nearby() -> Callable[[], object]:
 
 def events() -> tuple[int, Callable[[], object]]:
     """Return a number of events, and a call that follows the motion through them."""
-    flow = ExactFlow(TWIN)
+    flow = MechanismFlow(TWIN)
     instant = flow.strobe(flow.rest(), 100).end
     count = int(flow.strobe(instant, PERIODS).counts.sum())
     return count, lambda: flow.strobe(instant, PERIODS)
@@ -66,7 +66,7 @@ def events() -> tuple[int, Callable[[], object]]:
 
 def peer() -> tuple[int, float]:
     """Follow the same motion by solve_ivp; return the number of its events and the time taken, s."""
-    flow = ExactFlow(TWIN)
+    flow = MechanismFlow(TWIN)
     instant = flow.strobe(flow.rest(), 100).end
     course = flow.course(instant, PEER_PERIODS)
     modes, log = course.modes, course.log

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.contact.flow import MechanismFlow
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.course import Course
     from trimmer.response.rest import Rest
@@ -95,7 +95,7 @@ class MechanismMotion(Motion):
         course: The motion itself.
     """
 
-    flow: ExactFlow
+    flow: MechanismFlow
     course: Course
 
     @property

@@ -77,12 +77,12 @@ def simulate(
 
 
 def _of_mechanism(mechanism: Mechanism, duration: float, state: Start, step_limit: int) -> MechanismMotion:
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.contact.flow import MechanismFlow
     from trimmer.response.motion import MechanismMotion
     from trimmer.response.starts import instant_of
 
     if not 0 < real_number("duration", duration, "s") < math.inf:
         raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
-    flow = ExactFlow(mechanism)
+    flow = MechanismFlow(mechanism)
     steps = whole_number("step_limit", step_limit, 1)
     return MechanismMotion(flow, flow.timed(instant_of(flow, state), float(duration), steps))

@@ -7,7 +7,7 @@ import tracemalloc
 
 import numpy as np
 
-from trimmer.contact.flow import Course, ExactFlow
+from trimmer.contact.flow import Course, MechanismFlow
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop
@@ -41,7 +41,7 @@ def copies(numbers: range) -> Mechanism:
 
 
 def motion(mechanism: Mechanism) -> Course:
-    flow = ExactFlow(mechanism)
+    flow = MechanismFlow(mechanism)
     course = flow.course(flow.rest(), PERIODS)
     assert course.ending is Ending.REACHED_END
     return course
@@ -69,7 +69,7 @@ def test_each_of_many_moves_as_it_does_alone() -> None:
 
 
 def test_many_modes_take_little_memory() -> None:
-    flow = ExactFlow(copies(range(20)))
+    flow = MechanismFlow(copies(range(20)))
     start = flow.rest()
     tracemalloc.start()
     course = flow.course(start, PERIODS)

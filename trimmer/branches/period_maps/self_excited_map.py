@@ -14,8 +14,8 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
-from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
+from trimmer.branches.period_maps.driven_map import DrivenMap
+from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.period_maps.strobe import Restart
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.calm import amid_longest, is_amid
@@ -69,7 +69,7 @@ def _sizes(course: Course) -> Reals:
 
 
 @dataclass(frozen=True, eq=False)
-class SelfExcitedMap(MechanismMap):
+class SelfExcitedMap(DrivenMap):
     """The map of (x, T) of a mechanism without a drive.
 
     Attributes:
@@ -124,7 +124,7 @@ class SelfExcitedMap(MechanismMap):
 
 
 @dataclass(frozen=True, eq=False)
-class SelfExcitedPassage(MechanismPassage):
+class SelfExcitedPassage(DrivenPassage):
     """The motion of a mechanism without a drive over its period.
 
     Attributes:
