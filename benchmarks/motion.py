@@ -23,7 +23,7 @@ from benchmarks.calibration import sentence
 from trimmer.arrays import Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.loops.motion import Motion
+from trimmer.loops.motion import LoopMotion
 from trimmer.loops.simulation import simulate_loop as simulate
 from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
@@ -45,7 +45,7 @@ FIRST_CALL = (
 )
 
 
-def own() -> Motion:
+def own() -> LoopMotion:
     """Return the motion after an impulse."""
     return simulate(LOOP, DURATION, impulse=IMPULSE)
 

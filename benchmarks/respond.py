@@ -15,12 +15,13 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import FREE, RELAXING
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import forced_orbit
 from trimmer.response.respond import respond
 from trimmer.response.response_json import response_json
+from trimmer.response.simulate import simulate
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play.toml").with_value(
     "frictions.blade.force", 1.0
@@ -28,7 +29,9 @@ TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play
 ROUNDS = 15
 PERIODS = 300
 PEER_PERIODS = 4
-TARGETS = {"respond": 15e-3, "orbit": 10e-3, "event": 2e-6, "ratio": 300}
+DURATION = 5.0
+"""Of the motion for an event through simulate, s."""
+TARGETS = {"respond": 4e-3, "orbit": 1.5e-3, "event": 1.5e-6, "simulate": 3e-6, "ratio": 300}
 
 
 def seconds(function: Callable[[], object], rounds: int = ROUNDS) -> float:
@@ -55,7 +58,7 @@ def orbit_nearby() -> Callable[[], object]:
 
 def events() -> tuple[int, Callable[[], object]]:
     """Return a number of events, and a call that follows the motion through them."""
-    flow = ExactFlow(TWIN)
+    flow = MechanismFlow(TWIN)
     instant = flow.strobe(flow.rest(), 100).end
     count = int(flow.strobe(instant, PERIODS).counts.sum())
     return count, lambda: flow.strobe(instant, PERIODS)
@@ -63,7 +66,7 @@ def events() -> tuple[int, Callable[[], object]]:
 
 def peer() -> tuple[int, float]:
     """Follow the same motion by solve_ivp; return the number of its events and the time taken, s."""
-    flow = ExactFlow(TWIN)
+    flow = MechanismFlow(TWIN)
     instant = flow.strobe(flow.rest(), 100).end
     course = flow.course(instant, PEER_PERIODS)
     modes, log = course.modes, course.log
@@ -111,6 +114,9 @@ def main() -> None:
     count, call = events()
     own = seconds(call) / count
     print(f"an event of the twin           {own * 1e6:9.2f} us   (target {TARGETS['event'] * 1e6:g} us)")
+    motion = simulate(TWIN, DURATION)
+    each = seconds(lambda: simulate(TWIN, DURATION)) / len(motion.course.events)
+    print(f"an event through simulate      {each * 1e6:9.2f} us   (target {TARGETS['simulate'] * 1e6:g} us)")
     theirs = min(spent / number for number, spent in (peer() for _ in range(3)))
     print(f"an event of solve_ivp          {theirs * 1e6:9.2f} us")
     print(f"ratio                          {theirs / own:9.0f}      (target {TARGETS['ratio']})")

@@ -41,7 +41,6 @@ from .loops.loop_signal import LoopSignal as LoopSignal
 from .loops.loops import ClosedLoop as ClosedLoop
 from .loops.loops import Drive as Drive
 from .loops.loops import OpenLoop as OpenLoop
-from .loops.motion import Motion as Motion
 from .loops.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .maps.basin import basin as basin
 from .maps.coexistence import coexisting_motions as coexisting_motions
@@ -58,6 +57,7 @@ from .mechanism.parts import Output as Output
 from .mechanism.parts import Pin as Pin
 from .mechanism.parts import Play as Play
 from .mechanism.parts import Stop as Stop
+from .motion.motion import Motion as Motion
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits

@@ -16,9 +16,10 @@ import numpy as np
 
 from report.numbers.record import harmonics
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from trimmer import Drive, FrictionBacklash, Motion, OpenLoop, PeriodicOrbit, peaks, simulate
+from trimmer import Drive, FrictionBacklash, OpenLoop, PeriodicOrbit, peaks, simulate
 from trimmer.arrays import Reals
 from trimmer.elements import Element
+from trimmer.loops import LoopMotion
 from trimmer.loops.interconnection import Interconnection, realized
 from trimmer.loops.loops import Loop, element_around
 from trimmer.spectra import Window
@@ -116,7 +117,7 @@ class ReferenceRun:
     base: float
     frequency: float
     line: float
-    motion: Motion
+    motion: LoopMotion
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,9 +21,10 @@ from report.numbers.thesis import (
     MEASURED_DRIVE_OMEGA,
     SAMPLE_RATE,
 )
-from trimmer import CoulombFriction, Drive, FrictionBacklash, Motion, TrimmerParameters, simulate
+from trimmer import CoulombFriction, Drive, FrictionBacklash, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, TrimmerBody
+from trimmer.loops import LoopMotion
 from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 
 DURATION = 0.6
@@ -155,7 +156,7 @@ def _run(parameters: TrimmerParameters, gap: float, force: float) -> DrivenRun:
     )
 
 
-def _settled(motion: Motion) -> tuple[Reals, float, float]:
+def _settled(motion: LoopMotion) -> tuple[Reals, float, float]:
     """Return harmonics of the last period, and its distance from the one before and its mirror image."""
     start = motion.duration - 2 * PERIOD
     first, second = motion.output(start + np.arange(2 * _PHASES) * PERIOD / _PHASES).reshape(2, _PHASES)

@@ -14,8 +14,9 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from report.numbers.time_stepping import last_turn_in_steps, linear_step
-from trimmer import ClosedLoop, CoulombFriction, Motion, Relay, ViscousFriction, simulate
+from trimmer import ClosedLoop, CoulombFriction, Relay, ViscousFriction, simulate
 from trimmer.arrays import Reals
+from trimmer.loops import LoopMotion
 
 IMPULSES = (1e-6, 1e-3, 1.0)
 """Impulses over the force of the relay or of friction, s."""
@@ -133,7 +134,7 @@ def _run(system: control.StateSpace, impulse: float) -> RelayRun:
     return RelayRun(impulse, times, np.asarray(swings), float(growth))
 
 
-def friction_motion(system: control.StateSpace, impulse: float) -> Motion:
+def friction_motion(system: control.StateSpace, impulse: float) -> LoopMotion:
     """Return the loop with the block of figure 5.20 on y' after an impulse over force, s."""
     law = CoulombFriction(1.0) + ViscousFriction(VISCOUS)
     return simulate(ClosedLoop(system, law), DURATION, impulse=impulse)

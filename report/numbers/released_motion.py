@@ -13,9 +13,10 @@ import numpy as np
 from report.numbers.driven_motion import friction_between_cutter_and_guard
 from report.numbers.record import padded_spectrum
 from report.numbers.thesis import EXPERIMENT_GAP, LARGEST_GAP, SAMPLE_RATE
-from trimmer import FrictionBacklash, Motion, TrimmerLoop, TrimmerParameters, simulate
+from trimmer import FrictionBacklash, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
+from trimmer.loops import LoopMotion
 from trimmer.thesis import TrimmerBody
 
 DURATION = 0.3
@@ -145,7 +146,7 @@ def _run(
     return ReleasedRun(gap, force, start, times, motion.output(np.minimum(times, DURATION)), *_end(motion))
 
 
-def _end(motion: Motion) -> tuple[float, float]:
+def _end(motion: LoopMotion) -> tuple[float, float]:
     """Return half of peak to peak and the frequency at the end of a motion."""
     times = np.linspace(motion.duration - LAST, motion.duration, _POINTS)
     output = motion.output(times)

@@ -29,7 +29,7 @@ from trimmer import (
     forced_orbit,
     respond,
 )
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 
 PERIODS = 300
 """Drive periods to wait."""
@@ -55,7 +55,7 @@ def shifted(mechanism: Mechanism, share: float) -> Mechanism:
 
 def state_at(mechanism: Mechanism, share: float, state: np.ndarray | None = None) -> np.ndarray:
     """Return the state a share of a drive period after rest, or after a state."""
-    flow = ExactFlow(mechanism)
+    flow = MechanismFlow(mechanism)
     begin = flow.rest() if state is None else flow.at(state)
     return flow.timed(begin, share * flow.period).end.state
 

@@ -52,6 +52,13 @@ def driven() -> trimmer.Motion:
 
 
 @cache
+def relay() -> trimmer.Motion:
+    """Of a loop without units."""
+    loop = trimmer.ClosedLoop(control.ss(control.tf([1.0], [1.0, 3.0, 2.0, 0.0])), trimmer.Relay(1.0))
+    return trimmer.simulate(loop, 20.0, initial_state=[0.0, 0.0, 1.0])
+
+
+@cache
 def summary() -> trimmer.linear.LinearSummary:
     return trimmer.summarise(trimmer.TrimmerParameters.thesis())
 

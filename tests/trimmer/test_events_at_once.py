@@ -18,7 +18,7 @@ from trimmer import (
     respond,
     simulate,
 )
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.loops import BodyFriction
 from trimmer.mechanism import Body, Force, Friction, Link, Play, Stop
 
@@ -123,6 +123,6 @@ def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(
     orbit = respond(machine).motion.orbit
     assert orbit is not None
     value = machine.value(place)
-    rate = MechanismMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate()
+    rate = DrivenMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate()
     assert abs(rate[0::2]).max() > 0.1
     np.testing.assert_allclose(rate[1::2], 0.0, atol=1e-9)

@@ -11,8 +11,8 @@ from trimmer.arguments import real_array, whole_number
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.period_maps.fitting import fitting
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.errors import LoopError, MechanismError, OrbitNotFoundError
@@ -93,7 +93,7 @@ def follow(
                 f"periods is {periods}, but the mechanism has no drive whose periods could count"
             )
         return _self_excited(SelfExcitedMap(at_start, place, scale), begin, end, state, settings)
-    map = MechanismMap(at_start, place, scale, periods or 1)
+    map = DrivenMap(at_start, place, scale, periods or 1)
     if state is None:
         orbit = _orbit_at_start(at_start, settings.most_periods, periods)
         if orbit is None:
@@ -159,7 +159,7 @@ def _self_excited(
     if abs(np.linalg.eigvals(passage.monodromy) - 1.0).min() <= NEUTRAL:
         reason = BranchEnd.NOT_ISOLATED
         return FollowedBranch(map, (), (), reason, f"{reason.value}, at {begin:.10g}")
-    doubled: MechanismMap = map
+    doubled: DrivenMap = map
     for _ in range(passage.halvings):
         doubled, first = doubled.doubled(), np.append(first[:-1], 0.5 * first[-1])
     return _followed(continuation(doubled, first, begin, end, settings), map)
@@ -183,7 +183,7 @@ def _unsettled(begin: float, most_periods: int) -> str:
     )
 
 
-def _followed(branch: Branch, base: MechanismMap) -> FollowedBranch:
+def _followed(branch: Branch, base: DrivenMap) -> FollowedBranch:
     """Return a branch, with the map of which all others are doubled."""
     map = base
     for _ in range(branch.doublings):

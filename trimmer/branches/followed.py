@@ -13,8 +13,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.branches.balanced import BalancedOrbit, balanced_beside
 from trimmer.branches.branch import BranchEnd, BranchPoint
 from trimmer.branches.outputs import OutputMeasure, output_measures
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
-from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
+from trimmer.branches.period_maps.driven_map import DrivenMap
+from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap, with_trivial
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
@@ -40,7 +40,7 @@ class FollowedOrbit(Shown):
     """
 
     point: BranchPoint
-    map: MechanismMap
+    map: DrivenMap
 
     @property
     def value(self) -> float:
@@ -95,7 +95,7 @@ class FollowedOrbit(Shown):
         return self.point.events / (1 if isinstance(self.map, SelfExcitedMap) else self.periods)
 
     @cached_property
-    def passage(self) -> MechanismPassage:
+    def passage(self) -> DrivenPassage:
         """The motion over its period."""
         return self.map.passage(self.point.value, self.point.state)
 
@@ -142,7 +142,7 @@ class FollowedBranch(Tabular, Drawn):
         parted: The special point at which this one parts from another; None if it was begun by itself.
     """
 
-    map: MechanismMap
+    map: DrivenMap
     points: tuple[FollowedOrbit, ...]
     special: tuple[SpecialPoint, ...]
     reason: BranchEnd
@@ -229,7 +229,7 @@ class FollowedBranch(Tabular, Drawn):
         return self.reason.is_success
 
 
-def _outputs(passage: MechanismPassage) -> Mapping[str, OutputMeasure]:
+def _outputs(passage: DrivenPassage) -> Mapping[str, OutputMeasure]:
     flow, course = passage.flow.travelling(passage.course)
     return output_measures(flow, course)
 

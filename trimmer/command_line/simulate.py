@@ -14,14 +14,9 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.loops.loop_options import unusable
-from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop, impulse_of
-from trimmer.command_line.mechanisms.simulation import (
-    add_mechanism,
-    check_periods,
-    draw,
-    mechanism_motion,
-    refuse_options_of_the_other,
-)
+from trimmer.command_line.loops.motion_options import add_impulse_option, start_of_loop
+from trimmer.command_line.mechanisms.simulation import check_periods, draw, mechanism_motion
+from trimmer.command_line.output_options import add_plot_option
 from trimmer.command_line.parser import (
     ENDED_EARLY,
     INTERRUPTED,
@@ -32,11 +27,13 @@ from trimmer.command_line.parser import (
     tell,
 )
 from trimmer.command_line.patience import patience
+from trimmer.command_line.state_option import add_state_option
+from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 
 if TYPE_CHECKING:
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.response.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
@@ -45,8 +42,10 @@ MOST_SAMPLES = 50_000_000
 
 
 def _configure(parser: ArgumentParser) -> None:
-    add_mechanism(parser)
-    add_motion_options(parser)
+    add_system_options(parser)
+    add_impulse_option(parser)
+    add_state_option(parser)
+    add_plot_option(parser, "the motion with contact and stick, and of a mechanism its phase plane,")
     parser.add_argument(
         "--duration", type=float, default=0.5, metavar="S", help="length of the motion, s (default: 0.5)"
     )
@@ -72,8 +71,8 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    refuse_options_of_the_other(arguments)
     _check_duration(arguments)
+    check_targets(arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}, "plot": PICTURES}, SOURCES)
     motion, text = _moved(arguments)
     targets = [path for path in (arguments.csv, arguments.wav, arguments.plot) if path is not None]
     try:
@@ -90,33 +89,27 @@ def _run(arguments: Namespace) -> int:
     return INTERRUPTED if getattr(motion, "outcome", None) is Outcome.INTERRUPTED else ENDED_EARLY
 
 
-def _moved(arguments: Namespace) -> tuple[Motion | MechanismMotion, str]:
+def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
-    if arguments.file is not None:
-        _check_targets(arguments)
-        from trimmer.command_line.mechanisms import motion_text as of_mechanism
-
-        moved = mechanism_motion(arguments)
-        return moved, (of_mechanism.as_json if arguments.json else of_mechanism.as_text)(moved)
-    _check_targets(arguments)
-    loop, impulse = chosen_loop(arguments), impulse_of(arguments)
-    check_periods(arguments.duration, arguments.drive)
+    system = chosen_system(arguments)
     from trimmer.command_line.loops import motion_text as of_loop
+    from trimmer.command_line.mechanisms import motion_text as of_mechanism
     from trimmer.loops.simulation import SimulationInterrupted, simulate_loop
+    from trimmer.mechanism.mechanism import Mechanism
 
+    if isinstance(system, Mechanism):
+        moved = mechanism_motion(arguments, system)
+        return moved, (of_mechanism.as_json if arguments.json else of_mechanism.as_text)(moved)
+    start = list(start_of_loop(arguments, system).values())
+    check_periods(arguments.duration, system.frequency)
     try:
         with patience():
-            motion = simulate_loop(loop, arguments.duration, impulse=impulse)
+            motion = simulate_loop(system, arguments.duration, initial_state=start)
     except SimulationInterrupted as interrupt:
         motion = interrupt.motion
     except ValueError as error:
         raise unusable(arguments, error) from error
     return motion, (of_loop.as_json if arguments.json else of_loop.as_text)(motion)
-
-
-def _check_targets(arguments: Namespace) -> None:
-    sources = {"parameters": "the file of the parameters", "file": "the file of the mechanism"}
-    check_targets(arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}, "plot": PICTURES}, sources)
 
 
 def _check_duration(arguments: Namespace) -> None:
@@ -134,7 +127,7 @@ def _check_duration(arguments: Namespace) -> None:
         )
 
 
-def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
+def _write(arguments: Namespace, motion: LoopMotion | MechanismMotion) -> None:
     """Write the files that are wanted."""
     from trimmer.signals.wav import write_wav
     from trimmer.signals.write import write_signal
@@ -151,29 +144,30 @@ def _write(arguments: Namespace, motion: Motion | MechanismMotion) -> None:
         write_wav(arguments.wav, output.values, output.sample_rate, overwrite=arguments.overwrite)
 
 
-def _note_aliasing(motion: Motion | MechanismMotion, arguments: Namespace) -> None:
+def _note_aliasing(motion: LoopMotion | MechanismMotion, arguments: Namespace) -> None:
     """Note on standard error a drive that the files cannot show."""
+    from trimmer.loops.motion import LoopMotion
     from trimmer.spectra.doubts import aliasing_doubt
 
-    drive = arguments.drive if arguments.file is None else motion.mechanism.frequency  # type: ignore[union-attr]
+    drive = motion.loop.frequency if isinstance(motion, LoopMotion) else motion.mechanism.frequency
     doubt = aliasing_doubt(drive, arguments.sample_rate) if drive else None
     if doubt is not None:
         note(f"note: {doubt}")
 
 
-def _signals(motion: Motion | MechanismMotion, sample_rate: float) -> list[Signal]:
+def _signals(motion: LoopMotion | MechanismMotion, sample_rate: float) -> list[Signal]:
     """Sample the outputs; of a loop, its output, and input and output of the backlash, m."""
     import numpy as np
 
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.command_line.mechanisms import motion_text as of_mechanism
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.signals.signal import Signal
 
     times = np.arange(int(motion.duration * sample_rate)) / sample_rate
     sampled = (
         of_loop.displacements(motion, times)
-        if isinstance(motion, Motion)
+        if isinstance(motion, LoopMotion)
         else of_mechanism.displacements(motion, times)
     )
     return [Signal(values, sample_rate, name, "m") for name, values in sampled.items()]

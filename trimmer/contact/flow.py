@@ -67,7 +67,7 @@ ROUNDING = 64 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, eq=False)
-class ExactFlow(Flow):
+class MechanismFlow(Flow):
     """The exact motion of one mechanism.
 
     The state of n entries holds the displacements of the bodies, m, their velocities, m/s, and the stretches
@@ -82,7 +82,7 @@ class ExactFlow(Flow):
     frame: Frame | None = None
 
     @classmethod
-    def returning(cls, mechanism: Mechanism) -> ExactFlow:
+    def returning(cls, mechanism: Mechanism) -> MechanismFlow:
         """Return the motion in the frame in which it repeats, if it does: see ``trimmer.contact.frame``."""
         return cls(mechanism, frame_of(mechanism))
 
@@ -174,7 +174,7 @@ class ExactFlow(Flow):
             return RELEASED_PLUS if side == PLUS else RELEASED_MINUS
         return side
 
-    def travelling(self, course: Course) -> tuple[ExactFlow, Course]:
+    def travelling(self, course: Course) -> tuple[MechanismFlow, Course]:
         """Return a motion in the frame that moves evenly, at its leaders' mean velocities, and its flow.
 
         There a motion that repeats up to a shift returns to where it was; without leaders nothing changes.
@@ -204,15 +204,15 @@ class ExactFlow(Flow):
         """Return states, (..., n), shifted along all directions in which no force changes to leaders at 0."""
         return self.modes.system.layout.frame.reduced(states)
 
-    def grounded(self) -> ExactFlow:
+    def grounded(self) -> MechanismFlow:
         """Return the same in the frame of the ground."""
-        return ExactFlow(self.mechanism)
+        return MechanismFlow(self.mechanism)
 
-    def moving(self, mean: Reals) -> ExactFlow:
+    def moving(self, mean: Reals) -> MechanismFlow:
         """Return the same in a frame that moves evenly, at mean velocities, m/s, (bodies,), of leaders."""
-        return ExactFlow(self.mechanism, self.modes.system.layout.frame.steady(mean))
+        return MechanismFlow(self.mechanism, self.modes.system.layout.frame.steady(mean))
 
-    def watched(self, instant: Instant, periods: int) -> ExactFlow:
+    def watched(self, instant: Instant, periods: int) -> MechanismFlow:
         """Return the motion in the frame that moves as leaders do in the mean over some drive periods."""
         if not self.modes.system.layout.frame.follows or not self.shifts:
             return self
@@ -227,16 +227,21 @@ class ExactFlow(Flow):
         """The mechanism."""
         return self.mechanism
 
-    def at_other(self, subject: Subject) -> ExactFlow:
+    def at_other(self, subject: Subject) -> MechanismFlow:
         """Return the motion of another mechanism, in the frame in which it repeats."""
         assert isinstance(subject, Mechanism)
-        return ExactFlow.returning(subject)
+        return MechanismFlow.returning(subject)
 
     @cached_property
     def axes(self) -> Mapping[str, tuple[int, ...]]:
         """Places of the displacement and the velocity of each body."""
         bodies = self.modes.system.layout.bodies
         return {name: (place, len(bodies) + place) for place, name in enumerate(bodies)}
+
+    @property
+    def axis_units(self) -> Mapping[str, tuple[str, ...]]:
+        """Units of displacement and velocity of each body."""
+        return dict.fromkeys(self.axes, (self.units.length, self.units.speed))
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:

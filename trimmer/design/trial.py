@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.design.targets import Measure, Target
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
@@ -82,7 +82,7 @@ class TrialWork:
     def __call__(self, values: tuple[float, ...]) -> Trial:
         """Return what the mechanism does with these values."""
         try:
-            flow = ExactFlow.returning(varied(self.mechanism, self.places, values))
+            flow = MechanismFlow.returning(varied(self.mechanism, self.places, values))
             settled = settle(flow, flow.rest(), self.most_periods)
             return self._measured(values, flow, settled)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
@@ -91,7 +91,7 @@ class TrialWork:
     def _failed(self, values: tuple[float, ...]) -> Trial:
         return Trial(values, None, None, tuple((each, float("nan")) for each in self.asked))
 
-    def _measured(self, values: tuple[float, ...], flow: ExactFlow, settled: Settled) -> Trial:
+    def _measured(self, values: tuple[float, ...], flow: MechanismFlow, settled: Settled) -> Trial:
         if settled.ending is not Ending.REACHED_END:
             return self._failed(values)
         orbit = settled.orbit

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+import textwrap
 import warnings
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 """Metadata without a date, so that the same picture has the same bytes."""
 SIZE = (7.2, 4.6)
+CHARACTERS = 11
+"""About as many of a title stand side by side on an inch."""
 DPI = 160
 """Dots per inch of a PNG."""
 _MISSING = re.compile(r"Glyph (\d+) .*missing from font", flags=re.DOTALL)
@@ -48,9 +51,10 @@ def figure_of(draw: Callable[[Axes], object], title: str = "", size: tuple[float
 
 
 def head(figure: Figure, title: str) -> None:
-    """Write a title above a figure."""
+    """Write a title above a figure, in several lines if it is wider."""
     if title:
-        figure.suptitle(title, fontsize="medium", parse_math=False)
+        lines = textwrap.fill(title, int(CHARACTERS * figure.get_figwidth()))
+        figure.suptitle(lines, fontsize="medium", parse_math=False)
 
 
 @contextmanager

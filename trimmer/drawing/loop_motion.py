@@ -12,7 +12,7 @@ from trimmer.drawing.look import line
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.loops.backlash_component import BacklashComponent
-from trimmer.loops.motion import Motion
+from trimmer.loops.motion import LoopMotion
 from trimmer.loops.relay_component import HELD
 
 if TYPE_CHECKING:
@@ -26,8 +26,8 @@ MOST_EVENTS = 2000
 """Events up to which each is a point of the curves too."""
 
 
-@draw.register(Motion)
-def draw_loop_motion(motion: Motion, axes: Axes) -> None:
+@draw.register(LoopMotion)
+def draw_loop_motion(motion: LoopMotion, axes: Axes) -> None:
     """Draw output, and of a play its input and output, over time."""
     times = np.linspace(0.0, motion.duration, POINTS)
     if len(motion.log.start) <= MOST_EVENTS:
@@ -42,7 +42,7 @@ def draw_loop_motion(motion: Motion, axes: Axes) -> None:
     add_legend(axes)
 
 
-def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:
+def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
     """Return the displacements of a loop at times, s: its output, and of a play its input and its output.
 
     Without a drive the input of the play is less the output of the loop, and is left out.
@@ -56,7 +56,7 @@ def signals_of(motion: Motion, times: Reals) -> dict[str, Reals]:
     return drawn
 
 
-def strips_of(motion: Motion) -> list[Strip]:
+def strips_of(motion: LoopMotion) -> list[Strip]:
     """Return when each play is in contact, and when each friction and relay is held."""
     modes = motion.loop.modes
     of_segments = np.array([modes[int(number)].statuses for number in motion.log.mode])

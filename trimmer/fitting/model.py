@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MechanismError
 from trimmer.fitting.unknowns import Unknown, values_at
 from trimmer.motion.fourier import fourier
@@ -100,21 +100,21 @@ class Model:
             else self._settled(flow, coordinates, instant, settling)
         )
 
-    def _flow(self, coordinates: Reals) -> ExactFlow | None:
+    def _flow(self, coordinates: Reals) -> MechanismFlow | None:
         try:
-            return ExactFlow.returning(self.mechanism_at(coordinates))
+            return MechanismFlow.returning(self.mechanism_at(coordinates))
         except MechanismError:
             return None
 
     def _settled(
-        self, flow: ExactFlow, coordinates: Reals, instant: Instant, within: int
+        self, flow: MechanismFlow, coordinates: Reals, instant: Instant, within: int
     ) -> ModelMotion | None:
         orbit = Settling(flow, instant).until_settled(within)
         if orbit is None or self.period_count % orbit.period_count:
             return None
         return self._solved(flow, coordinates, orbit.instant)
 
-    def _solved(self, flow: ExactFlow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
+    def _solved(self, flow: MechanismFlow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
         shot = solve(Return(flow, self.period_count), instant, patience=PATIENCE)
         if shot is None:
             return None

@@ -61,7 +61,7 @@ def moduli_times(rows: Rows, mode: int, first: int, count: int, vector: Reals) -
     ends = rows.ends[mode, first : first + count + 1]
     entries, lines = slice(ends[0], ends[-1]), np.repeat(np.arange(count), np.diff(ends))
     products = abs(rows.values[entries]) * vector[rows.columns[entries]]
-    return np.bincount(lines, weights=products, minlength=count)
+    return _sums(lines, products, count)
 
 
 def step_of(flow: Reals, states: int) -> float:
@@ -76,22 +76,24 @@ def step_of(flow: Reals, states: int) -> float:
     moduli = abs(flow[rows, columns])
     across = rows != columns
     for _ in range(SWEEPS):
-        sums = (
-            np.bincount(each[across], weights=moduli[across], minlength=states) for each in (columns, rows)
-        )
-        column, row = sums
+        column = _sums(columns[across], moduli[across], states)
+        row = _sums(rows[across], moduli[across], states)
         # Half of what balances each alone, since all are scaled at once.
         scale = np.ones(states)
         np.divide(row, column, out=scale, where=(row > 0.0) & (column > 0.0))
         scale **= 0.25
         moduli = moduli * scale[columns] / scale[rows]
-    sums = np.bincount(columns, weights=moduli, minlength=states)
-    size = float(sums.max(initial=0.0))
+    size = float(_sums(columns, moduli, states).max(initial=0.0))
     total = np.ones(states)
     for _ in range(COUNT if size > 0.0 else 0):
-        total = np.bincount(columns, weights=moduli * total[rows] / size, minlength=states)
+        total = _sums(columns, moduli * total[rows] / size, states)
     growth = size * float(total.max(initial=0.0)) ** (1.0 / COUNT)
-    return STEP / max(growth, forced, 1.0 / LONGEST_STEP)
+    return float(STEP / max(growth, forced, 1.0 / LONGEST_STEP))
+
+
+def _sums(places: Integers, values: Reals, count: int) -> Reals:
+    """Return the sums of the values at each of some places, (count,)."""
+    return np.asarray(np.bincount(places, weights=values, minlength=count), dtype=np.float64)
 
 
 @compiled

@@ -6,7 +6,8 @@
 among them. ``interconnection`` joins components and plant, ``mode`` gives the flow of a combination of modes,
 for which ``implicit_outputs`` finds what follows from conditions; ``system`` is the loop as the core of
 ``trimmer.hybrid`` asks for it, ``integration`` asks that core for a motion, ``initial`` gives the state at
-the start. In ``frictions`` is what several frictions do at once.
+the start. In ``frictions`` is what several frictions do at once. ``flow`` is the loop as settling, orbits,
+branches and maps ask for it, with ``readouts`` of its parts; ``numbers`` are its places.
 """
 
 import lazy_loader

@@ -7,7 +7,7 @@ from .loops import ClosedLoop as ClosedLoop
 from .loops import Drive as Drive
 from .loops import OpenLoop as OpenLoop
 from .motion import Event as Event
-from .motion import Motion as Motion
+from .motion import LoopMotion as LoopMotion
 from .motion import Outcome as Outcome
 from .simulation import SimulationInterrupted as SimulationInterrupted
 from .switched_component import EventKind as EventKind

@@ -15,7 +15,7 @@ from trimmer.generated import linear_trimmer
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.linear.model import InputChannels
 from trimmer.loops.components_of_elements import components_of
-from trimmer.loops.motion import Motion
+from trimmer.loops.motion import LoopMotion
 from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
@@ -104,7 +104,7 @@ class _Sampled:
     sliding: Reals
 
 
-def energy_balance(motion: Motion) -> EnergyBalance:
+def energy_balance(motion: LoopMotion) -> EnergyBalance:
     """Balance the energy of a trimmer over a motion.
 
     The integrals are those of Gauss and Legendre on the exact flow, between events and within steps on which
@@ -117,7 +117,7 @@ def energy_balance(motion: Motion) -> EnergyBalance:
     Raises:
         UnsupportedMotionError: if it is the motion of another loop.
     """
-    require_instance("motion", motion, Motion, "a trimmer.Motion, which simulate returns")
+    require_instance("motion", motion, LoopMotion, "a trimmer.LoopMotion, which simulate returns")
     loop = motion.loop
     if not isinstance(loop, TrimmerLoop):
         raise UnsupportedMotionError(f"an energy balance needs the motion of a TrimmerLoop, not of {loop!r}")
@@ -154,7 +154,7 @@ def _powers(loop: TrimmerLoop, C: Reals, at: _Sampled) -> Reals:
     )
 
 
-def _sampled(motion: Motion, loop: TrimmerLoop, times: Reals) -> _Sampled:
+def _sampled(motion: LoopMotion, loop: TrimmerLoop, times: Reals) -> _Sampled:
     system, layout = loop.modes.system.interconnection, loop.modes.system.layout
     first = len(system.element_factors)
     velocity_gain = np.zeros(BODIES)
@@ -184,7 +184,7 @@ def _sampled(motion: Motion, loop: TrimmerLoop, times: Reals) -> _Sampled:
     return _Sampled(q, rate, bridge, bridge_rate, np.reshape(factors, (-1, 1)) * forces, sliding)
 
 
-def _quadrature(motion: Motion) -> Iterator[tuple[Reals, Reals]]:
+def _quadrature(motion: LoopMotion) -> Iterator[tuple[Reals, Reals]]:
     """Yield times and weights that integrate over the motion, some steps at once."""
     begins = motion.log.start
     lengths = np.diff(np.append(begins, motion.duration))

@@ -11,12 +11,13 @@ import numpy as np
 from trimmer.hybrid.advance import Instant
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.initial import resumed
-from trimmer.loops.loop_signal import LoopSignal, row_in_modes
+from trimmer.loops.loop_signal import READ, LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.relay_component import RelayComponent
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import Readout
+from trimmer.motion.units import Units
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -29,13 +30,6 @@ if TYPE_CHECKING:
     from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.signals import Signal
     from trimmer.motion.subject import Subject
-
-READ = {
-    "output": LoopSignal.OUTPUT,
-    "element_input": LoopSignal.ELEMENT_INPUT,
-    "element_output": LoopSignal.ELEMENT_OUTPUT,
-}
-"""What is read of every loop, by name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +102,22 @@ class LoopFlow(Flow):
         """Places in the state of what a start may give, by name: each state of the linear system."""
         order = self.modes.system.layout.order
         return {name: (place,) for place, name in enumerate(self.names[:order])}
+
+    @property
+    def axis_units(self) -> Mapping[str, tuple[str, ...]]:
+        """Units of these states."""
+        return {name: (unit,) for name, unit in zip(self.axes, self.loop.state_units, strict=True)}
+
+    @property
+    def units(self) -> Units:
+        """Units of what is measured: those of SI for a trimmer, none where nobody said them."""
+        return Units(self.loop.length)
+
+    def force_unit(self, part: str) -> str:
+        """Return the unit of the output of a component: of the element, or of a friction between bodies."""
+        interconnection = self.modes.system.interconnection
+        of_element = interconnection.labels[: len(interconnection.element_factors)]
+        return self.units.length if part in of_element else self.units.force
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:

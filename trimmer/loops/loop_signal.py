@@ -26,6 +26,14 @@ class LoopSignal(Enum):
     ELEMENT_OUTPUT = "output of the nonlinear element"
 
 
+READ = {
+    "output": LoopSignal.OUTPUT,
+    "element_input": LoopSignal.ELEMENT_INPUT,
+    "element_output": LoopSignal.ELEMENT_OUTPUT,
+}
+"""What is read of every loop, by name."""
+
+
 def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[LoopMode], Reals]:
     """Return what gives the row of a signal in a mode, of shape (n,) over the extended state.
 

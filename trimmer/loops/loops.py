@@ -113,8 +113,13 @@ class Loop(ABC):
 
     @property
     def length(self) -> str:
-        """Unit of the element's input and output: empty where it is not known."""
-        return ""
+        """Unit of the element's input and output: m of a trimmer's states, empty where it is not known."""
+        return "m" if self.has_states and "q1" in self.model.state_labels else ""
+
+    @property
+    def state_units(self) -> tuple[str, ...]:
+        """Units of the states of ``model``, (n,): empty where they are not known."""
+        return ("",) * int(self.model.nstates)
 
     @property
     def frequency(self) -> float | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -12,10 +12,11 @@ import numpy as np
 
 from trimmer.arguments import real_values
 from trimmer.hybrid.nodes import sample
+from trimmer.loops.loop_signal import READ, row_in_modes
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.switched_component import EventKind
 from trimmer.loops.system import KINDS
-from trimmer.showing.drawn import Drawn
+from trimmer.motion.motion import Motion
 from trimmer.showing.shown import ShownFields, Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 
@@ -70,8 +71,20 @@ class Event(ShownFields):
     mode: str
 
 
+class Events(tuple[Event, ...], Tabular):
+    """Events in order of time, which are a table too."""
+
+    __slots__ = ()
+
+    def _told(self) -> str:
+        return counted(len(self), "event")
+
+    def _table(self) -> Table:
+        return Table("Events", self, EVENT_COLUMNS)
+
+
 @dataclass(frozen=True, eq=False, repr=False)
-class Motion(Tabular, Drawn):
+class LoopMotion(Motion):
     """A simulated motion, exact between and at its events.
 
     ``plot`` draws the output, and input and output of the element, over time, with contact and stick marked.
@@ -89,7 +102,7 @@ class Motion(Tabular, Drawn):
     log: Log = field(repr=False)
 
     @cached_property
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> Events:
         """All events in order of time; simultaneous ones in the order in which they take effect.
 
         What a friction or relay does at one instant is one event, if it is in another mode afterwards. That a
@@ -103,7 +116,7 @@ class Motion(Tabular, Drawn):
             for change in self._changes(segment):
                 _list(listed, at_instant, change)
         modes = self.loop.modes
-        return tuple(
+        return Events(
             Event(
                 time=each.time,
                 kind=each.kind,
@@ -245,11 +258,22 @@ class Motion(Tabular, Drawn):
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
+    @property
+    def signals(self) -> Mapping[str, str]:
+        """The unit of output, and of input and output of the element; empty where it is not known."""
+        return dict.fromkeys(READ, self.loop.length)
+
+    def _read(self, name: str, times: ArrayLike) -> Reals:
+        row = row_in_modes(self.loop, READ[name])
+        values: Reals
+        (values,) = self.values(times, lambda mode: row(mode)[None])
+        return values
+
     def _told(self) -> str:
         return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"
 
     def _table(self) -> Table:
-        return Table("Events", self.events, EVENT_COLUMNS)
+        return self.events._table()
 
     def _element_output(self, mode: LoopMode) -> Reals:
         factors = np.array(self.loop.modes.system.interconnection.element_factors)

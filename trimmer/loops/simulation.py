@@ -10,7 +10,7 @@ from trimmer.hybrid.advance import AdvanceInterrupted, Ending
 from trimmer.loops.initial import initial_segment
 from trimmer.loops.integration import followed
 from trimmer.loops.loops import require_loop
-from trimmer.loops.motion import Motion, Outcome
+from trimmer.loops.motion import LoopMotion, Outcome
 from trimmer.loops.resolution import unresolved_segment
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class SimulationInterrupted(KeyboardInterrupt):
         motion: The motion until then.
     """
 
-    def __init__(self, motion: Motion) -> None:
+    def __init__(self, motion: LoopMotion) -> None:
         super().__init__(f"interrupted after {motion.duration:.6g} s of the motion")
         self.motion = motion
 
@@ -53,7 +53,7 @@ def simulate_loop(
     element_output: float = 0.0,
     event_limit: int = 1_000_000,
     step_limit: int = MOST_STEPS,
-) -> Motion:
+) -> LoopMotion:
     """Follow the motion of a loop from t = 0.
 
     Between events the state is known in closed form (a matrix exponential, with the drive among the states);
@@ -101,10 +101,10 @@ def simulate_loop(
         stretch = followed(modes, mode, state, float(duration), events, steps, watched=True)
     except AdvanceInterrupted as interrupt:
         until = interrupt.stretch
-        motion = Motion(loop, float(until.duration), Outcome.INTERRUPTED, until.log)
+        motion = LoopMotion(loop, float(until.duration), Outcome.INTERRUPTED, until.log)
         raise SimulationInterrupted(motion) from interrupt
     unresolved = unresolved_segment(modes, stretch.log)
     if unresolved is not None:
         log = stretch.log.first(unresolved + 1)
-        return Motion(loop, float(log.start[-1]), Outcome.UNRESOLVED, log)
-    return Motion(loop, float(stretch.duration), OUTCOMES[stretch.ending], stretch.log)
+        return LoopMotion(loop, float(log.start[-1]), Outcome.UNRESOLVED, log)
+    return LoopMotion(loop, float(stretch.duration), OUTCOMES[stretch.ending], stretch.log)

@@ -10,7 +10,7 @@ import numpy as np
 import scipy.linalg
 
 from trimmer.arguments import require_instance, require_instances
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
+from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, TrimmerBody
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.linear.model import InputChannels, pin_model
@@ -93,9 +93,23 @@ class TrimmerLoop(Loop):
         return (*moved, f"output {self.output.label}", *self.frictions)
 
     @property
+    def title(self) -> str:
+        """What it is, in a few words."""
+        parts = [] if self.element is None else [repr(self.element)]
+        parts += [f"{each.law!r} on {each.between.label}" for each in self.frictions]
+        if self.drive is not None:
+            parts.append(f"driven by {self.drive.amplitude:g} m at {self.drive.frequency:.6g} Hz")
+        return f"Trimmer, {', '.join([*parts, f'output {self.output.label}'])}"
+
+    @property
     def length(self) -> str:
         """Pin, bridge and bodies move by metres."""
         return "m"
+
+    @property
+    def state_units(self) -> tuple[str, ...]:
+        """Units of the states: of displacements, then of velocities, or of what stands for them."""
+        return ("m",) * len(TrimmerBody) + ("m/s",) * len(TrimmerBody)
 
     @cached_property
     def model(self) -> control.StateSpace:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import STICK
 from trimmer.hybrid.system import NOTHING
 from trimmer.motion import measures as exact
@@ -75,7 +75,7 @@ def of_window(flow: Flow, course: Course, periods: int) -> Measures:
         course: A window of the motion.
         periods: Drive periods that it lasts.
     """
-    if not isinstance(flow, ExactFlow):
+    if not isinstance(flow, MechanismFlow):
         return of_orbit(flow, course, periods)
     mechanism, log, machine = flow.mechanism, course.log, flow.modes.system.machine
     count, bodies = periods * SAMPLES, len(mechanism.bodies)
@@ -119,7 +119,7 @@ def _accelerations(course: Course, rows: Integers, states: Reals, bodies: int) -
     return accelerations
 
 
-def _swings(flow: ExactFlow, course: Course, times: Reals, states: Reals) -> dict[str, float]:
+def _swings(flow: MechanismFlow, course: Course, times: Reals, states: Reals) -> dict[str, float]:
     """Return peak to peak of the outputs, from cubics through values and rates."""
     times = np.concatenate([course.log.start, times])
     order = np.argsort(times, kind="stable")
@@ -166,7 +166,7 @@ def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
         motion: It.
     """
     flow = motion.flow
-    if not isinstance(flow, ExactFlow):  # Friction in a loop has an event in each period.
+    if not isinstance(flow, MechanismFlow):  # Friction in a loop has an event in each period.
         nothing = dict.fromkeys(flow.rubbing, 0.0)
         return Measures(dict(lines.peak_to_peak), {}, nothing, 0.0, 0.0, 0.0)
     contacts = len(flow.modes.system.machine.stiffness)

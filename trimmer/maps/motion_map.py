@@ -19,6 +19,7 @@ from trimmer.runners.runner import Runner, SerialRunner
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from trimmer.loops.loops import Loop
     from trimmer.mechanism.mechanism import Mechanism
 
 FEW = 12
@@ -30,7 +31,7 @@ class MapInterruptedError(KeyboardInterrupt):
 
 
 def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with a default)
-    mechanism: Mechanism,
+    mechanism: Mechanism | Loop,
     values: Mapping[str, ArrayLike],
     *,
     most_periods: int = 300,
@@ -49,7 +50,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     file as it is after the last whole cell.
 
     Args:
-        mechanism: The mechanism; it has a frequency.
+        mechanism: The mechanism or loop; it has a drive.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
         most_periods: Drive periods to wait at most in each cell.
         starts: Starts of each cell; those after the first are random.

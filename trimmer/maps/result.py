@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from trimmer.maps.cells import CellMotion, CellResult
     from trimmer.maps.inputs import MapInputs
     from trimmer.motion.flow import Flow
+    from trimmer.motion.units import Units
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -125,6 +126,11 @@ class MotionMap(Tabular, Drawn):
         """Unit of each output, empty for a number."""
         return {name: each.unit for name, each in self._flow.outputs.items()}
 
+    @property
+    def measured_in(self) -> Units:
+        """Units of what is measured beside the outputs."""
+        return self._flow.units
+
     @cached_property
     def _flow(self) -> Flow:
         return flow_of(self.inputs.subject)
@@ -136,7 +142,7 @@ class MotionMap(Tabular, Drawn):
 
     @cached_property
     def wear_power(self) -> Mapping[str, Reals]:
-        """Mean power of each dry friction, W, (n2, n1)."""
+        """Mean power of each dry friction, W, or in 1/s where nothing has units, (n2, n1)."""
         return {name: self._measure("wear_power", name) for name in self._flow.rubbing}
 
     @cached_property
@@ -151,7 +157,7 @@ class MotionMap(Tabular, Drawn):
 
     @cached_property
     def impact_speed(self) -> Reals:
-        """Largest speed at which the sides of a contact meet, m/s, (n2, n1)."""
+        """Largest speed at which the sides of a contact meet, m/s, or in 1/s, (n2, n1)."""
         return self._measure("impact_speed")
 
     @property
@@ -239,17 +245,16 @@ def _cells(result: MotionMap) -> Iterator[Column]:
         ("lyapunov", "", result.lyapunov),
         ("events_per_period", "", result.events),
         ("impacts_per_period", "", result.impacts),
-        ("impact_speed", "m/s", result.impact_speed),
+        ("impact_speed", result.measured_in.speed, result.impact_speed),
     ):
         yield Column(name, unit, np.ravel(values).__getitem__)
-    for section, measure, unit, by_name in (
-        ("outputs", "peak_to_peak", "m", result.peak_to_peak),
-        ("bodies", "rms_acceleration", "m/s²", result.rms_acceleration),
-        ("frictions", "wear_power", "W", result.wear_power),
+    for section, measure, unit_of_part, by_name in (
+        ("outputs", "peak_to_peak", result.outputs.__getitem__, result.peak_to_peak),
+        ("bodies", "rms_acceleration", lambda _: "m/s²", result.rms_acceleration),
+        ("frictions", "wear_power", lambda _: result.measured_in.power, result.wear_power),
     ):
         for part, values in by_name.items():
-            own = result.outputs[part] if section == "outputs" else unit
-            yield Column(f"{section}.{part}.{measure}", own, np.ravel(values).__getitem__)
+            yield Column(f"{section}.{part}.{measure}", unit_of_part(part), np.ravel(values).__getitem__)
 
 
 def _searched(result: MotionMap) -> str:

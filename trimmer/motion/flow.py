@@ -10,6 +10,8 @@ import numpy as np
 from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course, Strobe
+from trimmer.motion.signals import Readout, Steady
+from trimmer.motion.units import Units
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -19,11 +21,14 @@ if TYPE_CHECKING:
     from trimmer.hybrid.tables import Modes
     from trimmer.motion.part import Part
     from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-    from trimmer.motion.signals import Readout, Signal
+    from trimmer.motion.signals import Signal
     from trimmer.motion.subject import Subject
 
 BLOCK = 100_000
 """Steps that periods followed in one call of the compiled code may take: no interrupt ends it."""
+
+
+MADE_AGAIN = ("outputs", "accelerations", "parts")
 
 
 class Flow(ABC):
@@ -32,6 +37,10 @@ class Flow(ABC):
     What differs between them is below: where a motion begins, what its states and parts are, and what is
     measured of it. The state of n entries holds what the system itself moves; what forces it is not in it.
     """
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: what is read of a motion is made again."""
+        return {name: value for name, value in vars(self).items() if name not in MADE_AGAIN}
 
     @property
     @abstractmethod
@@ -57,6 +66,15 @@ class Flow(ABC):
     @abstractmethod
     def outputs(self) -> Mapping[str, Readout]:
         """What is read of the motion, by name."""
+
+    @property
+    def units(self) -> Units:
+        """Units of what is measured."""
+        return Units("m")
+
+    def force_unit(self, part: str) -> str:
+        """Return the unit of what a part gives, as ``forces`` has it; empty for a number."""
+        return self.units.force
 
     @property
     @abstractmethod
@@ -100,6 +118,11 @@ class Flow(ABC):
     @abstractmethod
     def axes(self) -> Mapping[str, tuple[int, ...]]:
         """Places in the state of what a start may give, by name."""
+
+    @property
+    @abstractmethod
+    def axis_units(self) -> Mapping[str, tuple[str, ...]]:
+        """Units of what a start may give, by name, empty for numbers."""
 
     @abstractmethod
     def at_other(self, subject: Subject) -> Flow:
@@ -249,3 +272,11 @@ class Flow(ABC):
         if duration is None or ending is not Ending.REACHED_END:
             duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
         return Course(self.modes, begin, end, ending, float(duration), log)
+
+
+def signals_of(flow: Flow) -> Mapping[str, Readout]:
+    """Return what is shown of a motion: its outputs, or the bodies of a mechanism that has none."""
+    if flow.outputs:
+        return flow.outputs
+    size = flow.modes.system.layout.size
+    return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}

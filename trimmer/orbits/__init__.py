@@ -1,9 +1,10 @@
 """Exact periodic motions of switched loops: period, waveform, Floquet multipliers.
 
 ``periodic_orbits`` and ``loop_orbit`` are the entries, ``periodic_orbit`` is the result, which ``describe``
-and ``measures`` fill. ``shooting`` is Newton's method on the ``return_map``; it starts from a ``guess`` on
-the first harmonic or from a ``balanced_start`` on several, for which ``multi_harmonic_balance`` uses
-``steady_response`` and ``trigonometric``.
+fills. Newton's method is that of ``trimmer.response.shooting``; it starts from a ``guess`` on the first
+harmonic or from a ``balanced_start`` on several, for which ``multi_harmonic_balance`` uses
+``steady_response`` and ``trigonometric``; from the zeros of a relay's ``half_period`` equation; or from where
+long simulations settle (``settling``). ``distinct`` says whether two orbits are one.
 """
 
 import lazy_loader

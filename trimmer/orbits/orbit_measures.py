@@ -13,7 +13,7 @@ from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
 from trimmer.showing.shown import ShownFields
 
 if TYPE_CHECKING:
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
 
 
 @final
@@ -34,7 +34,7 @@ class ImpactEvent(ShownFields):
     speed: float
 
 
-def impacts(motion: Motion) -> Iterator[ImpactEvent]:
+def impacts(motion: LoopMotion) -> Iterator[ImpactEvent]:
     """Yield the impacts of a periodic motion over its period, in order of time.
 
     One at the very end of the period, which is the beginning of the next, is told at the end.

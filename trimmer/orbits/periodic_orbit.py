@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from trimmer.displacement import Displacement
 from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
-from trimmer.loops.motion import Motion, Outcome
+from trimmer.loops.motion import LoopMotion, Outcome
 from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import Steady, along
@@ -57,12 +57,12 @@ class Given:
     loop: Loop
     states: Reals
 
-    def motion(self, orbit: Orbit) -> Motion:
+    def motion(self, orbit: Orbit) -> LoopMotion:
         """Return the motion of an orbit in the states that were given."""
         course, order = orbit.course, len(self.states)
         log = renumbered(course.log, orbit.flow.modes, self.loop.modes)
         states = np.hstack([log.state[:, :order] @ self.states.T, log.state[:, order:]])
-        return Motion(self.loop, course.duration, Outcome.COMPLETED, log._replace(state=states))
+        return LoopMotion(self.loop, course.duration, Outcome.COMPLETED, log._replace(state=states))
 
     def row(self, row: Reals) -> Reals:
         """Return a functional of the given extended state, (N,), as one of that with the other states."""
@@ -86,6 +86,11 @@ class PeriodicOrbit(Orbit):
     prediction: LimitCycle | None = None
     given: Given | None = None
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take what was pickled; the loop, which keeps no modes, has those of the course again."""
+        vars(self).update(state)
+        vars(self._computed).setdefault("modes", self.course.modes)
+
     @property
     def loop(self) -> Loop:
         """The loop."""
@@ -101,11 +106,11 @@ class PeriodicOrbit(Orbit):
         return self.loop
 
     @cached_property
-    def motion(self) -> Motion:
+    def motion(self) -> LoopMotion:
         """The motion over one period, in the states of the loop; its events are the switching times."""
         if self.given is not None:
             return self.given.motion(self)
-        return Motion(self.loop, self.period, Outcome.COMPLETED, self.course.log)
+        return LoopMotion(self.loop, self.period, Outcome.COMPLETED, self.course.log)
 
     @cached_property
     def amplitude(self) -> float:

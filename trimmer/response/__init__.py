@@ -1,4 +1,4 @@
-"""What a mechanism settles to: exact periodic motions, and statistics of those that do not repeat.
+"""What a mechanism or a loop settles to: exact periodic motions, and statistics of what does not repeat.
 
 ``shooting`` solves for a state that returns, ``orbit`` is what it gives, with its ``multipliers``, and
 ``forced_orbit`` its entry; ``self_excited`` does the same without a drive, where the period is unknown.
@@ -9,9 +9,8 @@ whether the motion comes to one, and ``same`` whether two are one. What meets no
 have the errors that ``estimate`` gives, and ``verdict`` says what it is, with the help of ``zero_one``.
 ``response`` is the result, ``response_json`` its JSON.
 
-``motion_signals`` names what is measured, ``extremes`` and ``fourier`` measure it exactly, ``measures`` and
-``energy`` collect the results. ``simulate`` is the entry of plain simulation, ``motion`` its result, and
-``starts`` reads where a motion begins.
+``flows`` gives the motion of either, from which all here is asked. ``simulate`` is the entry of plain
+simulation, ``motion`` its result for a mechanism, with ``energy``; ``starts`` reads where a motion begins.
 """
 
 import lazy_loader

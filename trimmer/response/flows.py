@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 def flow_of(subject: Subject) -> Flow:
     """Return the motion of a mechanism, in the frame in which it repeats, or of a loop."""
     if isinstance(subject, Mechanism):
-        from trimmer.contact.flow import ExactFlow
+        from trimmer.contact.flow import MechanismFlow
 
-        return ExactFlow.returning(subject)
+        return MechanismFlow.returning(subject)
     from trimmer.loops.flow import LoopFlow
     from trimmer.loops.loops import Loop
 

@@ -19,19 +19,20 @@ from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
+from trimmer.motion.flow import signals_of
+from trimmer.motion.motion import Motion
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.energy import MechanismEnergy, energy_of
-from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
+    from collections.abc import Callable, Collection, Mapping
 
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.contact.flow import MechanismFlow
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.course import Course
     from trimmer.response.rest import Rest
@@ -71,8 +72,20 @@ class MechanismEvent:
     kind: MechanismEventKind
 
 
+class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
+    """Events in order of time, which are a table too."""
+
+    __slots__ = ()
+
+    def _told(self) -> str:
+        return counted(len(self), "event")
+
+    def _table(self) -> Table:
+        return Table("Events", self, attributes(time="s", kind="", part=""))
+
+
 @dataclass(frozen=True, eq=False, repr=False)
-class MechanismMotion(Tabular, Drawn):
+class MechanismMotion(Motion):
     """A simulated motion of a mechanism, exact between and at its events.
 
     ``plot`` draws the outputs, m, or the bodies if there are none, over time, with contact and stick marked.
@@ -82,7 +95,7 @@ class MechanismMotion(Tabular, Drawn):
         course: The motion itself.
     """
 
-    flow: ExactFlow
+    flow: MechanismFlow
     course: Course
 
     @property
@@ -111,11 +124,11 @@ class MechanismMotion(Tabular, Drawn):
         return self.outcome.value
 
     @cached_property
-    def events(self) -> tuple[MechanismEvent, ...]:
+    def events(self) -> MechanismEvents:
         """All events in order of time."""
         layout = self.course.modes.system.layout
         parts = (*layout.contacts, *layout.frictions)
-        return tuple(
+        return MechanismEvents(
             MechanismEvent(time, parts[part], KINDS[kind]) for time, part, kind in self.course.events
         )
 
@@ -212,12 +225,25 @@ class MechanismMotion(Tabular, Drawn):
         """
         return undetermined(self.course)
 
+    @property
+    def event_times(self) -> Reals:
+        """Times at which its mode changes, s, (changes,)."""
+        return self.course.times
+
+    @property
+    def signals(self) -> Mapping[str, str]:
+        """The unit of each output, or body if there is no output."""
+        return {name: each.unit for name, each in signals_of(self.flow).items()}
+
+    def _read(self, name: str, times: ArrayLike) -> Reals:
+        return self._signal(signals_of(self.flow)[name].signal, times)
+
     def _told(self) -> str:
         title, events = self.mechanism.title, counted(len(self.events), "event")
         return f"{title}, {self.duration:.6g} s, {events}, {self.message}"
 
     def _table(self) -> Table:
-        return Table("Events", self.events, attributes(time="s", kind="", part=""))
+        return self.events._table()
 
     @property
     def _size(self) -> int:

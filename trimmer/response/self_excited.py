@@ -88,21 +88,27 @@ def orbit_by_itself(flow: Flow) -> Orbit:
     """Find a periodic motion without a drive, of what moves from rest; of a loop one that was searched for.
 
     At rest nothing happens in a closed loop. So it is the stable orbit of largest amplitude there that
-    ``periodic_orbits`` finds, or the largest unstable one if there is no other.
+    ``periodic_orbits`` finds, or the largest unstable one if there is no other. Of a trimmer with frictions
+    between its bodies it is what that orbit without them leads to.
 
     Raises:
         OrbitNotFoundError: if there is none.
     """
     from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.trimmer_loop import TrimmerLoop
 
-    if not isinstance(flow.subject, ClosedLoop):
+    loop = flow.subject
+    if not isinstance(loop, ClosedLoop | TrimmerLoop):
         return self_excited_orbit(flow, flow.rest())
     from trimmer.orbits.periodic_orbits import periodic_orbits
 
-    found = periodic_orbits(flow.subject)
+    rubs = isinstance(loop, TrimmerLoop) and bool(loop.frictions)
+    found = periodic_orbits(replace(loop, frictions=()) if isinstance(loop, TrimmerLoop) else loop)
     if not found:
         raise OrbitNotFoundError(f"the loop has no orbit to begin with: {found.message}")
     first = next((orbit for orbit in found if orbit.stable), found[0])
+    if rubs:
+        return self_excited_orbit(flow, flow.at(np.ascontiguousarray(first.motion.log.state[0][: flow.size])))
     state = np.ascontiguousarray(first.motion.log.state[0][: flow.size])
     statuses = first.motion.loop.modes[int(first.motion.log.mode[0])].statuses
     begin = replace(flow.at(state), statuses=statuses)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.loops.loops import Loop
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
     from trimmer.response.motion import MechanismMotion
     from trimmer.response.starts import Start
 
@@ -30,7 +30,7 @@ def simulate(
     element_output: float = 0.0,
     event_limit: int = 1_000_000,
     step_limit: int = MOST_STEPS,
-) -> Motion: ...
+) -> LoopMotion: ...
 @overload
 def simulate(
     loop: Mechanism, duration: float, *, state: Start = None, step_limit: int = MOST_STEPS
@@ -42,7 +42,7 @@ def simulate(
     state: Start = None,
     step_limit: int = MOST_STEPS,
     **of_loops: object,
-) -> Motion | MechanismMotion:
+) -> LoopMotion | MechanismMotion:
     """Follow the motion of a loop or a mechanism from t = 0.
 
     Between events the state is known in closed form; events are found on it as zeros of polynomials whose
@@ -77,12 +77,12 @@ def simulate(
 
 
 def _of_mechanism(mechanism: Mechanism, duration: float, state: Start, step_limit: int) -> MechanismMotion:
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.contact.flow import MechanismFlow
     from trimmer.response.motion import MechanismMotion
     from trimmer.response.starts import instant_of
 
     if not 0 < real_number("duration", duration, "s") < math.inf:
         raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
-    flow = ExactFlow(mechanism)
+    flow = MechanismFlow(mechanism)
     steps = whole_number("step_limit", step_limit, 1)
     return MechanismMotion(flow, flow.timed(instant_of(flow, state), float(duration), steps))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from operator import attrgetter, itemgetter
@@ -61,6 +61,12 @@ def attributes(**units: str) -> tuple[Column, ...]:
 def arrays(**given: tuple[str, Any]) -> tuple[Column, ...]:
     """Return columns of arrays, (rows,), for rows that are numbered from 0: by name, unit and values."""
     return tuple(Column(name, unit, values.__getitem__) for name, (unit, values) in given.items())
+
+
+def over_time(title: str, times: Any, signals: Mapping[str, tuple[str, Any]]) -> Table:
+    """Return signals over time: by name unit and values; one that is called time is ``outputs.time``."""
+    named = {"outputs.time" if name == "time" else name: each for name, each in signals.items()}
+    return Table(title, range(len(times)), arrays(time=("s", times), **named))
 
 
 def _energy(term: tuple[str, float]) -> float:

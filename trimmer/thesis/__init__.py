@@ -6,7 +6,7 @@ from typing import Any
 PLACES = {
     "displacement": ("CUTTER_RELATIVE_TO_GUARD", "Displacement", "DisplacementError", "TrimmerBody"),
     "linear.model": ("InputChannels", "linear_model", "pin_model", "transfer_function"),
-    "motion.trimmer_loop": ("BodyFriction", "TrimmerLoop"),
+    "loops.trimmer_loop": ("BodyFriction", "TrimmerLoop"),
     "parameters": ("ParameterError", "TrimmerParameters", "parameter_table"),
 }
 """The modules of ``trimmer`` that its names come from, each on first use."""

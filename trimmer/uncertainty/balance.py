@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.branches.balanced import balanced_beside
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import settle
 
@@ -50,7 +50,7 @@ def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -
     numbers, distances, converged = [], [], []
     for at in repeating[:count]:
         values = samples.trials[at].values
-        flow = ExactFlow.returning(
+        flow = MechanismFlow.returning(
             varied(samples.inputs.mechanism, samples.inputs.uncertainty.places, values)
         )
         orbit = settle(flow, flow.rest(), samples.inputs.settings.most_periods).orbit

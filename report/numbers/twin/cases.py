@@ -19,7 +19,7 @@ from trimmer.response.estimate import Estimate
 from trimmer.response.response import SettledMotion
 
 if TYPE_CHECKING:
-    from trimmer.contact.flow import ExactFlow
+    from trimmer.contact.flow import MechanismFlow
 
 SHOWN: Final = 3
 """Drive periods of the stretch."""
@@ -130,7 +130,7 @@ class Followed:
     """A settled motion over whole drive periods, with what measures it."""
 
     motion: SettledMotion
-    flow: ExactFlow
+    flow: MechanismFlow
     course: Course
     periods: int
     period_count: int
@@ -150,11 +150,11 @@ def followed(mechanism: Mechanism) -> Followed:
     motion = respond(mechanism, most_periods=MOST_WAITED).motion
     if motion.orbit is not None:
         count = motion.orbit.period_count
-        flow = cast("ExactFlow", motion.orbit.flow)
+        flow = cast("MechanismFlow", motion.orbit.flow)
         return Followed(motion, flow, motion.orbit.course, count, count)
     if motion.window is None:
         raise OrbitNotFoundError(motion.message)
-    flow = cast("ExactFlow", motion.window.flow)
+    flow = cast("MechanismFlow", motion.window.flow)
     return Followed(motion, flow, flow.course(motion.window.end, RECORD), RECORD, 0)
 
 

@@ -15,7 +15,7 @@ from report.numbers.twin.kept_files import DIGITS, FOLDER, read_kept, rounded, w
 from report.numbers.twin.mechanism import BLADE, CUTTER, MOTOR, STROKE
 from trimmer import MotionKind
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import MapInputs, varied
 from trimmer.motion.fourier import fourier
@@ -109,7 +109,7 @@ def _second_harmonic(inputs: MapInputs, number: int, motion: CellMotion) -> floa
     """Return the amplitude of twice the drive in the stroke of a motion that repeats, m."""
     if motion.kind is not MotionKind.PERIODIC:
         return None
-    flow = ExactFlow.returning(varied(inputs.mechanism, inputs.places, inputs.cell_values(number)))
+    flow = MechanismFlow.returning(varied(inputs.mechanism, inputs.places, inputs.cell_values(number)))
     course = flow.course(flow.at(np.array(motion.states[0])), motion.period_count)
     nodes, omega = course.nodes, flow.modes.system.layout.omega
     stroke = read(course, [flow.outputs[STROKE]], nodes.rows, nodes.states)

@@ -24,7 +24,7 @@ def report(*findings: Finding) -> Document:
     """Return a report of one chapter."""
     chapter = Chapter("chapter-5", "5", "Results", findings)
     nothing = Provenance("", "", "2026-05-04", ())
-    return Document("", None, (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0))
+    return Document("", (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0))
 
 
 def of(*findings: Finding) -> tuple[Erratum, ...]:

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from trimmer import ContactLaw, Mechanism
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
-from trimmer.contact.flow import ExactFlow
+from trimmer.branches.period_maps.driven_map import DrivenMap
+from trimmer.contact.flow import MechanismFlow
 
 PLACES = (
     *("frequency", "plays.bridge.gap", "plays.bridge.damping", "plays.bridge.stiffness"),
@@ -32,7 +32,7 @@ def twin(request: pytest.FixtureRequest) -> Mechanism:
 @pytest.fixture(scope="module")
 def state(twin: Mechanism) -> np.ndarray:
     """A state a little beside the orbit, from which contact and stick come and go."""
-    flow = ExactFlow(twin)
+    flow = MechanismFlow(twin)
     settled = flow.strobe(flow.rest(), 200).states[-1]
     return settled * (1.0 + 1e-2 * np.random.default_rng(1).normal(size=len(settled)))
 
@@ -43,7 +43,7 @@ def test_the_derivative_is_that_of_the_end(
     twin: Mechanism, state: np.ndarray, place: str, periods: int, mirrored: bool
 ) -> None:
     value = twin.value(place)
-    map = MechanismMap(twin, place, value, periods, mirrored)
+    map = DrivenMap(twin, place, value, periods, mirrored)
     passage = map.passage(value, state)
     step, ends = 1e-6 * value, []
     for sign in (1.0, -1.0):
@@ -58,7 +58,7 @@ def test_where_a_number_can_be_no_larger_the_difference_is_taken_below(
     twin: Mechanism, state: np.ndarray
 ) -> None:
     """Kinetic friction does not exceed the static one."""
-    map = MechanismMap(twin.with_value("frictions.blade.static", 1.0), "frictions.blade.force", 1.0)
+    map = DrivenMap(twin.with_value("frictions.blade.static", 1.0), "frictions.blade.force", 1.0)
     found, beside = (map.passage(force, state) for force in (1.0, 1.0 - 1e-6))
     scaled = (found.rate() - (found.end - beside.end) / 1e-6) / found.sizes
     assert abs(scaled).max() < 1e-4

@@ -37,11 +37,21 @@ WORDS = [
     f"limit-cycles {PLAY} --omega-range X 1e4", f"limit-cycles {PLAY} --omega-range 1 X",
     "identify --frequency 740 --gap X", "identify --gap 4e-5 --frequency X",
     "identify --gap 4e-5 --frequency 740 --uncertainty X",
-    f"simulate {PLAY} --amplitude 1e-3 --drive X", f"simulate {PLAY} --drive 110 --amplitude X",
-    f"{DRIVEN} --element friction --gap X", f"{DRIVEN} --element viscous --gap 1e-5 --time-constant X",
-    f"{DRIVEN} --element relay --force X", f"{DRIVEN} --element relay --force 1 --hysteresis X",
-    f"{DRIVEN} --element relay --force 1 --dead-zone X", f"{DRIVEN} --element saturation --threshold X",
-    f"{DRIVEN} --element saturation --threshold 1e-5 --slope X", f"simulate {PLAY} --impulse X",
+    *(f"{command} {words}" for command in (
+        "simulate", "respond --periods 20",
+        "follow --points 3 --wait 30 --vary frequency --from 110 --to 111",
+        "map --jobs 1 --periods 5 --vary frequency=110:111:2",
+    ) for words in (
+        f"{PLAY} --amplitude 1e-3 --drive X", f"{PLAY} --drive 110 --amplitude X",
+        *(f"--drive 110 --amplitude 1e-3 --element {element} X" for element in (
+            "friction --gap", "viscous --gap 1e-5 --time-constant", "relay --force",
+            "relay --force 1 --hysteresis", "relay --force 1 --dead-zone", "saturation --threshold",
+            "saturation --threshold 1e-5 --slope",
+        )),
+    )),
+    *(f"{command} {PLAY} {words}" for command in ("simulate", "respond") for words in (
+        "--impulse X", "--state q2=X",
+    )),
     f"{DRIVEN} --duration X", f"{DRIVEN} --friction q2-q4=X", f"{DRIVEN} --csv OUT.csv --sample-rate X",
     f"{DRIVEN} --csv OUT.csv --duration X", f"{DRIVEN} --wav OUT.wav --sample-rate X",
     f"simulate {TWIN} --duration X",

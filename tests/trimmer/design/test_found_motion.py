@@ -15,7 +15,7 @@ from tests.trimmer.design.made import (
     oscillator_amplitude,
 )
 from trimmer import Mechanism, MotionKind, forced_orbit
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.design.found_motion import of_orbit, of_settled
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples, hand_arm_weighting
 from trimmer.examples import example_text
@@ -98,7 +98,7 @@ def shaken() -> Mechanism:
 
 def orbit_of_shaken() -> Any:
     # From the velocities at which the displacements repeat: -F/(m w) cos at t = 0.
-    flow = ExactFlow(shaken())
+    flow = MechanismFlow(shaken())
     omega = 40 * np.pi
     start = {
         "one": (0.0, -(6.0 / omega + 8.0 / (3 * omega))),
@@ -129,7 +129,7 @@ def test_lines_are_weighted_one_by_one() -> None:
 
 
 def test_samples_are_weighted_without_their_mean() -> None:
-    flow = ExactFlow(shaken())
+    flow = MechanismFlow(shaken())
     begin = flow.rest()
     made = flow.course(begin, 20)
     rms = {"one": 2.0, "two": 3.0, "three": 4.0}

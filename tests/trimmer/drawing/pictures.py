@@ -166,6 +166,7 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "PeriodicOrbits": lambda ax=None: results.orbits().plot(ax),
     "PeriodicOrbit": lambda ax=None: results.orbits()[0].plot(ax),
     "Motion": lambda ax=None: results.driven().plot(ax),
+    "LoopMotion": lambda ax=None: results.driven().plot(ax),
     "MechanismMotion": lambda ax=None: results.stopped().plot(ax),
     "MechanismOrbit": lambda ax=None: results.forced().plot(ax),
     "Response": lambda ax=None: results.response().plot(ax),

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from trimmer import ClosedLoop, FrictionBacklash, Motion, simulate
+from trimmer import ClosedLoop, FrictionBacklash, simulate
+from trimmer.loops import LoopMotion
 
 A = np.array([[0.0, 1.0, 0.0], [-400.0, -1.0, 50.0], [0.0, 0.0, -3.0]])
 PLANT = control.ss(A, [[0.0], [0.0], [1.0]], [[1.0, 0.0, 0.0]], [[0.0]])
@@ -17,7 +18,7 @@ NEVER = FrictionBacklash(100.0)
 
 
 @pytest.fixture(scope="module")
-def free() -> Motion:
+def free() -> LoopMotion:
     motion = simulate(ClosedLoop(PLANT, NEVER), 4.0, initial_state=START)
     assert not [time for time in motion.event_times if time > 0.0]
     return motion
@@ -29,7 +30,7 @@ def exact(times: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("count", [1, 33, 64, 1000])
 @pytest.mark.parametrize("end", [4.0, 1e-3])
-def test_any_number_of_times(free: Motion, count: int, end: float) -> None:
+def test_any_number_of_times(free: LoopMotion, count: int, end: float) -> None:
     times = np.random.default_rng(5).uniform(0.0, end, count)
     some = slice(None, None, max(1, count // 5))
     assert free.state(times)[:, some] == pytest.approx(exact(times[some]), abs=1e-12)
@@ -37,7 +38,7 @@ def test_any_number_of_times(free: Motion, count: int, end: float) -> None:
     assert (np.diff(free.state(np.sort(times))[2]) < 0.0).all()  # a decay, which no sample may interrupt
 
 
-def test_times_that_are_far_apart_or_all_the_same(free: Motion) -> None:
+def test_times_that_are_far_apart_or_all_the_same(free: LoopMotion) -> None:
     assert free.state([3.999]) == pytest.approx(exact(np.array([3.999])), abs=1e-12)
     assert free.state([0.1, 3.9]) == pytest.approx(exact(np.array([0.1, 3.9])), abs=1e-12)
     assert free.state([1.7] * 5) == pytest.approx(np.repeat(exact(np.array([1.7])), 5, axis=1), abs=1e-12)

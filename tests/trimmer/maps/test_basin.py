@@ -7,7 +7,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MapError, MechanismError, WrongTypeError
 from trimmer.maps.basin import basin
 from trimmer.runners.runner import SerialRunner
@@ -33,7 +33,7 @@ def test_two_motions_share_the_plane(found) -> None:
 def test_each_cell_is_where_its_start_leads_to(found, cell) -> None:
     row, column = cell
     start = SLICE["mass.displacement"][column], SLICE["mass.velocity"][row]
-    flow = ExactFlow(impact_oscillator())
+    flow = MechanismFlow(impact_oscillator())
     end = flow.strobe(flow.rest({"mass": start}), 400).states[-1]
     reached = np.array(found.motions[found.number[cell]].states[0])
     np.testing.assert_allclose(end, reached, atol=1e-6 * abs(reached).max())

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import SQUARE_ROOT_OF_40, impact_oscillator, linear_oscillator
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import CONTACT_MADE
 from trimmer.maps.measures import of_orbit, of_window
 from trimmer.maps.settle import settle
@@ -16,7 +16,7 @@ TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play
 
 
 def measures_of(mechanism: Mechanism, measures=of_orbit):
-    flow = ExactFlow(mechanism)
+    flow = MechanismFlow(mechanism)
     orbit = settle(flow, flow.rest(), 400).orbit
     assert orbit is not None
     return measures(flow, orbit.course, orbit.period_count)
@@ -69,7 +69,7 @@ def test_even_samples_of_a_window_are_near_the_exact_measures() -> None:
 
 
 def test_impacts_and_their_speed_are_those_of_the_events() -> None:
-    flow = ExactFlow(TWIN.with_value("frictions.blade.force", 1.0))
+    flow = MechanismFlow(TWIN.with_value("frictions.blade.force", 1.0))
     orbit = settle(flow, flow.rest(), 300).orbit
     assert orbit is not None
     made = [time for time, _, kind in orbit.course.events if kind == CONTACT_MADE]
@@ -81,7 +81,7 @@ def test_impacts_and_their_speed_are_those_of_the_events() -> None:
 
 
 def test_events_of_a_window_are_counted_for_each_drive_period() -> None:
-    flow = ExactFlow(impact_oscillator())
+    flow = MechanismFlow(impact_oscillator())
     course = flow.course(flow.rest({"mass": (-25.0, 0.0)}), 7)
     made = [time for time, _, kind in course.events if kind == CONTACT_MADE]
     speeds = [abs(course.states(np.array([time]))[0, 1]) for time in made]

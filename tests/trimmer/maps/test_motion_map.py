@@ -11,7 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MapError, MechanismError, TrimmerError
 from trimmer.maps.cells import CellWork, start_scales
 from trimmer.maps.inputs import Settings, checked_inputs
@@ -216,7 +216,7 @@ def test_several_motions_of_cells_are_counted_by_their_starts() -> None:
     ],
 )
 def test_random_starts_go_as_far_as_the_largest_amplitude_or_gap(parts, length: float) -> None:
-    flow = ExactFlow(replace(linear_oscillator(), **parts))
+    flow = MechanismFlow(replace(linear_oscillator(), **parts))
     assert start_scales(flow)[:2] == pytest.approx([length, length * 7.5], rel=1e-12)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import linear_oscillator
-from trimmer.contact.flow import ExactFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.settle import settle
 from trimmer.mechanism import Mechanism
@@ -17,7 +17,7 @@ TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play
 
 
 def settled(mechanism: Mechanism, periods: int = 300):
-    flow = ExactFlow(mechanism)
+    flow = MechanismFlow(mechanism)
     return settle(flow, flow.rest(), periods)
 
 

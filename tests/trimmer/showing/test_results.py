@@ -6,6 +6,7 @@ import builtins
 import re
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -33,6 +34,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "ClosedLoop": results.loop,
     "TrimmerLoop": lambda: results.driven().loop,
     "Motion": results.driven,
+    "LoopMotion": results.driven,
     "Event": lambda: results.driven().events[0],
     "EnergyBalance": lambda: trimmer.energy_balance(results.driven()),
     "MechanismMotion": results.stopped,
@@ -140,6 +142,8 @@ def test_a_data_frame_has_a_row_for_each_and_the_units(name: str) -> None:
 def test_columns_have_the_names_of_the_json(name: str) -> None:
     heading, before = JSON[name]
     found = RESULTS[name]()
+    if isinstance(found, trimmer.Motion | trimmer.MechanismMotion):
+        found = found.events  # The motion itself is a table of signals.
     assert isinstance(found, Tabular)
     keys = {key.removeprefix(before) for key in documented(heading) if key.startswith(before)}
     places = set(getattr(found, "places", ()))
@@ -163,6 +167,34 @@ def test_a_branch_lists_its_orbits_in_order() -> None:
     strokes = [point.outputs["x"].peak_to_peak for point in branch.points]
     assert frame["outputs.x.peak_to_peak"].tolist() == strokes
     assert frame.attrs["units"]["value"] == "Hz"
+
+
+@pytest.mark.parametrize(
+    ("motion", "columns"),
+    [
+        (results.driven, {"output": "m", "element_input": "m", "element_output": "m"}),
+        (results.relay, {"output": "", "element_input": "", "element_output": ""}),
+        (results.stopped, {"x": "m"}),
+    ],
+)
+def test_a_motion_is_a_table_of_signals(motion: Callable[[], object], columns: dict[str, str]) -> None:
+    found: Any = motion()
+    frame = found.to_dataframe(50)
+    assert frame.attrs["units"] == {"time": "s", **columns}
+    times = frame["time"].to_numpy()
+    assert (np.diff(times) > 0).all()
+    assert {event.time for event in found.events} | set(np.linspace(0.0, found.duration, 50)) == set(times)
+    for name in columns:
+        of_mechanism = isinstance(found, trimmer.MechanismMotion)
+        expected = found.output(name, times) if of_mechanism else getattr(found, name)(times)
+        np.testing.assert_array_equal(frame[name], expected)
+    assert found.events.to_dataframe()["time"].tolist() == [event.time for event in found.events]
+
+
+@pytest.mark.parametrize("points", [1, 2.5, "many"])
+def test_a_table_of_signals_has_a_whole_number_of_points(points: object) -> None:
+    with pytest.raises((ValueError, TypeError), match="points"):
+        results.driven().to_dataframe(points)  # type: ignore[arg-type]
 
 
 def test_a_map_lists_its_cells_row_by_row() -> None:

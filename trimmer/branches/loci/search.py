@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import LocusRanges
 from trimmer.branches.loci.relocation import Sought, relocated
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import MechanismError
 
@@ -38,7 +38,7 @@ class Point:
 class Search:
     """What is followed: maps over either number, what is sought, the ranges and their lengths, (2,)."""
 
-    maps: tuple[MechanismMap, MechanismMap]
+    maps: tuple[DrivenMap, DrivenMap]
     sought: Sought
     ranges: LocusRanges
 
@@ -52,7 +52,7 @@ class Search:
         """Where they begin, (2,)."""
         return np.array([lowest for lowest, _ in self.ranges.both])
 
-    def map_at(self, held: int, value: float, share: float | None = None) -> MechanismMap:
+    def map_at(self, held: int, value: float, share: float | None = None) -> DrivenMap:
         """Return the map over the number that is not held, with a value of the one that is.
 
         Args:
@@ -90,7 +90,7 @@ def restart(search: Search, track: Track) -> None:
     first, second = search.lowest + last.values * search.spans
     passage = search.map_at(1, float(second), track.share).passage(float(first), last.state)
     other = passage.restart(np.zeros(len(last.state) + 1))
-    if other is None or not isinstance(other.map, MechanismMap):
+    if other is None or not isinstance(other.map, DrivenMap):
         return
     track.share = other.map.share
     for number in range(max(0, len(track.points) - PREDICTING), len(track.points)):

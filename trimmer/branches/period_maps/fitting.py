@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
 
 SYMMETRIC = 1e-6
 """Difference of half a period and its mirror image, relative to the sizes, within which they are the same."""
 
 
-def fitting(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
+def fitting(map: DrivenMap, value: float, state: Reals) -> DrivenMap:
     """Return the map whose orbits a motion can join and leave, doubled so often that the motion is its orbit.
 
     A motion that is its own mirror image is an orbit of half a period already. Where the number of periods
@@ -28,7 +28,7 @@ def fitting(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
     return mirrored if _repeats(mirrored, map, value, state) else mirrored.doubled()
 
 
-def shortest_map(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
+def shortest_map(map: DrivenMap, value: float, state: Reals) -> DrivenMap:
     """Return the map of half the periods, and so on, as long as a motion repeats after them.
 
     So it does where a branch of doubled periods joins the one that it parts from.
@@ -41,21 +41,21 @@ def shortest_map(map: MechanismMap, value: float, state: Reals) -> MechanismMap:
     return map
 
 
-def is_symmetric(map: MechanismMap, value: float, state: Reals) -> bool:
+def is_symmetric(map: DrivenMap, value: float, state: Reals) -> bool:
     """Say whether a motion is its own mirror image half a period later, as far as it is known."""
     if map.periods % 2 == 0 or not map.is_mirror_symmetric:
         return False
     return _repeats(replace(map, mirrored=True), map, value, state)
 
 
-def _asymmetric(map: MechanismMap) -> MechanismMap:
+def _asymmetric(map: DrivenMap) -> DrivenMap:
     """Return the map of an asymmetric motion, doubled from that of the simplest motion there can be."""
     if map.periods % 2 == 0:
         return _asymmetric(replace(map, periods=map.periods // 2)).doubled()
     return replace(map, mirrored=True).doubled() if map.is_mirror_symmetric else map
 
 
-def _repeats(half: MechanismMap, map: MechanismMap, value: float, state: Reals) -> bool:
+def _repeats(half: DrivenMap, map: DrivenMap, value: float, state: Reals) -> bool:
     """Say whether a motion, as far as it is known, is an orbit of half of the map already."""
     passage, whole = half.passage(value, state), map.passage(value, state)
     sizes = np.where(passage.sizes > 0.0, passage.sizes, 1.0)

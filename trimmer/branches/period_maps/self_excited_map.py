@@ -14,11 +14,12 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_maps.mechanism_map import MechanismMap
-from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
+from trimmer.branches.period_maps.driven_map import DrivenMap
+from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.period_maps.strobe import Restart
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.hybrid.system import NOTHING
 from trimmer.motion.course import Course
 from trimmer.response.flows import flow_of
 
@@ -68,7 +69,7 @@ def _sizes(course: Course) -> Reals:
 
 
 @dataclass(frozen=True, eq=False)
-class SelfExcitedMap(MechanismMap):
+class SelfExcitedMap(DrivenMap):
     """The map of (x, T) of a mechanism without a drive.
 
     Attributes:
@@ -129,7 +130,7 @@ class SelfExcitedMap(MechanismMap):
 
 
 @dataclass(frozen=True, eq=False)
-class SelfExcitedPassage(MechanismPassage):
+class SelfExcitedPassage(DrivenPassage):
     """The motion of a mechanism without a drive over its period.
 
     Attributes:
@@ -219,11 +220,15 @@ class SelfExcitedPassage(MechanismPassage):
 
     @property
     def halvings(self) -> int:
-        """How often the events of each part halve into two like sequences, as after period doublings."""
-        parts: dict[int, list[int]] = {}
-        for _, part, kind in self.course.events:
-            parts.setdefault(part, []).append(kind)
-        return min((_halvings(kinds) for kinds in parts.values()), default=0)
+        """How often the events of each part halve into two like sequences, as after period doublings.
+
+        Events on opposite sides are not alike.
+        """
+        log, parts = self.course.log, dict[int, list[tuple[int, int]]]()
+        for row in np.flatnonzero(log.kind != NOTHING):
+            part, status = int(log.part[row]), self.course.modes[int(log.mode[row])].statuses
+            parts.setdefault(part, []).append((int(log.kind[row]), status[part]))
+        return min(map(_halvings, parts.values()), default=0)
 
     @property
     def slant(self) -> float:
@@ -239,9 +244,9 @@ class SelfExcitedPassage(MechanismPassage):
         return amid_longest(starts, duration) if len(starts) and not is_amid(starts, duration) else 0.0
 
 
-def _halvings(kinds: list[int]) -> int:
-    half = len(kinds) // 2
-    return 1 + _halvings(kinds[:half]) if half and kinds == 2 * kinds[:half] else 0
+def _halvings(events: list[tuple[int, int]]) -> int:
+    half = len(events) // 2
+    return 1 + _halvings(events[:half]) if half and events == 2 * events[:half] else 0
 
 
 def with_trivial(multipliers: Complexes) -> Complexes:

@@ -18,7 +18,7 @@ from trimmer.hybrid.compilation import kept, sources
 from trimmer.hybrid.linear_combination import copy
 from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import jumps
+from trimmer.hybrid.variation import identity, jumps
 from trimmer.motion.course import Course
 
 
@@ -150,6 +150,7 @@ class ValueChange:
         for mode in among:
             pairs = zip(self.course.modes[mode].functions, self._other(mode).functions, strict=True)
             for own, other in pairs:
-                if own is function:
+                # A mode of a large system may have been assembled anew in between.
+                if own is function or identity(own) == identity(function):
                     return self._other(mode), other
         return self._other(among[0]), function

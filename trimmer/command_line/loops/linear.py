@@ -21,7 +21,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.displacement import Displacement
 
     check_targets(arguments, {"plot": PICTURES}, {"parameters": "the file of the parameters"})
-    output, parameters = Displacement.parse(arguments.output), chosen_parameters(arguments)
+    output, parameters = Displacement.parse(arguments.displacement), chosen_parameters(arguments)
     # These take their time to be imported, which what cannot be used need not wait for.
     from trimmer.command_line.loops.linear_text import as_json, as_text
     from trimmer.linear.summary import summarise

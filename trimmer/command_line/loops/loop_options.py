@@ -112,8 +112,13 @@ ELEMENT_OPTIONS = {
 MAY_BE_ZERO = ("time_constant", "hysteresis", "dead_zone")
 
 
-def add_loop_options(parser: ArgumentParser) -> None:
-    """Add the options that choose the linear part: parameters, output, channels."""
+def add_loop_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
+    """Add the options that choose the linear part: parameters, output, channels.
+
+    Args:
+        parser: The parser of the command.
+        output_is_file: Whether ``--output`` is a file that the command writes, and not the displacement too.
+    """
     parser.add_argument(
         "--parameters",
         metavar="FILE",
@@ -121,7 +126,8 @@ def add_loop_options(parser: ArgumentParser) -> None:
         help="TOML file with the trimmer's parameters, - for standard input (default: the thesis's trimmer)",
     )
     parser.add_argument(
-        "--output",
+        "--displacement",
+        *([] if output_is_file else ["--output"]),
         metavar="DISPLACEMENT",
         default="q2-q4",
         help="displacement at the output, such as q2 or q2-q4 (default: q2-q4, cutter relative to guard)",
@@ -204,7 +210,7 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
     from trimmer.linear.model import InputChannels, pin_model
 
     output, channels = (
-        Displacement.parse(arguments.output),
+        Displacement.parse(arguments.displacement),
         InputChannels.chosen(arguments.channels, "--channels"),
     )
     return pin_model(chosen_parameters(arguments), output, channels)

@@ -12,8 +12,10 @@ from trimmer.command_line.loops.loop_options import (
     add_loop_options,
     chosen_element,
     chosen_parameters,
+    unusable,
 )
 from trimmer.command_line.parser import OptionError, refuse_unused, require_positive
+from trimmer.command_line.state_option import chosen_state
 from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
@@ -21,10 +23,15 @@ if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 
 
-def add_motion_options(parser: ArgumentParser) -> None:
-    """Add the options that choose the loop, its element and frictions, and its drive or impulse."""
+def add_motion_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
+    """Add the options that choose the loop, its element and frictions, and its drive.
+
+    Args:
+        parser: The parser of the command.
+        output_is_file: As for ``add_loop_options``.
+    """
     add_element_options(parser, required=False)
-    add_loop_options(parser)
+    add_loop_options(parser, output_is_file=output_is_file)
     parser.add_argument(
         "--friction",
         action="append",
@@ -40,50 +47,65 @@ def add_motion_options(parser: ArgumentParser) -> None:
         help="drive the pin at a frequency, Hz (open loop)",
     )
     parser.add_argument("--amplitude", type=float, metavar="M", help="amplitude of the drive, m")
+
+
+def add_impulse_option(parser: ArgumentParser) -> None:
+    """Add the impulse that sets a loop in motion."""
     parser.add_argument(
         "--impulse", type=float, metavar="M*S", help="impulse that sets the closed loop in motion, m s"
     )
 
 
 def chosen_loop(arguments: Namespace) -> TrimmerLoop:
-    """Return the loop that the options choose.
+    """Return the loop that the options choose, with the numbers that are set.
 
     Raises:
         TrimmerError: if options contradict each other or cannot be used.
     """
     from trimmer.loops.trimmer_loop import TrimmerLoop
+    from trimmer.mechanism.places import assignment
 
     if arguments.element is None:
         refuse_unused(arguments, ELEMENT_OPTIONS, "--element")
     drive = _drive(arguments)
     if drive is None and arguments.element is None:
         raise OptionError(
-            "without --element and --drive nothing happens: give the play, the drive (--drive HZ "
-            "--amplitude M), or both"
+            "without --element and --drive nothing happens: name the file of a mechanism, or give the play, "
+            "the drive (--drive HZ --amplitude M), or both"
         )
-    return TrimmerLoop(
+    loop = TrimmerLoop(
         parameters=chosen_parameters(arguments),
         element=None if arguments.element is None else chosen_element(arguments),
         drive=drive,
-        output=arguments.output,
+        output=arguments.displacement,
         channels=arguments.channels,
         frictions=tuple(_friction(text) for text in arguments.friction),
     )
+    for text in arguments.set:
+        loop = loop.with_value(*assignment(text))
+    try:
+        loop.interconnection()
+    except ValueError as error:
+        raise unusable(arguments, error) from error
+    return loop
 
 
-def impulse_of(arguments: Namespace) -> float:
-    """Return the impulse, m s; a driven loop needs none.
+def start_of_loop(arguments: Namespace, loop: TrimmerLoop) -> dict[str, float]:
+    """Return the states, by name, with which a loop begins: as they are given, after the impulse.
 
     Raises:
-        OptionError: if a loop without drive has none, since it would stay at rest.
+        OptionError: if a loop without drive has neither, since it would stay at rest.
     """
-    if arguments.impulse is not None:
-        if not math.isfinite(arguments.impulse):
-            raise OptionError(f"--impulse {arguments.impulse:g}: must be finite (m s)")
-        return float(arguments.impulse)
-    if arguments.drive is None:
-        raise OptionError("the closed loop stays at rest: give --impulse (m s), or --drive for the open loop")
-    return 0.0
+    given, impulse = chosen_state(arguments.state, loop) or {}, arguments.impulse or 0.0
+    if not math.isfinite(impulse):
+        raise OptionError(f"--impulse {impulse:g}: must be finite (m s)")
+    if loop.drive is None and not given and arguments.impulse is None:
+        raise OptionError(
+            "the closed loop stays at rest: give --impulse (m s) or --state, or --drive for the open loop"
+        )
+    pushed = (loop.model.B[:, 0] * impulse).tolist()
+    labels = loop.model.state_labels
+    return {name: sum(given.get(name, ())) + push for name, push in zip(labels, pushed, strict=True)}
 
 
 def _drive(arguments: Namespace) -> Drive | None:

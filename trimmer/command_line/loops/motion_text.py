@@ -10,13 +10,13 @@ from trimmer.loops.switched_component import EventKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.loops.motion import Motion
+    from trimmer.loops.motion import LoopMotion
 
 REPEATING = (EventKind.IMPACT, EventKind.SWITCH)
 ONE_SIDE = ("upper contact", "plus")
 
 
-def as_text(motion: Motion) -> str:
+def as_text(motion: LoopMotion) -> str:
     """Return a summary of a motion: outcome, number of events of each kind, amplitudes (m) at the end."""
     events = ((event.component, event.kind.value) for event in motion.events)
     lines = summary_lines(motion.duration, motion.outcome.value, events)
@@ -27,7 +27,7 @@ def as_text(motion: Motion) -> str:
     return "\n".join(lines)
 
 
-def as_json(motion: Motion) -> str:
+def as_json(motion: LoopMotion) -> str:
     """Return a motion as JSON: outcome, every event, and the amplitudes at the end; SI units."""
     content = {
         "duration": motion.duration,
@@ -45,7 +45,7 @@ def as_json(motion: Motion) -> str:
     return document(content)
 
 
-def displacements(motion: Motion, times: Reals) -> dict[str, Reals]:
+def displacements(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
     """Return the output, and input and output of the backlash, m, by their names."""
     return {
         motion.loop.model.output_labels[0]: motion.output(times),
@@ -54,11 +54,11 @@ def displacements(motion: Motion, times: Reals) -> dict[str, Reals]:
     }
 
 
-def _ranges(motion: Motion) -> dict[str, float]:
+def _ranges(motion: LoopMotion) -> dict[str, float]:
     return amplitudes(displacements(motion, last_times(motion.duration)))
 
 
-def _frequency(motion: Motion) -> float | None:
+def _frequency(motion: LoopMotion) -> float | None:
     """Return how often an event repeats at the end, Hz; None if a drive sets it or it happens once.
 
     Impacts on one side of the gap and reversals in one direction happen once in a simple period.

@@ -1,4 +1,4 @@
-"""``trimmer follow``: a branch of exact periodic motions of a mechanism over any of its numbers."""
+"""``trimmer follow``: a branch of exact periodic motions of a mechanism or a loop over any of its numbers."""
 
 from __future__ import annotations
 
@@ -12,35 +12,36 @@ from trimmer.command_line.file_options import (
     check_targets,
     show,
 )
-from trimmer.command_line.mechanisms.mechanism_options import add_mechanism_options, chosen_mechanism
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, refuse_unused, tell
 from trimmer.command_line.patience import patience
+from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 
 if TYPE_CHECKING:
     from trimmer.branches.followed import FollowedBranch
+    from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
-
 
 MOST_HARMONICS = 1000
 """Harmonics whose equations are solved in seconds; an orbit with stick needs hundreds."""
 
 
 def _configure(parser: ArgumentParser) -> None:
-    add_mechanism_options(parser)
+    add_system_options(parser)
     parser.add_argument(
         "--vary",
         required=True,
         metavar="PLACE",
-        help="the number to vary, such as frequency or plays.bridge.gap",
+        help="the number to vary, such as frequency, plays.bridge.gap, or of a loop element.gap",
     )
     parser.add_argument(
         "--from",
         required=True,
         dest="start",
         metavar="A",
-        help="first value, where it settles from rest, in SI units (Hz for a frequency) or with a unit",
+        help="first value, where it settles from rest, in SI units (Hz for a frequency) or with a unit; a "
+        "loop without a drive begins with its largest stable limit cycle there",
     )
     parser.add_argument("--to", required=True, dest="stop", metavar="B", help="the other end of the interval")
     parser.add_argument(
@@ -84,16 +85,19 @@ def _configure(parser: ArgumentParser) -> None:
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.follow_text import as_json, as_text
 
-    check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
+    check_targets(arguments, {"plot": PICTURES}, SOURCES)
     if arguments.points < 2:
         raise OptionError(f"--points {arguments.points}: give a whole number from 2 on")
     if arguments.harmonics is not None and arguments.harmonics > MOST_HARMONICS:
         raise OptionError(f"--harmonics {arguments.harmonics}: give at most {MOST_HARMONICS}")
-    mechanism = chosen_mechanism(arguments)
-    if mechanism.frequency is None:
-        refuse_unused(arguments, ["periods", "harmonics", "wait"], "a frequency in the file")
+    system, of_loop = chosen_system(arguments), arguments.file is None
+    if of_loop:
+        refuse_unused(arguments, ["harmonics"], "the file of a mechanism")
+    if system.frequency is None:
+        drive = "--drive" if of_loop else "a frequency in the file"
+        refuse_unused(arguments, ["periods", "harmonics", "wait"], drive)
     with patience():
-        branch = _branch(arguments, mechanism)
+        branch = _branch(arguments, system)
     _draw(arguments, branch)
     text = (as_json if arguments.json else as_text)(branch, arguments.harmonics)
     show(text, arguments.plot)
@@ -103,7 +107,7 @@ def _run(arguments: Namespace) -> int:
     return ENDED_EARLY
 
 
-def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
+def _branch(arguments: Namespace, system: Mechanism | TrimmerLoop) -> FollowedBranch:
     from trimmer.branches.follow import follow
     from trimmer.branches.settings import FollowSettings
     from trimmer.mechanism.place_text import parse_place
@@ -117,7 +121,7 @@ def _branch(arguments: Namespace, mechanism: Mechanism) -> FollowedBranch:
         settings = FollowSettings(
             most_points=arguments.points, switches=arguments.switches, most_periods=arguments.wait
         )
-        return follow(mechanism, place, start, stop, periods=arguments.periods, settings=settings)
+        return follow(system, place, start, stop, periods=arguments.periods, settings=settings)
     except ValueError as error:
         raise OptionError(str(error)) from error
 
@@ -133,7 +137,7 @@ def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
 
 COMMAND = Command(
     "follow",
-    "exact periodic motions of a mechanism over any of its numbers",
+    "exact periodic motions of a mechanism or a loop over any of its numbers",
     _configure,
     _run,
     examples=(
@@ -144,6 +148,10 @@ COMMAND = Command(
         Example(
             "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
             "between which frequencies an oscillator with a stop has two stable motions: between the folds",
+        ),
+        Example(
+            "trimmer follow --element friction --gap 4e-5 --vary element.gap --from 40um --to 38um",
+            "how the limit cycle of the thesis's loop shrinks with its gap",
         ),
     ),
 )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document, pair
 from trimmer.command_line.table import table
+from trimmer.motion.units import with_unit
 
 if TYPE_CHECKING:
     from trimmer.branches.followed import FollowedBranch, FollowedOrbit
@@ -31,7 +32,8 @@ def as_json(branch: FollowedBranch, harmonics: int | None) -> str:
 def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[str]:
     begun = "Periodic motions" if branch.parted is None else f"From {branch.parted.kind.word} at"
     at = "" if branch.parted is None else f" {branch.parted.value:.10g}"
-    lines = [f"{begun}{at} over {branch.map.place} ({branch.unit}): {_many(branch)}"]
+    unit = f" ({branch.unit})" if branch.unit else ""
+    lines = [f"{begun}{at} over {branch.map.place}{unit}: {_many(branch)}"]
     lines += table(("from", "to", "orbits", "stable", *_heads(branch)), _stretches(branch))
     if branch.special:
         heads = ("special", "value", "parts and what happens")
@@ -60,7 +62,7 @@ def _heads(branch: FollowedBranch) -> list[str]:
     own = ["period, s"] if branch.map.subject.frequency is None else []
     return [
         *own,
-        *(f"{name}, peak to peak{f', {unit}' if unit else ''}" for name, unit in branch.units.items()),
+        *(with_unit(f"{name}, peak to peak", unit) for name, unit in branch.units.items()),
     ]
 
 

@@ -1,4 +1,4 @@
-"""Options that vary numbers of a mechanism: ``--vary PLACE=A:B:N``, read without evaluating anything."""
+"""Options that vary numbers: ``--vary PLACE=A:B:N``, read without evaluating anything."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.parser import OptionError
 
 if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
 
 FORM = "PLACE=A:B:N"
 EXAMPLE = "plays.bridge.gap=0um:500um:50"
@@ -17,11 +17,11 @@ _DIGITS = 9
 """As many digits as are looked at: a number of thousands of them is too large at once."""
 
 
-def varied_values(mechanism: Mechanism, texts: Sequence[str]) -> dict[str, list[float]]:
+def varied_values(subject: Subject, texts: Sequence[str]) -> dict[str, list[float]]:
     """Return evenly spaced values, SI units, by their places.
 
     Args:
-        mechanism: The mechanism that has the places.
+        subject: The mechanism or loop that has the places.
         texts: Such as ``plays.bridge.gap=0um:500um:50``: from, to, and how many.
 
     Raises:
@@ -35,23 +35,23 @@ def varied_values(mechanism: Mechanism, texts: Sequence[str]) -> dict[str, list[
         )
     found: dict[str, list[float]] = {}
     for text in texts:
-        place, values = _varied(mechanism, text)
+        place, values = _varied(subject, text)
         if place in found:
             raise OptionError(f"--vary {place} was given twice: vary two different numbers, or one")
         found[place] = values
     return found
 
 
-def _varied(mechanism: Mechanism, text: str) -> tuple[str, list[float]]:
+def _varied(subject: Subject, text: str) -> tuple[str, list[float]]:
     from trimmer.mechanism.place_text import parse_place, place_text, split_assignment
 
     written, values = split_assignment(text)
     place = place_text(parse_place(written))
-    mechanism.value(place)
+    subject.value(place)
     parts = [part.strip() for part in values.split(":")]
     if len(parts) != 3:
         raise OptionError(f"--vary {text}: write {FORM}, from A to B in N values, as in {EXAMPLE}")
-    first, last = (_number(mechanism, place, part) for part in parts[:2])
+    first, last = (_number(subject, place, part) for part in parts[:2])
     if first == last:
         raise OptionError(f"--vary {text}: goes from {parts[0]} to the same; set a single value with --set")
     return place, _spaced(first, last, _count(text, parts[2]))
@@ -73,7 +73,7 @@ def _spaced(first: float, last: float, count: int) -> list[float]:
     return values
 
 
-def _number(mechanism: Mechanism, place: str, text: str) -> float:
+def _number(subject: Subject, place: str, text: str) -> float:
     """Read a number in SI units, or one with its unit."""
     from trimmer.mechanism.units import UnitError, quantity
 
@@ -82,6 +82,6 @@ def _number(mechanism: Mechanism, place: str, text: str) -> float:
     except UnitError:
         pass
     try:
-        return quantity(text, mechanism.places[place])
+        return quantity(text, subject.places[place] or "1")
     except UnitError as error:
         raise OptionError(f"--vary {place}: {text!r}: {error}") from None

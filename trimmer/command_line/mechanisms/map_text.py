@@ -22,13 +22,11 @@ _MOST_FAILURES = 5
 
 def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = None) -> str:
     """Return what is where in how many cells, the ranges of the measures, and what was searched."""
-    mechanism, cells = result.inputs.mechanism, len(result.cells)
-    lines = [f"{mechanism.title or 'Mechanism'}: what it settles to over"]
-    units = mechanism.places
-    for place, values in zip(result.places, result.values, strict=True):
-        lines.append(
-            f"  {place} from {values[0]:g} to {values[-1]:g} {units[place]}, {counted(len(values), 'value')}"
-        )
+    subject, cells = result.inputs.subject, len(result.cells)
+    lines = [f"{subject.title or 'Mechanism'}: what it settles to over"]
+    for place, values, unit in zip(result.places, result.values, result.units, strict=True):
+        reach = f"{values[0]:g} to {values[-1]:g} {unit}".rstrip()
+        lines.append(f"  {place} from {reach}, {counted(len(values), 'value')}")
     rows = [(name, str(count), f"{count / cells:.1%}") for name, count in result.counts.items()]
     lines += table(("motion", "cells", "share"), rows)
     lines += table(("measure", "smallest", "median", "largest", "unit"), _ranges(result))
@@ -66,12 +64,13 @@ def _told_meeting(special: SpecialCurves, meeting: Meeting) -> str:
 
 
 def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
+    units, power = result.outputs, result.measured_in.power
     measures = [
-        *((f"{name}, peak to peak", each, "m") for name, each in result.peak_to_peak.items()),
+        *((f"{name}, peak to peak", each, units[name]) for name, each in result.peak_to_peak.items()),
         ("impacts per drive period", result.impacts, ""),
-        ("largest impact speed", result.impact_speed, "m/s"),
+        ("largest impact speed", result.impact_speed, result.measured_in.speed),
         *((f"{name}, rms acceleration", each, "m/s²") for name, each in result.rms_acceleration.items()),
-        *((f"{name}, wear power", each, "W") for name, each in result.wear_power.items()),
+        *((f"{name}, wear power", each, power) for name, each in result.wear_power.items()),
     ]
     return [_range(name, values, unit) for name, values, unit in measures if np.isfinite(values).any()]
 
@@ -84,7 +83,7 @@ def _range(name: str, values: Reals, unit: str) -> tuple[str, ...]:
 def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = None) -> str:
     """Return a map as JSON: arrays as lists of rows, full precision, SI units; what is not there is null."""
     content: dict[str, Any] = {
-        "title": result.inputs.mechanism.title,
+        "title": result.inputs.subject.title,
         "places": list(result.places),
         "values": [values.tolist() for values in result.values],
         "settings": asdict(result.inputs.settings),

@@ -1,4 +1,4 @@
-"""``trimmer map``: which motion a mechanism settles to, over one of its numbers or over two."""
+"""``trimmer map``: which motion a mechanism or a loop settles to, over one of its numbers or over two."""
 
 from __future__ import annotations
 
@@ -14,12 +14,8 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
+from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
-from trimmer.command_line.mechanisms.mechanism_options import (
-    add_mechanism_options,
-    add_seed_option,
-    chosen_mechanism,
-)
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
@@ -29,20 +25,21 @@ from trimmer.command_line.runner_options import (
     check_runner_options,
     chosen_runner,
 )
+from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 from trimmer.files import MAP
 
 if TYPE_CHECKING:
+    from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.maps.result import MotionMap
     from trimmer.maps.special_curve import SpecialCurves
     from trimmer.mechanism.mechanism import Mechanism
-
 
 MOST_LINES = 1000
 """Values of the second number at which branches are followed, each for seconds or minutes."""
 
 
 def _configure(parser: ArgumentParser) -> None:
-    add_mechanism_options(parser)
+    add_system_options(parser, output_is_file=True)
     parser.add_argument(
         "--vary",
         action="append",
@@ -100,13 +97,15 @@ def _run(arguments: Namespace) -> int:
     from trimmer.maps.motion_map import MapInterruptedError
 
     _check(arguments)
-    mechanism = chosen_mechanism(arguments)
-    values = varied_values(mechanism, arguments.vary)
+    system = chosen_system(arguments)
+    if arguments.file is None and system.frequency is None:
+        raise OptionError("a map is of driven motions: give the loop a drive (--drive HZ --amplitude M)")
+    values = varied_values(system, arguments.vary)
     if arguments.special is not None:
         for place in values:
             require_continuous(place)
     try:
-        result, searched = _map(arguments, mechanism, values)
+        result, searched = _map(arguments, system, values)
         special = _special(arguments, result)
     except MapInterruptedError as interrupt:
         tell(str(interrupt))
@@ -131,17 +130,19 @@ def _check(arguments: Namespace) -> None:
             raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
     check_runner_options(arguments)
     targets = {"plot": PICTURES, "output": {"": MAP}}
-    check_targets(arguments, targets, {"file": "the file of the mechanism"})
+    check_targets(arguments, targets, SOURCES)
 
 
-def _map(arguments: Namespace, mechanism: Mechanism, values: dict[str, list[float]]) -> tuple[MotionMap, str]:
+def _map(
+    arguments: Namespace, system: Mechanism | TrimmerLoop, values: dict[str, list[float]]
+) -> tuple[MotionMap, str]:
     """Return the map, and what was searched, in a sentence."""
     from trimmer.maps.coexistence import coexisting_motions
     from trimmer.maps.motion_map import motion_map
 
     runner = chosen_runner(arguments)
     result = motion_map(
-        mechanism,
+        system,
         values,
         most_periods=arguments.periods,
         starts=arguments.starts,
@@ -187,7 +188,7 @@ def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None
         from trimmer.drawing.content import figure_of
 
         curves = () if special is None else special.drawn
-        drawn = figure_of(partial(result.plot, curves=curves), result.inputs.mechanism.title)
+        drawn = figure_of(partial(result.plot, curves=curves), result.inputs.subject.title)
         write_picture(arguments, drawn)
 
 
@@ -205,9 +206,14 @@ _OVER_TWO = (
     "--output cells.map"
 )
 
+_OF_LOOP = (
+    "--element friction --gap 4e-5 --friction q2-q4=1 --drive 110 --amplitude 1.5e-3 "
+    "--vary element.gap=40um:200um:3 --vary frictions.q2-q4.force=1:5:2"
+)
+
 COMMAND = Command(
     "map",
-    "which motion a mechanism settles to, over one or two of its numbers",
+    "which motion a mechanism or a loop settles to, over one or two of its numbers",
     _configure,
     _run,
     examples=(
@@ -217,11 +223,12 @@ COMMAND = Command(
         ),
         Example(
             f"trimmer map {_OVER_TWO}",
-            "the same over gap and friction; keeps each cell as soon as it is done",
+            "the same over gap and friction; keeps each cell as soon as it is done, so that the same call "
+            "with --resume goes on after an interrupt",
         ),
         Example(
-            f"trimmer map {_OVER_TWO} --resume --json",
-            "the same call after an interrupt: it goes on with the cells that are missing",
+            f"trimmer map {_OF_LOOP}",
+            "which motion the thesis's loop has when it is driven, over gap and friction",
         ),
     ),
 )

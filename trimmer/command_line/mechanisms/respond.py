@@ -1,9 +1,10 @@
-"""``trimmer respond``: what a mechanism settles to."""
+"""``trimmer respond``: what a mechanism or a loop settles to."""
 
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
@@ -12,16 +13,14 @@ from trimmer.command_line.file_options import (
     check_targets,
     show,
 )
-from trimmer.command_line.mechanisms.mechanism_options import (
-    add_mechanism_options,
-    add_seed_option,
-    chosen_mechanism,
-)
-from trimmer.command_line.mechanisms.state_option import add_state_option, chosen_state
+from trimmer.command_line.loops.motion_options import add_impulse_option, start_of_loop
+from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
 from trimmer.command_line.patience import patience
+from trimmer.command_line.state_option import add_state_option, chosen_state
+from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,7 +29,8 @@ if TYPE_CHECKING:
 
 
 def _configure(parser: ArgumentParser) -> None:
-    add_mechanism_options(parser)
+    add_system_options(parser)
+    add_impulse_option(parser)
     add_state_option(parser)
     parser.add_argument(
         "--starts",
@@ -55,18 +55,23 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.respond_text import as_json, as_text
+    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.respond import respond
 
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts")
     if arguments.seed < 0:
         raise OptionError(f"--seed {arguments.seed}: must not be negative")
-    check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
-    mechanism = chosen_mechanism(arguments)
-    state = chosen_state(arguments.state, mechanism)
+    check_targets(arguments, {"plot": PICTURES}, SOURCES)
+    system = chosen_system(arguments)
+    state: Mapping[str, Any] | None
+    if isinstance(system, Mechanism):
+        state = chosen_state(arguments.state, system)
+    else:
+        state = start_of_loop(arguments, system)
     with patience():
         response = respond(
-            mechanism,
+            system,
             state=state,
             starts=arguments.starts,
             most_periods=arguments.periods,
@@ -94,7 +99,7 @@ def _draw(arguments: Namespace, response: Response) -> Path | None:
 
 COMMAND = Command(
     "respond",
-    "what a mechanism settles to: repeating, at rest, on a torus or chaotic",
+    "what a mechanism or a loop settles to: repeating, at rest, on a torus or chaotic",
     _configure,
     _run,
     examples=(
@@ -105,6 +110,10 @@ COMMAND = Command(
         Example(
             "trimmer respond examples/gear-pair.toml --starts 5 --plot motion.svg",
             "whether a pair of gears settles to other motions from other starts; and a picture of one",
+        ),
+        Example(
+            "trimmer respond --element friction --gap 4e-5 --impulse 1e-6",
+            "which vibration of its own the thesis's loop settles to after an impulse",
         ),
     ),
 )

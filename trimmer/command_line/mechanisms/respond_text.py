@@ -1,17 +1,22 @@
-"""What a mechanism settles to, as text for people and as JSON for machines."""
+"""What a mechanism or a loop settles to, as text for people and as JSON for machines."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.units import with_unit
+from trimmer.response.flows import flow_of
 from trimmer.response.response_json import response_json
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
+    from trimmer.motion.flow import Flow
     from trimmer.motion.measures import Measures
+    from trimmer.motion.units import Units
     from trimmer.response.estimate import Estimate
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
@@ -23,33 +28,37 @@ SMALL = 1e-9
 
 
 def as_text(response: Response) -> str:
-    """Return what a mechanism settles to: first what it is, then tables of what it does."""
-    lines = [response.message]
+    """Return what something settles to: first what it is, then tables of what it does."""
+    lines, flow = [response.message], flow_of(response.subject)
     for number, motion in enumerate(response.motions, start=1):
         if len(response.motions) > 1:
             mirrored = ", the mirror image of one before" if motion.mirrored else ""
             lines += ["", f"Motion {number}, {motion.share:.0%} of the starts{mirrored}"]
             lines += [motion.message] if number > 1 else []
-        lines += _motion(motion)
+        lines += _motion(motion, flow)
     if response.starts > 1:
         lines += ["", _box(response)]
     return "\n".join(lines)
 
 
 def as_json(response: Response) -> str:
-    """Return what a mechanism settles to as JSON: full precision, SI units."""
+    """Return what something settles to as JSON: full precision, SI units."""
     return document(response_json(response))
 
 
 def _box(response: Response) -> str:
+    units = flow_of(response.subject).axis_units
     reach = ", ".join(
-        f"{name} {displacement:.3g} m and {speed:.3g} m/s"
-        for name, (displacement, speed) in response.box.items()
+        f"{name} {' and '.join(map(_with_unit, sizes, units[name]))}" for name, sizes in response.box.items()
     )
     return f"Random starts lie within {reach} on either side of rest (seed {response.seed})."
 
 
-def _motion(motion: SettledMotion) -> Iterator[str]:
+def _with_unit(size: float, unit: str) -> str:
+    return f"{size:.3g} {unit}".rstrip()
+
+
+def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
     if motion.rest is not None:
         yield from _rest(motion.rest)
         return
@@ -58,11 +67,13 @@ def _motion(motion: SettledMotion) -> Iterator[str]:
     yield from _facts(motion)
     driven = motion.orbit is None or motion.orbit.periods > 0
     of = "p/k of the drive" if driven else "multiples of its own frequency"
-    advance = _advance(motion)
-    heads = ("output", *advance, "peak to peak, m", "rms, m", f"lines as {of}: amplitude, m")
+    units = {name: each.unit for name, each in flow.outputs.items()}
+    advance, unit = _advance(motion, units), _common(units.values())
+    sizes = (with_unit(head, unit) for head in ("peak to peak", "rms", f"lines as {of}: amplitude"))
+    heads = ("output", *advance, *sizes)
     rows = [
         (
-            name,
+            name if unit else with_unit(name, units[name]),
             *(each[name] for each in advance.values()),
             f"{motion.peak_to_peak[name]:.9g}",
             _number(rms),
@@ -72,19 +83,27 @@ def _motion(motion: SettledMotion) -> Iterator[str]:
     ]
     yield from table(heads, rows)
     accelerations = [(name, _number(each)) for name, each in motion.rms_acceleration.items()]
-    yield from table(("body", "rms acceleration, m/s²"), accelerations)
+    if accelerations:
+        yield from table(("body", "rms acceleration, m/s²"), accelerations)
     if motion.orbit is not None:
-        yield from _parts(motion.orbit.measures)
+        yield from _parts(motion.orbit.measures, flow.units)
 
 
-def _advance(motion: SettledMotion) -> dict[str, dict[str, str]]:
+def _common(units: Iterable[str]) -> str:
+    """Return the unit that all have in common; empty if they have none."""
+    found = set(units)
+    return found.pop() if len(found) == 1 else ""
+
+
+def _advance(motion: SettledMotion, units: Mapping[str, str]) -> dict[str, dict[str, str]]:
     """Return the column of advances with its heading; none if they are rounding."""
     largest = max(motion.peak_to_peak.values(), default=0.0)
     shown = {name: 0.0 if abs(each) <= SMALL * largest else each for name, each in motion.advance.items()}
     if not any(shown.values()):
         return {}
     per = "period" if motion.orbit is not None else "drive period"
-    return {f"advance per {per}, m": {name: f"{each:.9g}" for name, each in shown.items()}}
+    head = with_unit(f"advance per {per}", _common(units.values()))
+    return {head: {name: f"{each:.9g}" for name, each in shown.items()}}
 
 
 def _facts(motion: SettledMotion) -> Iterator[str]:
@@ -99,11 +118,21 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
 
 
 def _rest(rest: Rest) -> Iterator[str]:
-    """Return where each body rests, and what each part bears there."""
-    positions = [(name, f"{position:.9g}") for name, position in rest.positions.items()]
-    yield from table(("body", "displacement, m"), positions)
-    head = "mean force over a drive period, N" if rest.forces_change else "force, N"
-    yield from table(("part", head), [(name, f"{force:.9g}") for name, force in rest.forces.items()])
+    """Return where all rests, and what each part bears there."""
+    flow = rest.flow
+    bodies = isinstance(flow.subject, Mechanism)
+    where, force = (("body", "displacement"), "force") if bodies else (("signal", "value"), "output")
+    units = {name: flow.units.length if bodies else flow.outputs[name].unit for name in rest.positions}
+    yield from _valued(*where, rest.positions, units)
+    head = f"mean {force} over a drive period" if rest.forces_change else force
+    yield from _valued("part", head, rest.forces, {name: flow.force_unit(name) for name in rest.forces})
+
+
+def _valued(what: str, head: str, values: Mapping[str, float], units: Mapping[str, str]) -> Iterator[str]:
+    """Return a table of values by name, the unit at its head if it is that of all."""
+    unit = _common(units.values())
+    rows = [(name if unit else with_unit(name, units[name]), f"{each:.9g}") for name, each in values.items()]
+    yield from table((what, with_unit(head, unit)), rows)
 
 
 def _number(estimate: Estimate) -> str:
@@ -129,24 +158,28 @@ def _ratio(p: int, k: int) -> str:
     return f"{p // k}" if p % k == 0 else f"{p}/{k}"
 
 
-def _parts(measures: Measures) -> Iterator[str]:
+def _parts(measures: Measures, units: Units) -> Iterator[str]:
     if measures.contacts:
+        forces = any(each.largest_force is not None for each in measures.contacts.values())
+        force = (with_unit("largest force", units.force),) if forces else ()
+        speed = with_unit("largest speed", units.speed)
         yield from table(
-            ("contact", "impacts per period", "largest speed, m/s", "largest force, N", "time in contact"),
+            ("contact", "impacts per period", speed, *force, "time in contact"),
             [
                 (
                     name,
                     f"{each.impacts:g}",
                     f"{each.impact_speed:.6g}",
-                    f"{each.largest_force:.6g}",
+                    *([] if each.largest_force is None else [f"{each.largest_force:.6g}"]),
                     f"{each.share:.2%}",
                 )
                 for name, each in measures.contacts.items()
             ],
         )
     if measures.frictions:
+        work, power = with_unit("work per period", units.work), with_unit("power", units.power)
         yield from table(
-            ("friction", "work per period, J", "power, W", "time in stick"),
+            ("friction", work, power, "time in stick"),
             [
                 (name, f"{each.work:.6g}", f"{each.power:.6g}", f"{each.stick:.2%}")
                 for name, each in measures.frictions.items()

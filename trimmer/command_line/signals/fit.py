@@ -15,7 +15,7 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.mechanisms.mechanism_options import (
+from trimmer.command_line.mechanism_options import (
     add_mechanism_options,
     add_seed_option,
     chosen_mechanism,

@@ -13,7 +13,7 @@ from trimmer.command_line.file_options import (
     file_to_read,
     show,
 )
-from trimmer.command_line.mechanisms.mechanism_options import add_set_option, mechanism_with
+from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
 from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError

@@ -107,7 +107,8 @@ def _run(arguments: Namespace) -> int:
 def _check(arguments: Namespace) -> None:
     """Refuse what cannot be meant, before any work is done."""
     if arguments.gap is None:
-        refuse_unused(arguments, ["output", "channels"], "--gap, whose limit cycles are predicted with it")
+        of_loop = ["displacement", "channels"]
+        refuse_unused(arguments, of_loop, "--gap, whose limit cycles are predicted with it")
     if arguments.wav is None:
         refuse_unused(arguments, ["bits"], "--wav")
     if arguments.file == arguments.parameters == STANDARD_INPUT:

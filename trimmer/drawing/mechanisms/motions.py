@@ -12,14 +12,13 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip, bars_of, draw_strips
 from trimmer.drawing.units import name_axis
+from trimmer.motion.flow import signals_of
 from trimmer.motion.part import TOUCHING, Phase
-from trimmer.motion.signals import Readout, Steady, rate, read, while_status
+from trimmer.motion.signals import Steady, rate, read, while_status
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from matplotlib.axes import Axes
 
     from trimmer.arrays import Integers, Reals
@@ -28,14 +27,6 @@ if TYPE_CHECKING:
 
 POINTS = 4000
 """Points of a curve."""
-
-
-def signals_of(flow: Flow) -> Mapping[str, Readout]:
-    """Return what is drawn of a motion: its outputs, or the bodies of a mechanism that has none."""
-    if flow.outputs:
-        return flow.outputs
-    size = flow.modes.system.layout.size
-    return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}
 
 
 @draw.register(MechanismMotion)

@@ -48,7 +48,7 @@ def response_figure(response: Response) -> Figure:
     panels["section"].set_title("at the start of each drive period", fontsize="small")
     if len(response.motions) > 1:
         add_legend(panels["section"])
-    head(figure, response.mechanism.title)
+    head(figure, response.subject.title)
     return figure
 
 

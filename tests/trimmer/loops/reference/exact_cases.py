@@ -12,9 +12,9 @@ from mpmath import mpf
 
 from tests.trimmer.loops.reference.exact_events import first_instants
 from tests.trimmer.loops.reference.exact_flight import Friction, Moment, Trimmer
-from trimmer import CoulombFriction, Drive, Motion, TrimmerLoop, TrimmerParameters, ViscousBacklash, simulate
+from trimmer import CoulombFriction, Drive, TrimmerLoop, TrimmerParameters, ViscousBacklash, simulate
 from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction
+from trimmer.loops import BodyFriction, LoopMotion
 from trimmer.thesis import Displacement, TrimmerBody
 
 TABLE = Path(__file__).with_name("exact_times.csv")
@@ -79,7 +79,7 @@ def write_table() -> None:
                 writer.writerow([name, instant.kind, mpmath.nstr(instant.time, 30)])
 
 
-def simulated(case: Trimmer, duration: float) -> Motion:
+def simulated(case: Trimmer, duration: float) -> LoopMotion:
     """Simulate a case with the engine."""
     loop = TrimmerLoop(
         THESIS,

@@ -21,14 +21,14 @@ def add_mechanism_options(parser: ArgumentParser) -> None:
     add_set_option(parser)
 
 
-def add_set_option(parser: ArgumentParser) -> None:
-    """Add ``--set``."""
+def add_set_option(parser: ArgumentParser, or_of_a_loop: str = "") -> None:
+    """Add ``--set``; what is added to its example is for commands that take a loop too."""
     parser.add_argument(
         "--set",
         action="append",
         default=[],
         metavar="PLACE=VALUE",
-        help="set a number of the mechanism, such as plays.bridge.gap=40um; may be repeated",
+        help=f"set a number of the mechanism, such as plays.bridge.gap=40um{or_of_a_loop}; may be repeated",
     )
 
 

@@ -20,11 +20,11 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.part import Part, Phase, mirrored
 
 if TYPE_CHECKING:
-    from trimmer.branches.period_maps.mechanism_map import MechanismMap
+    from trimmer.branches.period_maps.driven_map import DrivenMap
 
 
 @dataclass(frozen=True, eq=False)
-class MechanismPassage:
+class DrivenPassage:
     """The motion from a state over its periods.
 
     Attributes:
@@ -35,7 +35,7 @@ class MechanismPassage:
         course: The motion.
     """
 
-    map: MechanismMap
+    map: DrivenMap
     value: float
     flow: Flow
     begin: Instant

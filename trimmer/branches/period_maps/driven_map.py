@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 from trimmer.arrays import Reals
-from trimmer.branches.period_maps.mechanism_passage import MechanismPassage
+from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.course import Course
@@ -26,7 +26,7 @@ MOST_STEPS = 200_000
 
 
 @dataclass(frozen=True, eq=False)
-class MechanismMap:
+class DrivenMap:
     """The map of some drive periods, or of half of them with the mirror image of the end.
 
     Attributes:
@@ -45,7 +45,7 @@ class MechanismMap:
     scale: float
     periods: int = 1
     mirrored: bool = False
-    single: MechanismMap | None = None
+    single: DrivenMap | None = None
     share: float | None = None
 
     @property
@@ -53,7 +53,7 @@ class MechanismMap:
         """How often the passage was doubled."""
         return 0 if self.single is None else self.single.doublings + 1
 
-    def doubled(self) -> MechanismMap:
+    def doubled(self) -> DrivenMap:
         """Return the map of two passages; that of a mirrored map is a whole period without mirror."""
         periods = self.periods if self.mirrored else 2 * self.periods
         return replace(self, periods=periods, mirrored=False, single=self)
@@ -63,7 +63,7 @@ class MechanismMap:
         """Length of a passage in drive periods."""
         return 0.5 * self.periods if self.mirrored else float(self.periods)
 
-    def begun_at(self, share: float) -> MechanismMap:
+    def begun_at(self, share: float) -> DrivenMap:
         """Return the map of passages that begin a share of a drive period after its start."""
         single = None if self.single is None else self.single.begun_at(share)
         return replace(self, share=share, single=single)
@@ -100,7 +100,7 @@ class MechanismMap:
     def _flows(self) -> dict[float, Flow]:
         return {}
 
-    def passage(self, value: float, state: Reals) -> MechanismPassage:
+    def passage(self, value: float, state: Reals) -> DrivenPassage:
         """Follow the motion from a state over the periods.
 
         What is in contact or sticks at the end does so at the beginning too: a state that is not known to
@@ -111,7 +111,7 @@ class MechanismMap:
             MechanismError, LoopError: if the number cannot have that value.
         """
         flow = self.flow(value)
-        return MechanismPassage(self, value, flow, *self.followed(flow, state))
+        return DrivenPassage(self, value, flow, *self.followed(flow, state))
 
     def followed(self, flow: Flow, state: Reals, duration: float = 0.0) -> tuple[Instant, Course]:
         """Return the motion from a state, for a duration, s, if that is given, and the instant it begins at.

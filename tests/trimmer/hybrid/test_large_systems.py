@@ -1,0 +1,81 @@
+"""Mechanisms of many bodies, whose modes are no tables: each moves as it does alone, in little memory."""
+
+from __future__ import annotations
+
+import math
+import tracemalloc
+
+import numpy as np
+
+from trimmer.contact.flow import Course, MechanismFlow
+from trimmer.hybrid.advance import Ending
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop
+
+FREQUENCY = 50.0
+COPIES = 16
+PERIODS = 12
+
+
+def copies(numbers: range) -> Mechanism:
+    """Return oscillators that do not touch each other, each with a stop, a friction and its phase."""
+    names = [f"body {number}" for number in numbers]
+    laws = [tuple(ContactLaw)[number % len(ContactLaw)] for number in numbers]
+    return Mechanism(
+        bodies={name: Body(1.0) for name in names},
+        links={name: Link((GROUND, name), stiffness=4e4, damping=5.0) for name in names},
+        stops={
+            f"stop {name}": Stop((GROUND, name), stiffness=5e5, damping=30.0, gap=2e-4, law=law)
+            for name, law in zip(names, laws, strict=True)
+        },
+        frictions={
+            f"pad {name}": Friction((GROUND, name), force=2.0, static=2.5 if number % 2 else None)
+            for number, name in zip(numbers, names, strict=True)
+        },
+        forces={
+            name: Force(name, amplitude=20.0, phase=0.37 * number)
+            for number, name in zip(numbers, names, strict=True)
+        },
+        frequency=FREQUENCY,
+    )
+
+
+def motion(mechanism: Mechanism) -> Course:
+    flow = MechanismFlow(mechanism)
+    course = flow.course(flow.rest(), PERIODS)
+    assert course.ending is Ending.REACHED_END
+    return course
+
+
+def test_each_of_many_moves_as_it_does_alone() -> None:
+    together = motion(copies(range(COPIES)))
+    monodromy, sizes = together.monodromy, abs(together.log.state).max(axis=0)
+    layout = together.modes.system.layout
+    for number in range(COPIES):
+        alone = motion(copies(range(number, number + 1)))
+        parts = number, COPIES + number
+        events = [(time, parts.index(part), kind) for time, part, kind in together.events if part in parts]
+        assert [event[1:] for event in events] == [event[1:] for event in alone.events]
+        np.testing.assert_allclose(
+            [event[0] for event in events], [event[0] for event in alone.events], atol=1e-10, rtol=0
+        )
+        name = alone.modes.system.layout.relaxing
+        own = [number, COPIES + number, *(2 * COPIES + layout.relaxing.index(each) for each in name)]
+        assert (abs(together.end.state[own] - alone.end.state) <= 1e-8 * sizes[own]).all()
+        np.testing.assert_allclose(monodromy[np.ix_(own, own)], alone.monodromy, atol=1e-6, rtol=1e-6)
+        times = np.linspace(0.0, together.duration, 50)
+        apart = together.states(times)[:, own] - alone.states(times)[:, : len(own)]
+        assert (abs(apart) <= 1e-8 * sizes[own]).all()
+
+
+def test_many_modes_take_little_memory() -> None:
+    flow = MechanismFlow(copies(range(20)))
+    start = flow.rest()
+    tracemalloc.start()
+    course = flow.course(start, PERIODS)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    modes = {tuple(statuses) for statuses in course.modes.tables.statuses[course.log.mode].tolist()}
+    # Tables of a step would take 1.5 MB for each mode.
+    assert most < 0.2e6 * len(modes)
+    assert math.isclose(course.duration, PERIODS / FREQUENCY)

@@ -1,0 +1,184 @@
+"""What loops settle to, and their branches and maps: beside the same machine, by laws, and in closed form."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import control
+import numpy as np
+import pytest
+import scipy.optimize
+
+import trimmer
+from trimmer.command_line.mechanisms import follow_text, respond_text
+from trimmer.loops import BodyFriction
+from trimmer.runners.runner import SerialRunner
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+THESIS = trimmer.TrimmerParameters.thesis()
+FORCE = "frictions.q2-q4.force"
+QUIET = trimmer.FollowSettings(quiet=True)
+
+
+def driven(force: float, gap: float | None = None) -> trimmer.TrimmerLoop:
+    """The thesis's trimmer at 110 Hz, with dry friction between cutter and guard."""
+    play = None if gap is None else trimmer.FrictionBacklash(gap)
+    between = (BodyFriction("q2-q4", trimmer.CoulombFriction(force)),)
+    return trimmer.TrimmerLoop(THESIS, play, trimmer.Drive(1.5e-3, frequency=110.0), frictions=between)
+
+
+@pytest.fixture(scope="module")
+def machine(tmp_path_factory: pytest.TempPathFactory) -> trimmer.Mechanism:
+    """The same machine from its bodies and springs, without play."""
+    rubs = '\n[frictions]\nblade = { between = ["cutter", "guard"], force = "1 N" }\n'
+    file = tmp_path_factory.mktemp("machine") / "rubbing.toml"
+    file.write_text((EXAMPLES / "thesis.toml").read_text("utf-8") + rubs, "utf-8")
+    return trimmer.Mechanism.from_toml(file)
+
+
+def relay(level: float) -> trimmer.ClosedLoop:
+    """A relay around 1/(s (s + 1) (s + 2)), all of it plain numbers."""
+    return trimmer.ClosedLoop(control.tf([1.0], [1.0, 3.0, 2.0, 0.0]), trimmer.Relay(level))
+
+
+def period_of_relay() -> float:
+    """The period of its limit cycle: the output is zero where a square wave of that period switches.
+
+    A state x' = u - p x with x(T/2) = -x(0) switches at -tanh(p T/4)/p, at -T/4 for p = 0; the output is half
+    the first of three such states less the second and half the third, p = 0, 1, 2.
+    """
+
+    def output(quarter: float) -> float:
+        return 0.5 * quarter - math.tanh(quarter) + 0.25 * math.tanh(2.0 * quarter)
+
+    return 4.0 * float(scipy.optimize.brentq(output, 0.5, 3.0, xtol=1e-14))
+
+
+@pytest.mark.parametrize("force", [0.3, 2.0, 8.0])
+def test_without_play_a_loop_settles_as_the_machine_does(machine: trimmer.Mechanism, force: float) -> None:
+    loop = trimmer.respond(driven(force)).motion
+    mechanism = trimmer.respond(machine.with_value("frictions.blade.force", force)).motion
+    assert loop.orbit is not None
+    assert mechanism.orbit is not None
+    np.testing.assert_allclose(loop.orbit.multipliers, mechanism.orbit.multipliers, atol=1e-9)
+    ours, theirs = loop.orbit.measures, mechanism.orbit.measures
+    output, stroke = ours.outputs["output"], theirs.outputs["stroke"]
+    assert output.peak_to_peak == pytest.approx(stroke.peak_to_peak, rel=1e-10)
+    np.testing.assert_allclose(output.amplitudes, stroke.amplitudes, atol=1e-11 * stroke.peak_to_peak)
+    friction, blade = ours.frictions["friction q2-q4"], theirs.frictions["blade"]
+    assert (friction.work, friction.power) == pytest.approx((blade.work, blade.power), rel=1e-9)
+    assert friction.stick == pytest.approx(blade.stick, abs=1e-9)
+
+
+@pytest.mark.parametrize("scale", [0.013, 7.0])
+def test_a_motion_grows_with_its_gap_drive_and_friction(scale: float) -> None:
+    small = driven(2.0, 2e-4)
+    large = small
+    for place in ("element.gap", "drive.amplitude", FORCE):
+        large = large.with_value(place, scale * small.value(place))
+    first, second = (trimmer.respond(each).motion for each in (small, large))
+    assert first.orbit is not None
+    assert second.orbit is not None
+    np.testing.assert_allclose(first.orbit.multipliers, second.orbit.multipliers, atol=1e-9)
+    for name, size in first.peak_to_peak.items():
+        assert second.peak_to_peak[name] == pytest.approx(scale * size, rel=1e-9)
+    play, larger = (each.orbit.measures.contacts["backlash"] for each in (first, second))
+    assert larger.impact_speeds == pytest.approx([scale * each for each in play.impact_speeds], rel=1e-8)
+    assert (larger.share, larger.impacts) == pytest.approx((play.share, play.impacts), rel=1e-9)
+
+
+def test_a_map_of_a_loop_has_what_each_of_its_cells_settles_to() -> None:
+    loop, gaps, forces = driven(1.0, 4e-5), [4e-5, 2e-4], [1.0, 5.0]
+    places = {"element.gap": gaps, FORCE: forces}
+    found = trimmer.motion_map(loop, places, runner=SerialRunner(), quiet=True)
+    assert found.units == ("m", "N")
+    for row, force in enumerate(forces):
+        for column, gap in enumerate(gaps):
+            motion = trimmer.respond(driven(force, gap)).motion
+            assert found.kind[row, column] is motion.kind
+            assert found.stroke[row, column] == pytest.approx(motion.peak_to_peak["output"], rel=1e-9)
+            power = motion.measures.frictions["friction q2-q4"].power
+            assert found.wear_power["friction q2-q4"][row, column] == pytest.approx(power, rel=1e-8)
+
+
+def test_a_relay_oscillates_at_one_period_and_in_proportion_to_its_level() -> None:
+    branch = trimmer.follow(relay(1.0), "element.level", 1.0, 2.0, settings=QUIET)
+    assert branch.success
+    assert branch.periods == 1
+    assert not branch.special
+    expected = period_of_relay()
+    sizes = {point.outputs["output"].peak_to_peak / point.value for point in branch.points}
+    assert max(sizes) / min(sizes) == pytest.approx(1.0, abs=1e-9)
+    for point in branch.points:
+        assert point.period == pytest.approx(expected, rel=1e-10)
+        assert point.outputs["element_output"].peak_to_peak == pytest.approx(2.0 * point.value, rel=1e-9)
+    settled = trimmer.respond(relay(2.0), state=[0.1, 0.0, 0.0]).motion
+    assert settled.orbit is not None
+    assert settled.orbit.period == pytest.approx(expected, rel=1e-10)
+    assert settled.peak_to_peak["output"] == pytest.approx(2.0 * max(sizes), rel=1e-9)
+
+
+def test_of_a_loop_without_units_nothing_has_one() -> None:
+    branch = trimmer.follow(relay(1.0), "element.level", 1.0, 1.01, settings=QUIET)
+    response = trimmer.respond(relay(1.0), state=[0.1, 0.0, 0.0], starts=2)
+    told = f"{follow_text.as_text(branch, None)}\n{respond_text.as_text(response)}"
+    told += respond_text.as_text(trimmer.respond(relay(1.0)))
+    heads = told.replace("(", " ").replace(")", " ").replace(",", " ").split()
+    assert not {"m", "N", "m/s", "J", "W", "m/s²", "body", "mechanism", "force"} & set(heads)
+    for result in (branch, response):
+        assert set(result.to_dataframe().attrs["units"].values()) <= {"", "s"}
+
+
+def test_where_stick_begins_a_simulation_sticks_on_one_side_and_not_on_the_other() -> None:
+    branch = trimmer.follow(driven(0.3), FORCE, 0.3, 0.5, settings=QUIET)
+    (special,) = branch.special
+    assert special.kind is trimmer.branches.SpecialKind.STICK
+    assert special.parts == ("friction q2-q4",)
+
+    def sticks(force: float) -> int:
+        motion = trimmer.simulate(driven(force), 0.6)
+        late = (event for event in motion.events if event.time > 0.5)
+        return sum(event.kind is trimmer.loops.EventKind.STICK for event in late)
+
+    assert sticks(0.999 * special.value) == 0
+    # Twice in each of the eleven periods of the last tenth of a second.
+    assert sticks(1.001 * special.value) == 22
+
+
+def test_a_closed_trimmer_follows_its_limit_cycle_in_proportion_to_its_gap() -> None:
+    loop = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5))
+    branch = trimmer.follow(loop, "element.gap", "40 um", "44 um", settings=QUIET)
+    orbit = next(each for each in trimmer.periodic_orbits(loop) if each.stable)
+    first, last = branch.points[0], branch.points[-1]
+    assert (first.period, last.period) == pytest.approx((orbit.period, orbit.period), rel=1e-10)
+    assert first.outputs["element_input"].peak_to_peak == pytest.approx(2.0 * orbit.amplitude, rel=1e-9)
+    assert last.outputs["element_input"].peak_to_peak == pytest.approx(2.2 * orbit.amplitude, rel=1e-9)
+
+
+def test_a_closed_trimmer_whose_friction_stops_it_has_no_branch() -> None:
+    rubs = (BodyFriction("q2-q4", trimmer.CoulombFriction(2.0)),)
+    loop = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5), frictions=rubs)
+    branch = trimmer.follow(loop, "element.gap", "40 um", "44 um", settings=QUIET)
+    assert not branch.points
+    assert "comes to rest" in branch.message
+
+
+CLOSED = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5))
+
+
+@pytest.mark.parametrize(
+    ("ask", "told"),
+    [
+        (lambda: trimmer.follow(CLOSED, "frequency", 100.0, 110.0), "no number at frequency"),
+        (lambda: trimmer.follow(CLOSED, "element.gp", 1e-5, 2e-5), "did you mean element.gap"),
+        (lambda: trimmer.follow(CLOSED, "element.gap", "40 s", "50 s"), "'s' does not measure what m does"),
+        (lambda: trimmer.follow(CLOSED, "element.gap", -1e-5, 1e-5), "gap must be positive"),
+        (lambda: trimmer.motion_map(CLOSED, {"element.gap": [1e-5]}), "the loop has no drive"),
+        (lambda: trimmer.respond(CLOSED, state={"q5": 1.0}), "no state of the loop; there are q1"),
+        (lambda: trimmer.respond(CLOSED, state=[1.0]), r"has the shape \(1,\), but the loop has"),
+    ],
+)
+def test_what_a_loop_is_not_asked_for(ask, told: str) -> None:
+    with pytest.raises(trimmer.errors.TrimmerError, match=told):
+        ask()

@@ -1,0 +1,59 @@
+"""What moves, as options of a command: the file of a mechanism, or in its place a loop of the thesis."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
+from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
+from trimmer.command_line.mechanism_options import add_set_option, chosen_mechanism
+from trimmer.command_line.parser import OptionError, as_option, is_given
+
+if TYPE_CHECKING:
+    from trimmer.loops.trimmer_loop import TrimmerLoop
+    from trimmer.mechanism.mechanism import Mechanism
+
+OF_LOOPS = ("element", *ELEMENT_OPTIONS, "parameters", "displacement", "channels", "drive", "amplitude")
+OF_LOOPS += ("impulse",)
+"""Options that say what a loop is and does; a mechanism says it in its file."""
+SOURCES = {"parameters": "the file of the parameters", "file": "the file of the mechanism"}
+"""What the files are that are read, by the name of the option."""
+
+
+def add_system_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
+    """Add the file of a mechanism, which may be left out, the options of a loop, and ``--set``.
+
+    Args:
+        parser: The parser of the command.
+        output_is_file: Whether ``--output`` is a file that the command writes.
+    """
+    parser.add_argument(
+        "file",
+        type=file_to_read,
+        nargs="?",
+        metavar="FILE",
+        help="mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves",
+    )
+    add_set_option(parser, ", or of the loop, such as element.gap=40um")
+    add_motion_options(parser, output_is_file=output_is_file)
+
+
+def chosen_system(arguments: Namespace) -> Mechanism | TrimmerLoop:
+    """Return the mechanism or the loop that the options choose, with the numbers that are set.
+
+    Raises:
+        TrimmerError: if options contradict each other or cannot be used; if options of loops are given beside
+            the file of a mechanism.
+    """
+    if arguments.file is None:
+        return chosen_loop(arguments)
+    given = [name for name in OF_LOOPS if is_given(arguments, name)]
+    given += ["friction"] if arguments.friction else []
+    if given:
+        raise OptionError(
+            f"{as_option(given[0])} is for the loops of the thesis; a mechanism says it in its file: set the "
+            "number there, or with --set"
+        )
+    return chosen_mechanism(arguments)

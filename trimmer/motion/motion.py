@@ -1,0 +1,85 @@
+"""A simulated motion of whatever moves: its events, and its signals by name."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import TYPE_CHECKING, Any
+
+from trimmer.messages import listed, near_match
+from trimmer.showing.drawn import Drawn
+from trimmer.showing.frame import to_frame
+from trimmer.showing.moments import POINTS, moments
+from trimmer.showing.shown import Tabular
+from trimmer.showing.table import over_time
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    import pandas
+    from numpy.typing import ArrayLike
+
+    from trimmer.arrays import Reals
+
+
+class Motion(Tabular, Drawn):
+    """A simulated motion of a mechanism or a loop, exact between and at its events."""
+
+    duration: Any
+    """End of the motion, s; less than asked for if it ended early."""
+
+    @property
+    @abstractmethod
+    def success(self) -> bool:
+        """Whether it reached the end that was asked for."""
+
+    @property
+    @abstractmethod
+    def message(self) -> str:
+        """How it ended, in words."""
+
+    @property
+    @abstractmethod
+    def event_times(self) -> Reals:
+        """Times of its events, s, (events,)."""
+
+    @property
+    @abstractmethod
+    def signals(self) -> Mapping[str, str]:
+        """The unit of each signal, by its name; empty for a number."""
+
+    @abstractmethod
+    def _read(self, name: str, times: ArrayLike) -> Reals:
+        """Return a signal that there is, in the shape of the times, s."""
+
+    def signal(self, name: str, times: ArrayLike) -> Reals:
+        """Return a signal, in its unit, in the shape of the times, s; at an event it is that just after it.
+
+        Args:
+            name: One of ``signals``: an output of a mechanism, or a body if there are none; of a loop
+                ``output``, ``element_input`` or ``element_output``.
+            times: From 0 to ``duration``, s, of any shape and order.
+
+        Raises:
+            ValueError: if there is no such signal, or a time lies outside the motion.
+        """
+        if name not in self.signals:
+            there = near_match(name, self.signals) or f"there are {listed(self.signals)}"
+            raise ValueError(f"no signal is called {name!r}; {there}")
+        return self._read(name, times)
+
+    def to_dataframe(self, points: int = POINTS) -> pandas.DataFrame:
+        """Return the signals over time as a data frame of pandas.
+
+        Units are in ``attrs["units"]``. Rows are instants that are evenly spread, and those of the events,
+        with the values just after each. The events themselves are in ``events.to_dataframe()``.
+
+        Args:
+            points: Instants that are evenly spread, at least 2.
+
+        Raises:
+            MissingPackageError: if pandas is not installed.
+            WrongTypeError, ValueError: if ``points`` cannot be used.
+        """
+        times = moments(self.duration, self.event_times, points)
+        signals = {name: (unit, self._read(name, times)) for name, unit in self.signals.items()}
+        return to_frame(over_time("Signals over time", times, signals))

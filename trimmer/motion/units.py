@@ -1,0 +1,41 @@
+"""Units of what is measured of a motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Units:
+    """Units of what is measured of a motion: those of SI, or none if it moves by plain numbers.
+
+    Attributes:
+        length: Of displacements: m, or empty for a number.
+    """
+
+    length: str
+
+    @property
+    def speed(self) -> str:
+        """Of a rate of displacements."""
+        return f"{self.length or 1}/s"
+
+    @property
+    def force(self) -> str:
+        """Of a force; empty for a number."""
+        return "N" if self.length else ""
+
+    @property
+    def work(self) -> str:
+        """Of a work; empty for a number."""
+        return "J" if self.length else ""
+
+    @property
+    def power(self) -> str:
+        """Of a power."""
+        return "W" if self.length else "1/s"
+
+
+def with_unit(name: str, unit: str) -> str:
+    """Return a name with its unit, as at the head of a column; alone if it has none."""
+    return f"{name}, {unit}" if unit else name
