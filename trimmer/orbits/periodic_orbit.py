@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,6 +12,7 @@ from trimmer.displacement import Displacement
 from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.motion import LoopMotion, Outcome
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import Steady, along
@@ -86,10 +87,21 @@ class PeriodicOrbit(Orbit):
     prediction: LimitCycle | None = None
     given: Given | None = None
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: the numbers of modes mean something to their loop alone."""
+        course, modes = self.course, self.course.modes
+        visited = {number: modes[number].statuses for number in np.unique(course.log.mode).tolist()}
+        parts = course.begin, course.end, course.ending, course.duration, course.log
+        return {each.name: getattr(self, each.name) for each in fields(self)} | {"course": (visited, *parts)}
+
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Take what was pickled; the loop, which keeps no modes, has those of the course again."""
+        """Take what was pickled, and tabulate again the modes that the motion goes through."""
+        visited, begin, end, ending, duration, log = state.pop("course")
         vars(self).update(state)
-        vars(self._computed).setdefault("modes", self.course.modes)
+        modes = self._computed.modes
+        numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
+        log = log._replace(mode=np.array([numbers[number] for number in log.mode.tolist()]))
+        vars(self)["course"] = Course(modes, begin, end, ending, duration, log)
 
     @property
     def loop(self) -> Loop:
