@@ -12,7 +12,8 @@ from report.numbers.independent.loop_with_friction import LoopCycle, largest_fri
 from report.numbers.thesis import LARGE_GAP
 from report.numbers.twin.closed_loop import FILE, LOOP_COURSES, thesis_loop
 from report.numbers.twin.kept_branch import KeptBranch, read_branches
-from trimmer import Motion, TrimmerLoop, TrimmerParameters, simulate
+from trimmer import TrimmerLoop, TrimmerParameters, simulate
+from trimmer.loops import LoopMotion
 
 SIMULATED: Final = 10
 """Every so many kept orbits one is simulated."""
@@ -34,8 +35,9 @@ class LoopNumbers:
         miss: How far orbits are from their start after a period, at most, relative to the largest states.
         events: Numbers of events by kind that a period of these orbits has.
         largest: The limit cycle with the largest friction per gap, in a second way.
-        left: Half of peak to peak over 40 µm that is left of a stable limit cycle after ``DURATION``, with
-            friction ``BESIDE`` below the largest one, and above it.
+        left_below: Half of peak to peak over 40 µm that is left of a stable limit cycle after ``DURATION``,
+            with friction ``BESIDE`` below the largest one.
+        left_above: The same with friction above it.
     """
 
     over_force: KeptBranch
@@ -43,7 +45,8 @@ class LoopNumbers:
     miss: float
     events: frozenset[tuple[tuple[str, int], ...]]
     largest: LoopCycle
-    left: tuple[float, float]
+    left_below: float
+    left_above: float
 
     @property
     def all(self) -> tuple[KeptBranch, ...]:
@@ -75,11 +78,12 @@ def solve_loop() -> LoopNumbers:
             tuple(sorted(Counter(each.kind.value for each in motion.events).items())) for motion, _ in found
         ),
         largest=largest_friction(TrimmerParameters.thesis(), *AROUND),
-        left=(_left(over_force, (1 - BESIDE) * fold), _left(over_force, (1 + BESIDE) * fold)),
+        left_below=_left(over_force, (1 - BESIDE) * fold),
+        left_above=_left(over_force, (1 + BESIDE) * fold),
     )
 
 
-def _period(branch: KeptBranch, at: int) -> tuple[Motion, float]:
+def _period(branch: KeptBranch, at: int) -> tuple[LoopMotion, float]:
     """Return a period of a kept orbit, and how far it is from its start at the end."""
     *state, load, single = branch.states[at]
     loop = branch.course.subject.with_value(branch.course.place, float(branch.values[at]))

@@ -27,10 +27,10 @@ CROSS: Final = {"color": BLACK, "marker": "x", "markersize": 4.0, "linestyle": "
 @figure(
     "twin-loop-branches",
     "Limit cycles of the thesis's loop",
-    caption="""Amplitude of all limit cycles with friction between cutter and guard, in the loop of section
-    5.2: (a) over the friction for 40 µm, (b) over the gap. Exact orbits are solid where stable and dotted
-    where not; they end in a fold (diamond). Crosses: harmonic balance with play and friction each in its
-    place. Grey: exact, without friction.""",
+    caption="""Amplitudes of the two limit cycles with friction between cutter and guard, in the loop of
+    section 5.2: (a) over the friction for 40 µm, (b) over the gap. Exact orbits are solid where stable and
+    dotted where not; they end in a fold (diamond). Crosses: harmonic balance with play and friction each in
+    its place. Grey: exact, without friction.""",
     alternative_text="""Left, a falling solid curve from 331 micrometres and a rising dotted one from 21 meet
     at 0.323 newton and 81 micrometres. Right, on logarithmic scales, three curves that open to the right from
     folds at 19, 37 and 74 micrometres and approach two straight lines. Crosses lie on all curves.""",

@@ -10,6 +10,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.thesis import LARGE_GAP, LARGER_GAP, SMALL_GAP
 from report.numbers.twin.closed_loop import FORCES
 from report.numbers.twin.kept_branch import KeptBranch
+from report.numbers.twin.loop_numbers import BESIDE
 from report.twin.figures.loop import loop_branches
 from report.twin.observation import Observed, SectionRecord, observation
 from trimmer.arrays import Reals
@@ -29,18 +30,18 @@ MOST = 0.9
 @observation("twin-loop-force", source=NUMBERS, title="More friction.")
 def over_force(known: Evidence) -> Observed:
     loop, branch = known.twin.loop, known.twin.loop.over_force
-    below, above = loop.left
     yield text("""
         The thesis predicts limit cycles of a loop that nothing drives: its output moves the pin, and the
         bridge stays where it was left. With 40 µm of play and friction between cutter and guard this loop has
         two of them. More friction makes the stable one smaller and the unstable one larger, until they meet
         in a fold at [[ fold | f4 ]] N, with an amplitude of [[ amplitude | f1 ]] µm at
-        [[ frequency | f1 ]] Hz. With 1 % more friction than that a motion of this size comes to rest; with
-        1 % less it goes on.
+        [[ frequency | f1 ]] Hz. With [[ beside | percent0 ]] more friction than that a motion of this size
+        comes to rest; with [[ beside | percent0 ]] less it goes on.
     """).given(
         fold=loop.largest_force,
         amplitude=MICRO * LARGE_GAP * loop.largest.amplitude,
         frequency=loop.largest.frequency,
+        beside=BESIDE,
     )
     trends = [np.unique(np.sign(_changes(branch, chosen))) for chosen in (branch.stable, ~branch.stable)]
     yield so(
@@ -53,7 +54,10 @@ def over_force(known: Evidence) -> Observed:
         loop.largest.force_per_gap,
         KEPT,
     )
-    yield so("half a second simulated from a stable orbit near the fold", below > ON_IT and above < AT_REST)
+    yield so(
+        "half a second simulated from a stable orbit near the fold",
+        loop.left_below > ON_IT and loop.left_above < AT_REST,
+    )
     yield small("kept orbits, simulated, return to their start after a period", loop.miss, RETURNS)
 
 
@@ -99,7 +103,7 @@ def _nears(branch: KeptBranch, stable: float, unstable: float) -> bool:
     return all((np.diff(each) < 0).all() for each in found)
 
 
-@observation("twin-loop-balance", source=NUMBERS, title="Harmonic balance, and what else there may be.")
+@observation("twin-loop-balance", source=NUMBERS, title="Harmonic balance.")
 def balance(known: Evidence) -> Observed:
     loop, predicted = known.twin.loop, known.cycles.equivalent.in_place
     fold = LARGE_GAP * predicted.merger.force_per_gap
@@ -125,7 +129,7 @@ def balance(known: Evidence) -> Observed:
         {(("impact", 2), ("separation", 2), ("switch", 2))},
     )
     driven = {special.kind for each in known.twin.branches for special in each.special}
-    yield so("kinds of those of the driven trimmer", {"torus", "period-doubling"} <= driven)
+    yield so("kinds of special points of the driven trimmer", {"torus", "period-doubling"} <= driven)
 
 
 def _errors(known: Evidence) -> tuple[float, float]:

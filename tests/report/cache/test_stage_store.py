@@ -22,7 +22,15 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
 from report.cache.stage_store import Bounds, StageStore
-from trimmer import ClosedLoop, Relay, simulate
+from trimmer import (
+    ClosedLoop,
+    FrictionBacklash,
+    Relay,
+    TrimmerParameters,
+    periodic_orbits,
+    pin_model,
+    simulate,
+)
 from trimmer.mechanism.parts import Body
 
 RESULT = {"answer": [1, 2.5, "text"], "array": np.arange(4.0), "body": Body(1.0)}
@@ -258,3 +266,16 @@ def test_a_motion_of_a_loop_is_kept_with_the_modes_it_went_through(tmp_path: Pat
     times = np.linspace(0.0, 1.0, 57)
     np.testing.assert_array_equal(again.output(times), motion.output(times))
     np.testing.assert_array_equal(again.log.mode, motion.log.mode)
+
+
+def test_an_orbit_of_a_loop_is_kept_with_the_modes_it_goes_through(tmp_path: Path) -> None:
+    system, play = pin_model(TrimmerParameters.thesis()), FrictionBacklash(4e-5)
+    unstable, stable = periodic_orbits(system, play)
+    assert len({event.mode for event in stable.motion.events}) == 3
+    store = StageStore(tmp_path)
+    store.keep("orbits", "a", (unstable, stable))
+    again = store.load("orbits", "a")
+    for before, after in zip((unstable, stable), again, strict=True):
+        np.testing.assert_array_equal(after.switching_times, before.switching_times)
+        times = np.linspace(0.0, before.period, 57)
+        np.testing.assert_array_equal(after.motion.output(times), before.motion.output(times))

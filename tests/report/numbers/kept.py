@@ -24,6 +24,7 @@ SUMMED = ("amplitude", "frequency", "stable", "duration", "force_per_gap")
 LEFT_OUT = {
     *("kept", "branches", "branches_again", "over_force", "over_gap"),
     *("repeat", "mirror", "miss", "distance", "residual", "apart", "mirror_miss", "mirror_apart"),
+    "left_above",
 }
 """Fields that hold what is read from a file, and what rounding leaves."""
 CHAOTIC = "twin.experiment.twin"

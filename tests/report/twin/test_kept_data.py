@@ -8,6 +8,9 @@ from dataclasses import replace
 
 import pytest
 
+from report.numbers.twin.closed_loop import FILE as LOOP_FILE
+from report.numbers.twin.closed_loop import FORCE as LOOP_FORCE
+from report.numbers.twin.closed_loop import LOOP_COURSES
 from report.numbers.twin.grids import COURSES, FRICTION_MAP, GRIDS, SPEED_MAP, Grid
 from report.numbers.twin.kept_branch import FILE, read_branches
 from report.numbers.twin.kept_files import FOLDER, KeptDataError, digest_of, digest_of_files
@@ -185,9 +188,12 @@ def test_maps_are_made_resumed_and_read(tmp_path, capsys):
     capsys.readouterr()
 
 
-def test_branches_begin_where_they_are_said_to():
-    branches = read_branches(COURSES, FILE)
-    for course in COURSES:
+@pytest.mark.parametrize(
+    ("courses", "path"), [(COURSES, FILE), (LOOP_COURSES, LOOP_FILE)], ids=["twin", "loop"]
+)
+def test_branches_begin_where_they_are_said_to(courses, path):
+    branches = read_branches(courses, path)
+    for course in courses:
         first = next(each for each in branches if each.course.name == course.name)
         assert first.parted == ""
         assert first.values[0] == pytest.approx(course.start)
@@ -205,3 +211,10 @@ def test_reach_and_shares_of_a_map_by_hand(friction):
     assert numbers.from_where_on(40e-6) == pytest.approx(numbers.second[begin])
     assert numbers.from_where_on(300e-6) == float("inf")
     assert numbers.within((0.0, 10e-6), (0.0, 0.1)).sum() == 4
+
+
+def test_branches_of_a_loop_with_another_number_are_refused():
+    first, *others = LOOP_COURSES
+    other = replace(first, subject=first.subject.with_value(LOOP_FORCE, 2e-3))
+    with pytest.raises(KeptDataError, match=r"loop\.json .* was made from another .*: run `make maps`"):
+        read_branches((other, *others), LOOP_FILE)
