@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast
 
@@ -86,10 +86,21 @@ class PeriodicOrbit(Orbit):
     prediction: LimitCycle | None = None
     given: Given | None = None
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: the numbers of modes mean something to their loop alone."""
+        visited = {
+            number: self.course.modes[number].statuses for number in np.unique(self.course.log.mode).tolist()
+        }
+        own = {each.name: getattr(self, each.name) for each in fields(self)}
+        return {**own, "course": replace(self.course, modes=None), "visited": visited}
+
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Take what was pickled; the loop, which keeps no modes, has those of the course again."""
+        """Take what was pickled, and tabulate again the modes that the orbit goes through."""
+        visited, course, modes = state.pop("visited"), state.pop("course"), state["flow"].modes
+        numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
+        mode = np.array([numbers[number] for number in course.log.mode.tolist()], dtype=np.int64)
+        state["course"] = replace(course, modes=modes, log=course.log._replace(mode=mode))
         vars(self).update(state)
-        vars(self._computed).setdefault("modes", self.course.modes)
 
     @property
     def loop(self) -> Loop:
