@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -232,3 +234,15 @@ def has_ring(mechanism: Mechanism) -> bool:
     """Whether three frictions close a ring."""
     pairs = carriers_of_pairs(mechanism)
     return any(len(frozenset.union(*three)) == 3 for three in itertools.combinations(pairs, 3))
+
+
+def all_with(parts: Mapping[str, Any], **factors: float) -> dict[str, Any]:
+    """Multiply numbers of all parts of a kind."""
+
+    def changed(part: Any) -> Any:
+        given = {name: getattr(part, name) for name in factors}
+        return replace(
+            part, **{name: value * factors[name] for name, value in given.items() if value is not None}
+        )
+
+    return {name: changed(part) for name, part in parts.items()}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, cast
 
@@ -12,7 +12,6 @@ from trimmer.displacement import Displacement
 from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.motion import LoopMotion, Outcome
-from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import Steady, along
@@ -89,19 +88,19 @@ class PeriodicOrbit(Orbit):
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: the numbers of modes mean something to their loop alone."""
-        course, modes = self.course, self.course.modes
-        visited = {number: modes[number].statuses for number in np.unique(course.log.mode).tolist()}
-        parts = course.begin, course.end, course.ending, course.duration, course.log
-        return {each.name: getattr(self, each.name) for each in fields(self)} | {"course": (visited, *parts)}
+        visited = {
+            number: self.course.modes[number].statuses for number in np.unique(self.course.log.mode).tolist()
+        }
+        own = {each.name: getattr(self, each.name) for each in fields(self)}
+        return {**own, "course": replace(self.course, modes=None), "visited": visited}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Take what was pickled, and tabulate again the modes that the motion goes through."""
-        visited, begin, end, ending, duration, log = state.pop("course")
-        vars(self).update(state)
-        modes = self._computed.modes
+        """Take what was pickled, and tabulate again the modes that the orbit goes through."""
+        visited, course, modes = state.pop("visited"), state.pop("course"), state["flow"].modes
         numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
-        log = log._replace(mode=np.array([numbers[number] for number in log.mode.tolist()]))
-        vars(self)["course"] = Course(modes, begin, end, ending, duration, log)
+        mode = np.array([numbers[number] for number in course.log.mode.tolist()], dtype=np.int64)
+        state["course"] = replace(course, modes=modes, log=course.log._replace(mode=mode))
+        vars(self).update(state)
 
     @property
     def loop(self) -> Loop:

@@ -157,27 +157,7 @@ def test_motion_that_cannot_be_followed_ends_the_branch() -> None:
     assert branch.points[-1].value == pytest.approx(0.5, abs=1e-10)
 
 
-def test_no_start() -> None:
-    branch = continuation(Failing(), np.array([0.0]), 0.7, 1.0)
-    assert branch.reason is BranchEnd.NO_START
-    assert branch.points == ()
-    assert "0.7" in branch.message
-
-
-def test_unstable_start_is_said() -> None:
-    branch = continuation(Logistic(), np.array([0.7]), 3.3, 3.5, FollowSettings(switches=0))
-    assert branch.message.endswith("; the orbit it begins with is unstable")
-
-
 def test_most_points() -> None:
     branch = continuation(Logistic(), np.array([0.6]), 2.5, 2.9, FollowSettings(most_points=7))
     assert branch.reason is BranchEnd.MOST_POINTS
     assert len(branch.points) == 7
-
-
-@pytest.mark.parametrize(
-    ("start", "stop", "bounds"), [(1.0, 1.0, None), (1.0, np.inf, None), (1.0, 2.0, (1.5, 3.0))]
-)
-def test_unusable_interval(start: float, stop: float, bounds: tuple[float, float] | None) -> None:
-    with pytest.raises(ValueError):
-        continuation(Logistic(), np.array([0.6]), start, stop, FollowSettings(bounds=bounds))

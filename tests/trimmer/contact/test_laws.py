@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +14,7 @@ from hypothesis import strategies as st
 from tests.mechanisms.brute_force import Event
 from tests.mechanisms.comparison import difference
 from tests.mechanisms.dynamics import System
-from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.mechanisms.random_mechanisms import all_with, random_mechanism
 from tests.trimmer.contact.exact import ExactMotion, exact_motion
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Link, Play
@@ -54,18 +52,6 @@ def usual(mechanism: Mechanism) -> np.ndarray:
 def same_events(first: list[Event], second: list[Event], period: float) -> None:
     parted = difference(first, second, ENOUGH * period)
     assert math.isinf(parted.time), (parted.first, parted.second)
-
-
-def all_with(parts: Mapping[str, Any], **factors: float) -> dict[str, Any]:
-    """Multiply numbers of all parts of a kind."""
-
-    def changed(part: Any) -> Any:
-        given = {name: getattr(part, name) for name in factors}
-        return replace(
-            part, **{name: value * factors[name] for name, value in given.items() if value is not None}
-        )
-
-    return {name: changed(part) for name, part in parts.items()}
 
 
 @several

@@ -9,7 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trimmer.branches.stop_oscillator import of_pyharm
+from tests.mechanisms.brute_force import BruteForce
+from tests.mechanisms.dynamics import System
+from trimmer import forced_orbit
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of
 from trimmer.mechanism.mechanism import Mechanism
@@ -29,12 +31,11 @@ def oscillator() -> Mechanism:
 
 
 def exact_coefficients(samples: int = 1024) -> np.ndarray:
-    """Follow the closed form from an impact until it has settled, and sample its orbit."""
-    map, state = of_pyharm(), np.array([-25.0, 0.0])
-    for _ in range(120):
-        state = map.passage(OMEGA, state).end
-    piece_states = map.samples(OMEGA, state, samples)
-    coefficients = 2.0 * np.fft.rfft(piece_states[0]) / samples
+    """Sample the orbit with an impact over its period, by an integrator of its own."""
+    orbit = forced_orbit(oscillator(), guess={"body": (-25.0, 0.0)}, settling=120)
+    motion = BruteForce().run(System(oscillator()), orbit.instant.state, 0.0, orbit.period)
+    displacements = motion.states(orbit.period * np.arange(samples) / samples)[:, 0]
+    coefficients = 2.0 * np.fft.rfft(displacements) / samples
     coefficients[0] *= 0.5
     return np.asarray(coefficients)
 

@@ -76,12 +76,6 @@ def test_energies_are_those_of_springs_and_masses() -> None:
     assert balance.residual < 1e-12
 
 
-def test_residual_shows_what_is_missing() -> None:
-    balance = energy_balance(simulate(LOOPS["driven, play"], 0.1))
-    missing = replace(balance, damping_loss=balance.damping_loss + 1e-6 * balance.pin_work)
-    assert missing.residual == pytest.approx(1e-6, rel=1e-3)
-
-
 def test_at_rest_nothing_is_missing() -> None:
     assert energy_balance(simulate(LOOPS["closed, friction"], 0.1)).residual == 0.0
 

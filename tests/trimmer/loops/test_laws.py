@@ -16,7 +16,6 @@ from tests.trimmer.trimmers import trimmers
 from trimmer import (
     CoulombFriction,
     Drive,
-    FrictionBacklash,
     Motion,
     TrimmerLoop,
     TrimmerParameters,
@@ -165,14 +164,3 @@ def test_viscous_friction_is_a_damper(parameters: TrimmerParameters, damping: fl
         )
     )
     assert found == pytest.approx(expected, abs=1e-10 * abs(expected).max())
-
-
-def test_a_vanishing_gap_tends_to_no_gap() -> None:
-    times = np.linspace(0.0, 0.02, 50)
-    rigid, *loose = (
-        simulate(TrimmerLoop(THESIS, element, Drive(AMPLITUDE, OMEGA)), 0.02).output(times)
-        for element in (None, FrictionBacklash(1e-8 * AMPLITUDE), FrictionBacklash(1e-12 * AMPLITUDE))
-    )
-    errors = [abs(each - rigid).max() / abs(rigid).max() for each in loose]
-    assert errors[0] < 1e-6
-    assert errors[1] < 1e-3 * errors[0]

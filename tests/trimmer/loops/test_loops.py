@@ -97,14 +97,6 @@ def test_coulomb_friction(system: control.StateSpace, drive: tuple[float, float,
     compare(system, CoulombFriction(LEVEL), drive, start, course, 8.0)
 
 
-@pytest.mark.parametrize("factor", [0.5, -1.0])
-def test_factors_scale_the_output(factor: float) -> None:
-    scaled = control.ss(SECOND_ORDER.A, factor * SECOND_ORDER.B, SECOND_ORDER.C, 0)
-    start = with_pin_in_the_middle(scaled)
-    course = play(plant(scaled, None), GAP, 0.0, start, 8.0)
-    compare(SECOND_ORDER, factor * FrictionBacklash(GAP), None, start, course, 8.0)
-
-
 def test_viscous_friction_is_damping() -> None:
     motion = simulate(ClosedLoop(SECOND_ORDER, ViscousFriction(0.9)), 8.0, initial_state=[1.0, 0.0])
     damped = control.ss(control.tf([2.0], [1.0, 0.4 + 2.0 * 0.9, 3.0]))

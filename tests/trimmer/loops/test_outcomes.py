@@ -211,10 +211,3 @@ def test_simultaneous_events_are_one_instant() -> None:
     for each in (0, 1):
         assert two.event_times[each::2] == pytest.approx(one.event_times, rel=1e-13)
     assert [event.mode for event in two.events] == [event.mode for event in one.events for _ in (0, 1)]
-
-
-def test_frictions_between_the_same_bodies_add() -> None:
-    one, two = with_friction(0.5), with_friction(0.25, BLADES, BLADES)
-    times = np.linspace(0.0, 0.05, 100)
-    assert len(one.events) > 10
-    assert two.state(times) == pytest.approx(one.state(times), rel=1e-9, abs=1e-12)

@@ -22,14 +22,6 @@ def measures_of(mechanism: Mechanism, measures=of_orbit):
     return measures(flow, orbit.course, orbit.period_count)
 
 
-def test_measures_of_the_first_reference_case() -> None:
-    # Definition of the twin, reference cases: trimmer with 1 N; computed twice by different means.
-    found = measures_of(TWIN.with_value("frictions.blade.force", 1.0))
-    assert found.peak_to_peak["stroke"] == pytest.approx(2.933334121400e-3, rel=5e-13)
-    assert found.rms_acceleration["motor"] == pytest.approx(118.754895, abs=5e-7)
-    assert found.events == 14
-
-
 @pytest.mark.parametrize(("measures", "rel"), [(of_orbit, 1e-10), (of_window, 1e-7)])
 def test_a_linear_oscillator_is_that_of_the_textbook(measures, rel: float) -> None:
     """Even samples of a harmonic give its mean square exactly; between them swings are cubics."""

@@ -37,16 +37,26 @@ def open_loop(element: Element, drive: Drive = DRIVE) -> OpenLoop:
     return OpenLoop(system, element, drive)
 
 
+def rubbing(force: float) -> TrimmerLoop:
+    friction = BodyFriction(CUTTER_ON_GUARD, CoulombFriction(force))
+    return TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(2e-4), DRIVE, frictions=(friction,))
+
+
 @pytest.mark.parametrize(
-    "element", [FrictionBacklash(2e-4), ViscousBacklash(2e-4, 1e-3), InertiaBacklash(2e-4)]
+    ("loop", "precision"),
+    [
+        (open_loop(FrictionBacklash(2e-4)), 1e-12),
+        (open_loop(ViscousBacklash(2e-4, 1e-3)), 1e-12),
+        (open_loop(InertiaBacklash(2e-4)), 1e-12),
+        *((rubbing(force), 1e-11) for force in (0.25, 0.75, 5.0)),
+    ],
 )
-def test_motion_behind_play_repeats_with_the_drive(element: Element) -> None:
-    loop = open_loop(element)
+def test_motion_behind_play_repeats_with_the_drive(loop: OpenLoop | TrimmerLoop, precision: float) -> None:
+    """With friction beside it that sticks and slips too."""
     orbit = forced_orbit(loop)
-    later = simulate(loop, 1.0)
     times = np.linspace(0.97, 1.0, 301)
     exact = orbit.motion.output(np.mod(times, orbit.period))
-    assert later.output(times) == pytest.approx(exact, abs=1e-12)
+    assert simulate(loop, 1.0).output(times) == pytest.approx(exact, abs=precision)
     assert orbit.stable
 
 
@@ -61,21 +71,8 @@ def test_without_play_it_is_the_frequency_response() -> None:
     assert np.sort(abs(orbit.multipliers)) == pytest.approx(np.sort(abs(modes)), rel=1e-9)
 
 
-@pytest.mark.parametrize("force", [0.25, 0.75, 5.0])
-def test_friction_that_sticks_and_slips_repeats_too(force: float) -> None:
-    friction = BodyFriction(CUTTER_ON_GUARD, CoulombFriction(force))
-    loop = TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(2e-4), DRIVE, frictions=(friction,))
-    orbit = forced_orbit(loop)
-    later = simulate(loop, 1.0)
-    times = np.linspace(0.97, 1.0, 301)
-    exact = orbit.motion.output(np.mod(times, orbit.period))
-    assert later.output(times) == pytest.approx(exact, abs=1e-11)
-
-
 def test_friction_that_never_slips_leaves_the_place_open() -> None:
-    friction = BodyFriction(CUTTER_ON_GUARD, CoulombFriction(500.0))
-    loop = TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(2e-4), DRIVE, frictions=(friction,))
-    orbit = forced_orbit(loop)
+    orbit = forced_orbit(rubbing(500.0))
     times = np.linspace(0.0, orbit.period, 50, endpoint=False)
     assert np.ptp(orbit.motion.output(times)) < 1e-12
     # Cutter and guard could be stuck elsewhere as well: a shift neither grows nor decays. The multiplier one

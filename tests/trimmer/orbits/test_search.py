@@ -101,17 +101,6 @@ def test_settings_out_of_range_are_refused(setting: dict[str, object], message: 
         OrbitSearch(**setting)  # type: ignore[arg-type]
 
 
-def test_a_relay_that_comes_to_rest_is_told() -> None:
-    orbits = periodic_orbits(control.tf([1], [1, 2]), Relay(1.0))
-    assert len(orbits) == 0
-    assert orbits.search.simulations is not None
-    assert orbits.search.simulations.at_rest == 32
-    assert (
-        "all orbits of the relay that return with their signs changed after one switch"
-        in orbits.search.sentence
-    )
-
-
 def test_orbits_say_whether_the_search_went_to_its_end() -> None:
     orbits = periodic_orbits(pin_model(TrimmerParameters.thesis()), FrictionBacklash(4e-5))
     assert orbits.success

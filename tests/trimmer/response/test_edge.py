@@ -52,21 +52,6 @@ def test_a_block_that_just_touches_has_the_multipliers_of_either_side() -> None:
     assert "rests on an edge" in orbit.message
 
 
-def test_the_return_differs_by_finite_differences_to_either_side() -> None:
-    """Followed by ``simulate`` itself, which knows of no multipliers."""
-    from trimmer import simulate
-
-    mechanism, small = touching(), 1e-8
-    ends = {
-        side: simulate(mechanism, 1 / 40, state={"block": (side * small, 0.0)}).states([1 / 40])[:2, 0]
-        / small
-        for side in (1, -1)
-    }
-    assert ends[1] == pytest.approx(flow(HELD, 1 / 40)[:, 0], rel=1e-6)
-    assert -ends[-1] == pytest.approx(flow(FREE, 1 / 40)[:, 0], rel=1e-6)
-    assert abs(ends[1] + ends[-1]).max() > 0.1  # so there is no derivative
-
-
 def test_where_a_disturbance_changes_sides_within_the_period_no_multipliers_are_claimed() -> None:
     orbit = forced_orbit(touching(frequency=1.0))
     assert orbit.one_sided

@@ -11,9 +11,8 @@ import pytest
 from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.differences import once_around
 from tests.mechanisms.dynamics import System
-from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.mechanisms.random_mechanisms import all_with, random_mechanism
 from trimmer import Mechanism, MotionKind, UnsupportedMotionError, respond, simulate
-from trimmer.mechanism import Force
 from trimmer.response.response_json import response_json
 
 QUICK = (0, 7, 11, 27, 280)
@@ -66,52 +65,17 @@ def test_an_orbit_returns_by_brute_force(seed: int) -> None:
 def scaled(mechanism: Mechanism, length: float, force: float) -> Mechanism:
     """Return a mechanism with all lengths and forces multiplied, and with them stiffness and so on."""
     stiffness = force / length
-    bodies = {name: replace(body, mass=body.mass * stiffness) for name, body in mechanism.bodies.items()}
-    pins = {
-        name: replace(
-            pin, amplitude=pin.amplitude * length, offset=pin.offset * length, velocity=pin.velocity * length
-        )
-        for name, pin in mechanism.pins.items()
-    }
-    links = {
-        name: replace(link, stiffness=link.stiffness * stiffness, damping=link.damping * stiffness)
-        for name, link in mechanism.links.items()
-    }
-    plays, stops = (
-        {
-            name: replace(
-                part,
-                stiffness=part.stiffness * stiffness,
-                damping=part.damping * stiffness,
-                gap=part.gap * length,
-            )
-            for name, part in parts.items()
-        }
-        for parts in (mechanism.plays, mechanism.stops)
-    )
-    frictions = {
-        name: replace(
-            each,
-            force=each.force * force,
-            static=None if each.static is None else each.static * force,
-            viscous=each.viscous * stiffness,
-        )
-        for name, each in mechanism.frictions.items()
-    }
-    forces = {name: _scaled_force(each, force) for name, each in mechanism.forces.items()}
-    start = {name: (q * length, v * length) for name, (q, v) in mechanism.start.items()}
+    contact = {"stiffness": stiffness, "damping": stiffness, "gap": length}
     return replace(
-        mechanism, bodies=bodies, pins=pins, links=links, plays=plays, stops=stops, frictions=frictions,
-        forces=forces, start=start,
-    )  # fmt: skip
-
-
-def _scaled_force(part: Force, force: float) -> Force:
-    return replace(
-        part,
-        constant=part.constant * force,
-        amplitude=part.amplitude * force,
-        unbalance=part.unbalance * force,
+        mechanism,
+        bodies=all_with(mechanism.bodies, mass=stiffness),
+        pins=all_with(mechanism.pins, amplitude=length, offset=length, velocity=length),
+        links=all_with(mechanism.links, stiffness=stiffness, damping=stiffness),
+        plays=all_with(mechanism.plays, **contact),
+        stops=all_with(mechanism.stops, **contact),
+        frictions=all_with(mechanism.frictions, force=force, static=force, viscous=stiffness),
+        forces=all_with(mechanism.forces, constant=force, amplitude=force, unbalance=force),
+        start={name: (q * length, v * length) for name, (q, v) in mechanism.start.items()},
     )
 
 

@@ -69,20 +69,6 @@ def test_without_friction_it_is_chaotic() -> None:
     json.dumps(content, allow_nan=False)
 
 
-def test_a_conservative_oscillator_is_no_chaos() -> None:
-    """Without damping the free oscillation stays, with another frequency than the drive: a torus."""
-    mechanism = Mechanism(
-        {"body": Body(1.0)},
-        frequency=1.0,
-        links={"spring": Link(("ground", "body"), 30.0)},
-        forces={"push": Force("body", amplitude=1.0)},
-        outputs={"body": Output({"body": 1.0})},
-    )
-    response = respond(mechanism, most_periods=64)
-    assert response.kind is MotionKind.TORUS
-    assert abs(response.motion.lyapunov.value) < 0.01
-
-
 def test_what_friction_holds_rests_wherever_it_is_left() -> None:
     mechanism = Mechanism(
         {"body": Body(1.0)},

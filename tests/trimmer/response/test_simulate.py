@@ -6,7 +6,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import ContactLaw, MechanismError, simulate
@@ -57,26 +56,6 @@ def test_contact_forces_and_accelerations_are_one() -> None:
     smooth = abs(change / (2 * step) - expected) < 1e-3 * abs(expected).max()
     assert smooth.mean() > 0.99
     assert motion.contact_force("bridge", 0.0).shape == ()
-
-
-def test_a_regular_mechanism_follows_another_integrator() -> None:
-    mechanism = example("thesis")
-    motion = simulate(mechanism, 0.03)
-    from trimmer.mechanism import linear_matrices
-
-    matrices, omega = linear_matrices(mechanism), 2 * np.pi * mechanism.frequency
-    (pin,) = mechanism.pins.values()
-
-    def rate(time: float, state: np.ndarray) -> np.ndarray:
-        q, v = state[:4], state[4:]
-        u = np.array([pin.amplitude * np.sin(omega * time)])
-        du = np.array([pin.amplitude * omega * np.cos(omega * time)])
-        force = matrices.pin_displacement @ u + matrices.pin_velocity @ du
-        force -= matrices.stiffness @ q + matrices.damping @ v
-        return np.concatenate([v, np.linalg.solve(matrices.mass, force)])
-
-    peer = solve_ivp(rate, (0, 0.03), np.zeros(8), method="DOP853", rtol=1e-11, atol=1e-16)
-    assert motion.states([0.03])[:, 0] == pytest.approx(peer.y[:, -1], rel=1e-7, abs=1e-12)
 
 
 def test_what_is_not_there_is_named() -> None:

@@ -123,6 +123,7 @@ def test_columns_take_attributes_and_rows() -> None:
     ("count", "noun", "text"),
     [
         (0, "orbit", "0 orbits"),
+        (2, "body", "2 bodies"),
         (1, "stretch", "1 stretch"),
         (2, "stretch", "2 stretches"),
         (2, "day", "2 days"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import builtins
 import re
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
@@ -18,7 +17,7 @@ import trimmer
 from tests.json_document import documented
 from tests.public_names import public_names
 from tests.trimmer import results
-from trimmer.showing.shown import Shown, Tabular, counted
+from trimmer.showing.shown import Shown, Tabular
 
 RESULTS: dict[str, Callable[[], object]] = {
     "HarmonicBalance": results.balance,
@@ -160,15 +159,6 @@ def test_limit_cycles_have_frequency_and_stability() -> None:
     assert frame.attrs["units"]["frequency"] == "Hz"
 
 
-def test_a_branch_lists_its_orbits_in_order() -> None:
-    branch = results.branch()
-    frame = branch.to_dataframe()
-    assert frame["value"].tolist() == [point.value for point in branch.points]
-    strokes = [point.outputs["x"].peak_to_peak for point in branch.points]
-    assert frame["outputs.x.peak_to_peak"].tolist() == strokes
-    assert frame.attrs["units"]["value"] == "Hz"
-
-
 @pytest.mark.parametrize(
     ("motion", "columns"),
     [
@@ -212,19 +202,6 @@ def test_a_basin_numbers_its_motions_as_its_legend_does() -> None:
     assert found.to_dataframe()["motion"].tolist() == (found.number.ravel() + 1).tolist()
 
 
-def test_without_pandas_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    real = builtins.__import__
-
-    def without(name: str, *others: object, **named: object) -> object:
-        if name == "pandas":
-            raise ImportError(name)
-        return real(name, *others, **named)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(builtins, "__import__", without)
-    with pytest.raises(trimmer.errors.MissingPackageError, match="pip install pandas"):
-        results.balance().to_dataframe()
-
-
 def test_what_comes_from_the_user_is_escaped() -> None:
     signal = trimmer.Signal([1.0, 2.0], 10.0, "<script>&", "m")
     text = HTMLFormatter()(signal)
@@ -244,10 +221,3 @@ def test_a_long_title_does_not_make_a_long_line() -> None:
 
 def test_results_stay_dataclasses() -> None:
     assert all(is_dataclass(make()) for make in RESULTS.values())
-
-
-@pytest.mark.parametrize(
-    ("count", "noun", "text"), [(1, "body", "1 body"), (2, "body", "2 bodies"), (3, "play", "3 plays")]
-)
-def test_counted(count: int, noun: str, text: str) -> None:
-    assert counted(count, noun) == text
