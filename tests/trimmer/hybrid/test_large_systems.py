@@ -7,10 +7,11 @@ import tracemalloc
 
 import numpy as np
 
-from trimmer.contact.flow import Course, MechanismFlow
+from trimmer.contact.flow import MechanismFlow
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop
+from trimmer.motion.course import Course
 
 FREQUENCY = 50.0
 COPIES = 16
