@@ -10,7 +10,7 @@ from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.loops import require_loop
 from trimmer.orbits.realization import restated
 from trimmer.response.forced_orbit import SETTLING, exact_orbit
-from trimmer.response.shooting import CLOSED, sizes_of
+from trimmer.response.shooting import SETTLED, sizes_of
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import Drive, Loop
@@ -58,7 +58,7 @@ def _returns(orbit: PeriodicOrbit) -> bool:
     course = orbit.course
     missed, sizes = abs(course.end.state - course.begin.state), sizes_of(course)
     # What the symmetry of a machine keeps at rest moves by the rounding of what does move.
-    return bool((missed <= NEARLY * sizes + CLOSED * sizes.max(initial=0.0)).all())
+    return bool((missed <= NEARLY * sizes + SETTLED * sizes.max(initial=0.0)).all())
 
 
 def _gone_away(orbit: PeriodicOrbit) -> bool:

@@ -92,7 +92,7 @@ class PeriodicOrbit(Orbit):
             number: self.course.modes[number].statuses for number in np.unique(self.course.log.mode).tolist()
         }
         own = {each.name: getattr(self, each.name) for each in fields(self)}
-        return {**own, "course": replace(self.course, modes=None), "visited": visited}
+        return {**own, "course": replace(self.course, modes=cast("Any", None)), "visited": visited}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take what was pickled, and tabulate again the modes that the orbit goes through."""
