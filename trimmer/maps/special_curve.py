@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,9 +17,6 @@ from trimmer.one_orbit import same_states
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
-
-if TYPE_CHECKING:
-    pass
 
 ON_CURVE = 5e-3
 """Distance in shares of the ranges within which a special point lies on a curve that is known."""

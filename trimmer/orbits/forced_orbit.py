@@ -10,7 +10,7 @@ from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.loops import require_loop
 from trimmer.orbits.realization import restated
 from trimmer.response.forced_orbit import SETTLING, exact_orbit
-from trimmer.response.shooting import SETTLED, sizes_of
+from trimmer.response.shooting import SETTLED, SINGULAR, sizes_of
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import Drive, Loop
@@ -21,8 +21,6 @@ RESONANT = 1e-7
 """Distance of a pole from a multiple of the drive's frequency, as a share: a double one is known to that."""
 NEARLY = 1e-6
 """Miss, as a share of the sizes of the orbit itself, that is more than what rounding leaves."""
-SINGULAR = 1e-12
-"""Singular value of Newton's matrix, as a share of the largest one or of 1, that is rounding."""
 TOLD_APART = 1e-10 / float(np.finfo(float).eps)
 """State over its size beyond which its rounding alone is more than the miss of a closed return."""
 

@@ -6,7 +6,6 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from operator import attrgetter
-from typing import TYPE_CHECKING
 
 from trimmer.arguments import real_number, require_instance, truth_value
 from trimmer.errors import SignalWarning
@@ -28,9 +27,6 @@ from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    pass
 
 USUAL_LIMIT = 20
 """Number of peaks that are kept if none is given."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,9 +17,6 @@ from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.spectrum import FEWEST_SAMPLES, IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    pass
 
 CONFIDENCE = 0.95
 """Confidence of all intervals."""

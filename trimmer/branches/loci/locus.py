@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from trimmer.arguments import finite_number, positive_number, whole_number
 from trimmer.arrays import Reals
@@ -12,9 +11,6 @@ from trimmer.choices import Choice
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, arrays
-
-if TYPE_CHECKING:
-    pass
 
 
 class LocusEnd(Choice):
