@@ -18,8 +18,6 @@ from trimmer.elements.unbounded import EVEN, UnboundedElement
 from trimmer.errors import UnsupportedElementError
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
 
 SETTLING = 2
@@ -77,11 +75,9 @@ class ControlElement(UnboundedElement):
         bend[~np.isfinite(bend)] = 0.0
         return float(amplitudes[1 + int(np.argmax(bend))]) if bend.max() > 1e-6 else 1.0
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals | float:
         """Return the gain for the mean of the input; NaN for an element with memory."""
-        if self.nonlinearity._isstatic():
-            return self._mean_slope(amplitude)
-        return super().mean_gain(amplitude)
+        return self._mean_slope(amplitude) if self.nonlinearity._isstatic() else super()._mean_gain(amplitude)
 
     def doubts_at(self, amplitude: float) -> tuple[str, ...]:
         """Hold the nonlinearity's own describing function against its output at an amplitude.

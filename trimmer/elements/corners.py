@@ -18,16 +18,13 @@ import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
-from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
+from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_arguments import argument_less_sine, sine_less_cosine_part
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Reals
-    from trimmer.elements.element import Range
+    from trimmer.elements.element import Bounds, Limits
 
 _STEEPEST = 4.0 / np.pi
 """|dN/du| over the slope at u = 0, its largest value: it is (4/π) cos α."""
@@ -65,18 +62,14 @@ class CornerElement(Element):
         """1: an amplitude below the threshold never reaches a corner."""
         return 1.0
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return (4/π) slope cos α at the lowest u, as |dN/du| falls with u; and 0 for |dN/d(ln omega)|."""
-        shape = range_shape(u_range, omega_range)
-        by_u = ROUNDED_UP * _STEEPEST * self.slope * _cosine(u_range[0])
-        return GainSensitivity(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        return ROUNDED_UP * _STEEPEST * self.slope * _cosine(u[0]), 0.0
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return the change of (4/π) slope cos α between the ends of u, as it is monotonic; and 0."""
-        shape = range_shape(u_range, omega_range)
-        change = _cosine(u_range[0]) - _cosine(u_range[1]) + _ROUNDING
-        by_u = ROUNDED_UP * _STEEPEST * self.slope * change
-        return GainVariation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        change = _cosine(u[0]) - _cosine(u[1]) + _ROUNDING
+        return ROUNDED_UP * _STEEPEST * self.slope * change, 0.0
 
     @property
     @abstractmethod
@@ -132,6 +125,6 @@ def _adjacent(element: CornerElement, amplitude: Reals) -> Reals:
     return np.asarray(np.sqrt(beyond) * np.sqrt(amplitude + element.threshold))
 
 
-def _cosine(u: ArrayLike) -> Reals:
-    ratio = np.minimum(np.asarray(u, dtype=float), 1.0)
+def _cosine(u: Reals) -> Reals:
+    ratio = np.minimum(u, 1.0)
     return np.asarray(np.sqrt((1.0 - ratio) * (1.0 + ratio)))

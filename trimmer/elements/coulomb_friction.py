@@ -8,12 +8,9 @@ from typing import TYPE_CHECKING, ClassVar, final
 import numpy as np
 
 from trimmer.arguments import positive_number
-from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.square_wave import SquareWaveElement
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Reals
 
 
@@ -44,9 +41,9 @@ class CoulombFriction(SquareWaveElement):
         """The friction force, N."""
         return self.force
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> float:
         """Return 0: a mean of the displacement does not change its velocity, hence not the force."""
-        return np.zeros(positive_amplitudes(amplitude).shape)[()]
+        return 0.0
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
         return self.force * np.sign(np.cos(phase))

@@ -7,13 +7,10 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.corners import CornerElement, clipped_harmonic, corner_share, missing_fundamental
 from trimmer.elements.small_gains import SmallGains, real_small_gains
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
 
 
@@ -42,10 +39,9 @@ class DeadZone(CornerElement):
         """Tell that N is real and positive wherever it is not zero."""
         return real_small_gains(self.slope)
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals:
         """Return the slope times the share of the time beyond the threshold."""
-        amplitudes = positive_amplitudes(amplitude)
-        return (self.slope * (1.0 - corner_share(self, amplitudes)))[()]
+        return self.slope * (1.0 - corner_share(self, amplitude))
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         gain = (

@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arguments import real_values
 from trimmer.elements.arguments import harmonic_number, positive_amplitudes, positive_omegas
-from trimmer.elements.expansion import Derivatives, Expansion
+from trimmer.elements.expansion import Derivatives, Expansion, GainSensitivity, GainVariation
 from trimmer.showing.drawn import Drawn, drawn
 
 if TYPE_CHECKING:
@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element_at_frequency import ElementAtFrequency
-    from trimmer.elements.expansion import GainSensitivity, GainVariation
     from trimmer.elements.scaled_element import ScaledElement
     from trimmer.elements.small_gains import SmallGains
     from trimmer.elements.sum_of_elements import SumOfElements
 
     Range = tuple[ArrayLike, ArrayLike]
+    Limits = tuple[Reals, Reals]
+    Bounds = tuple[Reals | float, Reals | float]
 
 
 Number = TypeVar("Number", np.float64, np.complex128)
@@ -170,9 +171,9 @@ class Element(Drawn, ABC):
         Raises:
             ValueError: as for ``describing_function``.
         """
-        return np.full(self._omegas(omega).shape, np.inf)[()]
+        omegas = self._omegas(omega)
+        return _in_shape(self._domain(omegas.ravel()), omegas.shape)
 
-    @abstractmethod
     def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
         """Bound the derivatives of N on boxes of u and omega, as far as they lie in the domain.
 
@@ -188,14 +189,19 @@ class Element(Drawn, ABC):
         Raises:
             ValueError: as for ``describing_function``.
         """
+        shape, boxes = self._boxes(u_range, omega_range)
+        with np.errstate(all="ignore"):
+            return GainSensitivity(*(_in_shape(each, shape) for each in self._sensitivity(*boxes)))
 
-    @abstractmethod
     def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
         """Bound how much the derivatives of N change on boxes of u and omega, inside the domain.
 
         With it Newton's method and the uniqueness of a solution can be proven. Arguments and errors are those
         of ``sensitivity``, and so is what is proven.
         """
+        shape, boxes = self._boxes(u_range, omega_range)
+        with np.errstate(all="ignore"):
+            return GainVariation(*(_in_shape(each, shape) for each in self._variation(*boxes)))
 
     def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
         """Bound how far N is from its value in the middle of u, on boxes in the domain, at constant omega.
@@ -204,7 +210,11 @@ class Element(Drawn, ABC):
 
         Arguments and errors are those of ``sensitivity``, and so is what is proven.
         """
-        return None
+        if not self._has_reach:
+            return None
+        shape, boxes = self._boxes(u_range, omega_range)
+        with np.errstate(all="ignore"):
+            return _in_shape(self._reach(*boxes), shape)
 
     def small_gains(self) -> SmallGains | None:
         """Tell how N goes to zero at the edge of the domain; None if nothing is known of that.
@@ -213,7 +223,6 @@ class Element(Drawn, ABC):
         """
         return None
 
-    @abstractmethod
     def mean_gain(self, amplitude: ArrayLike) -> Reals:
         """Return the gain for the mean of the input, while that oscillates.
 
@@ -226,6 +235,9 @@ class Element(Drawn, ABC):
         Returns:
             In the unit of output over input, of the shape of the amplitude.
         """
+        amplitudes = positive_amplitudes(amplitude)
+        with np.errstate(all="ignore"):
+            return _in_shape(self._mean_gain(amplitudes.ravel()), amplitudes.shape)
 
     def at(self, omega: float) -> ElementAtFrequency:
         """Return this element frozen at an omega, rad/s: its N depends on amplitude only.
@@ -291,6 +303,43 @@ class Element(Drawn, ABC):
     def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
         """Evaluate N_1 and its derivatives; all arrays have shape (n,)."""
 
+    @abstractmethod
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
+        """Bound |dN/du| and |dN/d(ln omega)| between limits of shape (n,), each as a number or so."""
+
+    @abstractmethod
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
+        """Bound the changes of dN/du and dN/d(ln omega), as ``_sensitivity`` does."""
+
+    @abstractmethod
+    def _mean_gain(self, amplitude: Reals) -> Reals | float:
+        """Evaluate the gain for the mean at amplitudes of shape (n,), as a number or so."""
+
+    def _domain(self, omega: Reals) -> Reals | float:
+        """Return the supremum of u at omegas of shape (n,), as a number or so: infinity, any amplitude."""
+        return math.inf
+
+    @property
+    def _has_reach(self) -> bool:
+        """Whether ``_reach`` bounds how far N is from its value in the middle of u, as |dN/du| does not."""
+        return False
+
+    def _reach(self, u: Limits, omega: Limits) -> Reals:
+        raise NotImplementedError
+
+    def _boxes(
+        self, u_range: Range, omega_range: Range | None
+    ) -> tuple[tuple[int, ...], tuple[Limits, Limits]]:
+        """Return the shape of boxes, and their limits, each of shape (n,)."""
+        limits = [*u_range, *(self._omegas(each) for each in omega_range or (None, None))]
+        shapes = {np.shape(each) for each in (limits if omega_range else u_range)}
+        shape = shapes.pop() if len(shapes) == 1 else np.broadcast_shapes(*shapes)
+        boxes = np.empty((4, *shape))
+        for place, limit in enumerate(limits):
+            boxes[place, ...] = limit
+        lower, upper, slowest, fastest = boxes.reshape(4, -1)
+        return shape, ((lower, upper), (slowest, fastest))
+
     def _inputs(self, amplitude: ArrayLike, omega: ArrayLike | None) -> tuple[Reals, Reals]:
         amplitudes, omegas = positive_amplitudes(amplitude), self._omegas(omega)
         # What broadcast_arrays does, for the frequent case, in a fraction of its time.
@@ -308,6 +357,13 @@ class Element(Drawn, ABC):
                 )
             return _ANY_OMEGA
         return positive_omegas(omega)
+
+
+def _in_shape(values: ArrayLike, shape: tuple[int, ...]) -> Reals:
+    """Return numbers, one or one for each entry of a shape, in that shape; a scalar where it is ()."""
+    whole = np.empty(shape)
+    whole.reshape(-1)[:] = values
+    return whole[()]
 
 
 def _scalar_if_0d(values: NDArray[Number]) -> NDArray[Number]:

@@ -112,7 +112,7 @@ class StaticElement(UnboundedElement):
         """The scale, in the unit of the input."""
         return self.scale
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals:
         """Return the mean slope of f over a period."""
         return self._mean_slope(amplitude)
 

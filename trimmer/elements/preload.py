@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
 from trimmer.arguments import positive_number
-from trimmer.elements.arguments import positive_amplitudes
-from trimmer.elements.square_wave import SquareWaveElement
+from trimmer.elements.square_wave import IdealRelay
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
 
 
 @final
 @dataclass(frozen=True)
-class Preload(SquareWaveElement):
+class Preload(IdealRelay):
     """Preload, y = slope * x + level * sign(x): N = slope + 4 level / (π A), N_n = 4 level / (π n A).
 
     It is a ``Relay`` beside a gain; harmonic balance moves the gain to the linear system. Source: Gelb and
@@ -34,27 +31,19 @@ class Preload(SquareWaveElement):
         ValueError: if either is not positive and finite; without slope it is a ``Relay``.
     """
 
-    level: float
     slope: float
-    LEAD: ClassVar[complex] = 1.0
 
     def __post_init__(self) -> None:
         positive_number("level", self.level, "unit of the output")
         positive_number("slope", self.slope, "output per input")
 
-    @property
-    def height(self) -> float:
-        """The level, in the unit of the output."""
-        return self.level
-
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals:
         """Return slope + 2 level / (π A): that of the relay and of the gain together."""
-        return np.asarray(self.slope + 2.0 * self.level / (np.pi * positive_amplitudes(amplitude)))[()]
+        return self.slope + super()._mean_gain(amplitude)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         of_relay = super()._describing_function(amplitude, omega, harmonic)
         return of_relay + self.slope if harmonic == 1 else of_relay
 
     def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
-        given = np.sin(phase)
-        return np.asarray(self.slope * amplitude * given + self.level * np.sign(given))
+        return self.slope * amplitude * np.sin(phase) + super()._waveform(phase, amplitude, omega)

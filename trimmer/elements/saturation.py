@@ -7,13 +7,10 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
-from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.corners import CornerElement, clipped_fundamental, clipped_harmonic, corner_share
 from trimmer.elements.small_gains import SmallGains, real_small_gains
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
 
 
@@ -40,10 +37,9 @@ class Saturation(CornerElement):
         """Tell that N is real and positive at all amplitudes."""
         return real_small_gains(self.slope)
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals:
         """Return the slope times 2α/π, the share of the time below the threshold."""
-        amplitudes = positive_amplitudes(amplitude)
-        return (self.slope * corner_share(self, amplitudes))[()]
+        return self.slope * corner_share(self, amplitude)
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         gain = (

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from trimmer.elements.bounds import constant_sensitivity, no_variation
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Range
-    from trimmer.elements.expansion import GainSensitivity, GainVariation
+    from trimmer.elements.element import Bounds, Limits
 
 
 FUNDAMENTAL = 4.0 / np.pi
@@ -40,13 +39,13 @@ class SquareWaveElement(Element):
         """The height of the output, so that N = (4/π) exp(jφ) u; only its number counts, not its unit."""
         return self.height
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return 4/π for |dN/du| and 0 for |dN/d(ln omega)|: N is linear in u."""
-        return constant_sensitivity(FUNDAMENTAL, 0.0, u_range, omega_range)
+        return FUNDAMENTAL, 0.0
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return zeros: N is linear in u."""
-        return no_variation(u_range, omega_range)
+        return 0.0, 0.0
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         return self.LEAD**harmonic * (FUNDAMENTAL / harmonic * self.height / amplitude).astype(complex)
@@ -54,3 +53,27 @@ class SquareWaveElement(Element):
     def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
         value = self._describing_function(amplitude, omega, 1)
         return Expansion(value, np.full_like(value, self.LEAD * FUNDAMENTAL), np.zeros_like(value))
+
+
+@dataclass(frozen=True)
+class IdealRelay(SquareWaveElement):
+    """A relay without thresholds, y = level * sign(x).
+
+    Attributes:
+        level: Output for a positive input, > 0, in the unit of the output.
+    """
+
+    level: float
+    LEAD: ClassVar[complex] = 1.0
+
+    @property
+    def height(self) -> float:
+        """The level, in the unit of the output."""
+        return self.level
+
+    def _mean_gain(self, amplitude: Reals) -> Reals:
+        """Return 2 level / (π A), half of N_1: the mean output is (2/π) level asin(b/A)."""
+        return np.asarray(2.0 * self.level / (np.pi * amplitude))
+
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        return np.asarray(self.level * np.sign(np.sin(phase)))

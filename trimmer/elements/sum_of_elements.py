@@ -10,16 +10,15 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.arguments import require_instances
-from trimmer.elements.bounds import range_shape
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
+from trimmer.elements.expansion import Expansion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from collections.abc import Sequence
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Range
+    from trimmer.elements.element import Bounds, Limits
 
 
 @final
@@ -63,55 +62,43 @@ class SumOfElements(Element):
         """The largest of the terms' values, each in terms of the u of the sum."""
         return max(self._ratio(term) * term.constant_from for term in self.terms)
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
+    def _domain(self, omega: Reals) -> Reals | float:
         """Return the smallest of the terms' suprema, each in terms of the u of the sum."""
-        omegas = self._omegas(omega)
-        limits = [self._ratio(term) * term.domain(omegas) for term in self.terms]
-        return np.asarray(reduce(np.minimum, limits))[()]
+        return reduce(np.minimum, (self._ratio(term) * term._domain(omega) for term in self.terms))
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return the sums of the terms' bounds: a modulus of a sum is at most the sum of the moduli."""
-        bounds = [
-            (self._ratio(term), term.sensitivity(self._range_of(term, u_range), omega_range))
-            for term in self.terms
-        ]
-        return GainSensitivity(
-            reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
-            reduce(add, (bound.by_log_omega for _, bound in bounds)),
-        )
+        return self._added([term._sensitivity(self._of_term(term, u), omega) for term in self.terms])
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return the sums of the terms' bounds of the changes."""
-        bounds = [
-            (self._ratio(term), term.variation(self._range_of(term, u_range), omega_range))
-            for term in self.terms
-        ]
-        return GainVariation(
-            reduce(add, (bound.by_u / ratio for ratio, bound in bounds)),
-            reduce(add, (bound.by_log_omega for _, bound in bounds)),
-        )
+        return self._added([term._variation(self._of_term(term, u), omega) for term in self.terms])
 
-    def reach(self, u_range: Range, omega_range: Range | None = None) -> Reals | None:
-        """Return the sum of the terms' bounds; None if none of them gives one."""
-        bounds = [term.reach(self._range_of(term, u_range), omega_range) for term in self.terms]
-        if all(bound is None for bound in bounds):
-            return None
-        half_width = 0.5 * np.subtract(u_range[1], u_range[0])
-        total = np.zeros(range_shape(u_range, omega_range))
-        for term, bound in zip(self.terms, bounds, strict=True):
-            if bound is None:
-                steepest = term.sensitivity(self._range_of(term, u_range), omega_range).by_u
-                bound = steepest * half_width / self._ratio(term)
-            total = total + bound
-        return total[()]
+    @property
+    def _has_reach(self) -> bool:
+        return any(term._has_reach for term in self.terms)
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _reach(self, u: Limits, omega: Limits) -> Reals:
+        """Return the sum of the terms' bounds; where |dN/du| is one, that times half the width."""
+        return reduce(add, (self._reach_of(term, self._of_term(term, u), omega) for term in self.terms))
+
+    def _reach_of(self, term: Element, u: Limits, omega: Limits) -> Reals:
+        if term._has_reach:
+            return term._reach(u, omega)
+        steepest, _ = term._sensitivity(u, omega)
+        return np.asarray(steepest * 0.5 * (u[1] - u[0]))
+
+    def _mean_gain(self, amplitude: Reals) -> Reals | float:
         """Return the sum of the terms' gains for the mean."""
-        return reduce(add, (term.mean_gain(amplitude) for term in self.terms))
+        return reduce(add, (term._mean_gain(amplitude) for term in self.terms))
 
-    def _range_of(self, term: Element, u_range: Range) -> Range:
-        lower, upper = u_range
-        return np.divide(lower, self._ratio(term)), np.divide(upper, self._ratio(term))
+    def _added(self, bounds: Sequence[Bounds]) -> Bounds:
+        """Add the terms' bounds by u and by ln omega, the former in terms of the u of the sum."""
+        by_u = (bound / self._ratio(term) for term, (bound, _) in zip(self.terms, bounds, strict=True))
+        return reduce(add, by_u), reduce(add, (bound for _, bound in bounds))
+
+    def _of_term(self, term: Element, u: Limits) -> Limits:
+        return u[0] / self._ratio(term), u[1] / self._ratio(term)
 
     def _ratio(self, term: Element) -> float:
         """Return u of the sum over u of a term, at the same amplitude."""

@@ -22,12 +22,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_gains import SmallGains, real_small_gains
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Flags, Reals
+    from trimmer.elements.element import Bounds, Limits
 
 _BEHIND = 0.61
 _ROUNDING = 1e-15
@@ -36,8 +37,8 @@ _LARGEST = np.finfo(float).max
 
 
 @dataclass(frozen=True)
-class Thresholds:
-    """A relay that switches on at an input > 0; results have the shape of amplitude or u.
+class ThresholdRelay(Element):
+    """A relay that switches on at an input > 0.
 
     Attributes:
         level: L, output beyond the thresholds, > 0.
@@ -60,7 +61,17 @@ class Thresholds:
         return self.dead_zone - self.hysteresis
 
     @property
-    def size(self) -> float:
+    def amplitude_scale(self) -> float:
+        """The amplitude from which on it switches, in the unit of the input."""
+        return self.on
+
+    @property
+    def constant_from(self) -> float:
+        """1 if the relay rests below the threshold; infinite if it stays switched."""
+        return 1.0 if self.rests else math.inf
+
+    @property
+    def _size(self) -> float:
         """The factor c = 2L / (π on), in the unit of N."""
         return 2.0 * self.level / (math.pi * self.on)
 
@@ -69,16 +80,16 @@ class Thresholds:
         """Whether the output is zero, from any start, while the amplitude does not exceed ``on``."""
         return self.off >= 0.0
 
-    def silent(self, amplitude: Reals) -> Flags:
+    def _silent(self, amplitude: Reals) -> Flags:
         """Return whether the amplitude is too small for the relay to switch."""
         return np.asarray(amplitude <= self.on)
 
     @property
-    def silence(self) -> float:
+    def _silence(self) -> float:
         """What N is where the relay does not switch: 0 if it rests there, else NaN."""
         return 0.0 if self.rests else math.nan
 
-    def cosines(self, amplitude: Reals) -> tuple[Reals, Reals]:
+    def _cosines(self, amplitude: Reals) -> tuple[Reals, Reals]:
         """Return cos α and cos ρ, to full relative precision; NaN where the relay does not switch."""
         half = 0.5 * np.minimum(amplitude, _LARGEST)  # The sum below would overflow for the whole.
         rising, falling = (
@@ -87,10 +98,10 @@ class Thresholds:
         )
         return rising, falling
 
-    def harmonic(self, amplitude: Reals, harmonic: int) -> Complexes:
-        """Evaluate N_n for odd n; ``silence`` where the relay does not switch."""
+    def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
+        """Evaluate N_n for odd n; ``_silence`` where the relay does not switch."""
         finite = np.minimum(amplitude, _LARGEST)
-        rising, falling = self.cosines(amplitude)
+        rising, falling = self._cosines(amplitude)
         sine, other = self.on / finite, self.off / finite
         middle = 0.5 * (np.arctan2(sine, rising) + np.arctan2(other, falling))
         from_peak = 0.5 * (np.arctan2(rising, sine) + np.arctan2(falling, other))
@@ -98,7 +109,7 @@ class Thresholds:
         cosine = np.where(middle < from_peak, np.cos(harmonic * middle), sign * np.sin(harmonic * from_peak))
         size = 4.0 * self.level / (np.pi * harmonic) / amplitude
         value = size * cosine * np.exp(-1j * harmonic * self._lag(finite, rising, falling))
-        value[self.silent(amplitude)] = self.silence
+        value[self._silent(amplitude)] = self._silence
         return np.asarray(value)
 
     def _lag(self, amplitude: Reals, rising: Reals, falling: Reals) -> Reals:
@@ -109,79 +120,81 @@ class Thresholds:
         sine = width * (2.0 * self.dead_zone / (self.on * falling + self.off * rising))
         return 0.5 * np.arctan2(sine, rising * falling + self.on / amplitude * (self.off / amplitude))
 
-    def slope(self, amplitude: Reals) -> Complexes:
-        """Evaluate dN_1/du = c (exp(-2jα) / cos α + exp(2jρ) / cos ρ)."""
+    def _expansion(self, amplitude: Reals, omega: Reals) -> Expansion:
+        """Evaluate N_1, and dN_1/du = c (exp(-2jα) / cos α + exp(2jρ) / cos ρ)."""
+        value = self._describing_function(amplitude, omega, 1)
         finite = np.minimum(amplitude, _LARGEST)
-        rising, falling = self.cosines(amplitude)
-        value = (rising - 1j * self.on / finite) ** 2 / rising
-        value += (falling + 1j * self.off / finite) ** 2 / falling
-        value *= self.size
-        value[self.silent(amplitude)] = self.silence
-        return np.asarray(value)
+        rising, falling = self._cosines(amplitude)
+        slope = (rising - 1j * self.on / finite) ** 2 / rising
+        slope += (falling + 1j * self.off / finite) ** 2 / falling
+        slope *= self._size
+        slope[self._silent(amplitude)] = self._silence
+        return Expansion(value, slope, np.zeros_like(value))
 
-    def mean_gain(self, amplitude: Reals) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals:
         """Evaluate L/(πA) (1/cos α + 1/cos ρ), which follows from the four phases of switching."""
-        rising, falling = self.cosines(amplitude)
+        rising, falling = self._cosines(amplitude)
         gain = self.level / (np.pi * amplitude) * (1.0 / rising + 1.0 / falling)
-        return np.where(self.silent(amplitude), self.silence, gain)
+        return np.where(self._silent(amplitude), self._silence, gain)
 
-    def output(self, phase: Reals, amplitude: Reals) -> Reals:
-        """Evaluate the steady output."""
-        rising, falling = self.cosines(amplitude)
+    def _waveform(self, phase: Reals, amplitude: Reals, omega: Reals) -> Reals:
+        rising, falling = self._cosines(amplitude)
         start = np.arctan2(self.on / amplitude, rising)
         duration = np.pi - start - np.arctan2(self.off / amplitude, falling)
         elapsed = np.mod(phase - start, 2.0 * np.pi)
         value = np.where(elapsed < duration, self.level, 0.0)
         value = np.where((elapsed >= np.pi) & (elapsed - np.pi < duration), -self.level, value)
-        return np.where(self.silent(amplitude), self.silence, value)
+        return np.where(self._silent(amplitude), self._silence, value)
 
     def small_gains(self) -> SmallGains:
-        """Tell how N goes to zero."""
+        """Tell how N goes to zero for large amplitudes and, in a dead zone, for small ones."""
         if self.hysteresis == 0:
-            return real_small_gains(self.size)
+            return real_small_gains(self._size)
         reach = math.sqrt(self.hysteresis / self.on) / ROUNDED_UP
-        return SmallGains(1.0, self.size, 0.0, steepest=0.0, gentlest=0.0, behind=_BEHIND, reach=reach)
+        return SmallGains(1.0, self._size, 0.0, steepest=0.0, gentlest=0.0, behind=_BEHIND, reach=reach)
 
-    def steepest(self, u_upper: ArrayLike) -> Reals:
+    def _domain(self, omega: Reals) -> float:
+        """Return 1 if the relay stays switched below the threshold, else infinity."""
+        return math.inf if self.rests else 1.0
+
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Bound |dN/du| up to some u by c (1/cos α + 1/cos ρ); infinite at u = 1."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(ROUNDED_UP * self.size * sum(1.0 / np.cos(a) for a in self._angles(u_upper)))
+        return ROUNDED_UP * self._size * sum(1.0 / np.cos(angle) for angle in self._angles(u[1])), 0.0
 
-    def change_of_slope(self, u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Bound the change of dN/du between two u; infinite at u = 1.
 
         The derivative of exp(-2jα)/cos α by α has the modulus √(4 + tan² α) / cos α, which rises with |α|.
         """
-        total: Reals = np.asarray(0.0)
-        for first, last in zip(self._angles(u_lower), self._angles(u_upper), strict=True):
-            cosine = np.cos(last)
-            steepness = np.sqrt(4.0 + np.tan(last) ** 2) / cosine
-            total = total + (np.abs(last - first) + _ROUNDING) * steepness
-        return np.asarray(ROUNDED_UP * self.size * total)
+        total = np.zeros(u[0].shape)
+        for first, last in zip(*map(self._angles, u), strict=True):
+            steepness = np.sqrt(4.0 + np.tan(last) ** 2) / np.cos(last)
+            total += (np.abs(last - first) + _ROUNDING) * steepness
+        return ROUNDED_UP * self._size * total, 0.0
 
-    def reach(self, u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
+    @property
+    def _has_reach(self) -> bool:
+        return True
+
+    def _reach(self, u: Limits, omega: Limits) -> Reals:
         """Bound how far N is from its value in the middle of two u, by the chords of the two circles."""
-        middle = 0.5 * (np.asarray(u_lower) + np.asarray(u_upper))
-        total: Reals = np.asarray(0.0)
-        ratios = (1.0, self.off / self.on)
-        for ratio, centre in zip(ratios, self._angles(middle), strict=True):
-            ends = (np.arcsin(np.clip(np.multiply(u, ratio), -1.0, 1.0)) for u in (u_lower, u_upper))
+        total, ratios = np.zeros(u[0].shape), (1.0, self.off / self.on)
+        for ratio, centre in zip(ratios, self._angles(0.5 * (u[0] + u[1])), strict=True):
+            ends = (np.arcsin(np.clip(each * ratio, -1.0, 1.0)) for each in u)
             chord = np.maximum(*(np.sin(np.abs(end - centre)) for end in ends)) + _ROUNDING
-            total = total + (
-                chord / abs(ratio) if abs(ratio) > _SMALLEST_RATIO else _widest(u_lower, u_upper)
-            )
-        leaves = (np.asarray(u_upper) > 1.0) & (self.hysteresis > 0)
-        return np.where(leaves, np.inf, ROUNDED_UP * self.size * total)
+            total += chord / abs(ratio) if abs(ratio) > _SMALLEST_RATIO else _widest(u)
+        leaves = (u[1] > 1.0) & (self.hysteresis > 0)
+        return np.where(leaves, np.inf, ROUNDED_UP * self._size * total)
 
-    def _angles(self, u: ArrayLike) -> tuple[Reals, Reals]:
+    def _angles(self, u: Reals) -> tuple[Reals, Reals]:
         """Return α and ρ for some u; those of u = 1 beyond that."""
-        within = np.minimum(np.asarray(u, dtype=float), 1.0)
+        within = np.minimum(u, 1.0)
         return np.arcsin(within), np.arcsin(within * (self.off / self.on))
 
 
 _SMALLEST_RATIO = 1e-6
 
 
-def _widest(u_lower: ArrayLike, u_upper: ArrayLike) -> Reals:
+def _widest(u: Limits) -> Reals:
     """Bound the change of u exp(jρ) from the middle for |r| <= 1e-6, where it is that of u, nearly."""
-    return 0.5 * np.subtract(u_upper, u_lower) * ROUNDED_UP + _ROUNDING
+    return np.asarray(0.5 * (u[1] - u[0]) * ROUNDED_UP + _ROUNDING)

@@ -7,20 +7,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.arguments import harmonic_number, positive_amplitudes
-from trimmer.elements.bounds import range_shape
+from trimmer.elements.arguments import harmonic_number
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
+from trimmer.elements.expansion import Expansion
 from trimmer.elements.quadrature import QuadratureEstimate, harmonic_by_quadrature
 from trimmer.errors import UnsupportedElementError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Range
+    from trimmer.elements.element import Bounds, Limits
 
 EVEN = 1e-6
 """Sum of the outputs half a period apart, over the largest output, from which on an element is not odd."""
@@ -79,30 +76,25 @@ class UnboundedElement(Element):
         estimate = self._estimate(float(amplitudes), float(omegas), number if number % 2 else 1)
         return estimate if number % 2 or np.isnan(estimate.value) else estimate._replace(value=0j)
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return infinity: no bound is known."""
-        shape = range_shape(u_range, omega_range)
-        return GainSensitivity(np.full(shape, np.inf)[()], np.full(shape, np.inf)[()])
+        return np.inf, np.inf
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return infinity: no bound is known."""
-        shape = range_shape(u_range, omega_range)
-        return GainVariation(np.full(shape, np.inf)[()], np.full(shape, np.inf)[()])
+        return np.inf, np.inf
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> Reals | float:
         """Return NaN: how the mean of the input passes is not known."""
-        return np.full(positive_amplitudes(amplitude).shape, np.nan)[()]
+        return np.nan
 
-    def _mean_slope(self, amplitude: ArrayLike) -> Reals:
+    def _mean_slope(self, amplitude: Reals) -> Reals:
         """Return N - (u/2) dN/du, which is the mean slope over a period of a function f without memory.
 
         By parts, N = (1/π) ∫ f' cos² θ dθ and A dN/dA = (1/π) ∫ f' dθ - 2 N.
         """
-        amplitudes = positive_amplitudes(amplitude)
-        flat = amplitudes.ravel()
-        value, by_u, _ = self._expansion(flat, np.ones_like(flat))
-        gain = value.real - 0.5 * self.amplitude_scale / flat * by_u.real
-        return np.asarray(gain.reshape(amplitudes.shape))[()]
+        value, by_u, _ = self._expansion(amplitude, np.ones_like(amplitude))
+        return np.asarray(value.real - 0.5 * self.amplitude_scale / amplitude * by_u.real)
 
     def _estimate(self, amplitude: float, omega: float, harmonic: int) -> QuadratureEstimate:
         estimate = harmonic_by_quadrature(

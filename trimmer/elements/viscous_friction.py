@@ -8,16 +8,12 @@ from typing import TYPE_CHECKING, final
 import numpy as np
 
 from trimmer.arguments import positive_number
-from trimmer.elements.arguments import positive_amplitudes
-from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
+from trimmer.elements.expansion import Expansion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Range
+    from trimmer.elements.element import Bounds, Limits
 
 
 @final
@@ -47,24 +43,17 @@ class ViscousFriction(Element):
         """1: a linear element has no amplitude of its own."""
         return 1.0
 
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return 0 for |dN/du|, and the damping times the upper omega for |dN/d(ln omega)|, N/m."""
-        omega = self._omegas(None if omega_range is None else omega_range[1])
-        shape = range_shape(u_range, omega_range)
-        return GainSensitivity(np.zeros(shape)[()], np.broadcast_to(self.damping * omega, shape)[()])
+        return 0.0, self.damping * omega[1]
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return 0 for the change of dN/du, and the damping times the width in omega for the other, N/m."""
-        lower, upper = (
-            self._omegas(limit) for limit in ((None, None) if omega_range is None else omega_range)
-        )
-        shape = range_shape(u_range, omega_range)
-        change = np.broadcast_to(self.damping * (upper - lower), shape)
-        return GainVariation(np.zeros(shape)[()], change[()])
+        return 0.0, self.damping * (omega[1] - omega[0])
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> float:
         """Return 0: a mean of the displacement does not change its velocity, hence not the force."""
-        return np.zeros(positive_amplitudes(amplitude).shape)[()]
+        return 0.0
 
     def _describing_function(self, amplitude: Reals, omega: Reals, harmonic: int) -> Complexes:
         return 1j * (self.damping * omega if harmonic == 1 else 0.0 * omega).astype(complex)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import positive_number
-from trimmer.elements.arguments import positive_amplitudes
 from trimmer.elements.backlashes.backlash_bounds import BacklashBox
 from trimmer.elements.backlashes.backlash_frequency import slope_by_log_gamma
 from trimmer.elements.backlashes.backlash_harmonics import harmonic_of
@@ -21,15 +20,12 @@ from trimmer.elements.backlashes.backlash_motion import (
     slope_by_ratio,
 )
 from trimmer.elements.backlashes.contact_equation import largest_ratio, steady_motion
-from trimmer.elements.bounds import range_shape
 from trimmer.elements.element import Element
-from trimmer.elements.expansion import Expansion, GainSensitivity, GainVariation
+from trimmer.elements.expansion import Expansion
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Range
+    from trimmer.elements.element import Bounds, Limits
 
 
 @dataclass(frozen=True)
@@ -57,43 +53,29 @@ class Backlash(Element):
     def gamma(self, omega: Reals) -> Reals:
         """Return omega M/D, a number, at each omega (rad/s, any shape), limited to ``GAMMA_LIMITS``."""
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return the largest gap/amplitude, (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²).
+    def _domain(self, omega: Reals) -> Reals | float:
+        """Return the largest gap/amplitude, (2 + gamma² (1 - exp(-π/gamma))) / sqrt(1 + gamma²)."""
+        return largest_ratio(self.gamma(omega))
 
-        It has the shape of ``omega``.
-        """
-        return largest_ratio(self.gamma(self._omegas(omega)))[()]
-
-    def sensitivity(self, u_range: Range, omega_range: Range | None = None) -> GainSensitivity:
+    def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return 2/π, which is |dN/du| everywhere, and a bound that follows from the longest flight."""
-        shape = range_shape(u_range, omega_range)
-        by_u = np.full(shape, SLOPE_BY_RATIO)[()]
-        if not self.depends_on_frequency:
-            return GainSensitivity(by_u, np.zeros(shape)[()])
-        with np.errstate(all="ignore"):
-            bounds = self._box(shape, u_range, omega_range).slope_by_log_gamma()
-        return GainSensitivity(by_u, bounds.reshape(shape)[()])
+        dependent = self.depends_on_frequency
+        return SLOPE_BY_RATIO, self._box(u, omega).slope_by_log_gamma() if dependent else 0.0
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return bounds that follow from the range of the impact's phase."""
-        shape = range_shape(u_range, omega_range)
-        with np.errstate(all="ignore"):
-            box = self._box(shape, u_range, omega_range)
-            by_u = box.change_of_slope_by_ratio().reshape(shape)[()]
-            if not self.depends_on_frequency:
-                return GainVariation(by_u, np.zeros(shape)[()])
-            return GainVariation(by_u, box.change_of_slope_by_log_gamma().reshape(shape)[()])
+        box = self._box(u, omega)
+        by_log_gamma = box.change_of_slope_by_log_gamma() if self.depends_on_frequency else 0.0
+        return box.change_of_slope_by_ratio(), by_log_gamma
 
-    def mean_gain(self, amplitude: ArrayLike) -> Reals:
+    def _mean_gain(self, amplitude: Reals) -> float:
         """Return 1: the load follows the mean of the pin, wherever that is."""
-        return np.ones(positive_amplitudes(amplitude).shape)[()]
+        return 1.0
 
-    def _box(self, shape: tuple[int, ...], u_range: Range, omega_range: Range | None) -> BacklashBox:
+    def _box(self, u: Limits, omega: Limits) -> BacklashBox:
         # Both impacts in one go: the solver takes little longer for them than for one.
-        ratios, omegas = np.empty((2, *shape)), np.empty((2, *shape))
-        ratios[0], ratios[1] = u_range
-        omegas[1], omegas[0] = (self._omegas(omega) for omega in omega_range or (None, None))
-        earliest, latest = self._motion(self.gap / ratios.ravel(), omegas.ravel()).impact_phase.reshape(2, -1)
+        ratios, omegas = np.concatenate(u), np.concatenate(omega[::-1])
+        earliest, latest = self._motion(self.gap / ratios, omegas).impact_phase.reshape(2, -1)
         highest_gamma, lowest_gamma = self.gamma(omegas).reshape(2, -1)
         return BacklashBox(lowest_gamma, highest_gamma, earliest, latest)
 

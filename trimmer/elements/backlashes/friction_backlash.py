@@ -16,16 +16,13 @@ from trimmer.elements.backlashes.backlash_motion import (
     complex_of,
     separation,
 )
-from trimmer.elements.bounds import range_shape
-from trimmer.elements.expansion import Expansion, GainVariation
+from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_arguments import argument_less_sine
 from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Range
+    from trimmer.elements.element import Bounds, Limits
 
 
 _LARGEST = np.finfo(float).max
@@ -45,16 +42,14 @@ class FrictionBacklash(Backlash):
         ValueError: if the gap is not positive and finite.
     """
 
-    def domain(self, omega: ArrayLike | None = None) -> Reals:
-        """Return 2, in the shape of ``omega``: the load moves if the amplitude exceeds half of the gap."""
-        return np.full(self._omegas(omega).shape, 2.0)[()]
+    def _domain(self, omega: Reals) -> float:
+        """Return 2: the load moves if the amplitude exceeds half of the gap."""
+        return 2.0
 
-    def variation(self, u_range: Range, omega_range: Range | None = None) -> GainVariation:
+    def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Return the change of dN/du = (2/π) exp(-jθ_c) with the impact at θ_c = π/2 + acos(1 - u); and 0."""
-        shape = range_shape(u_range, omega_range)
-        earliest, latest = (np.arccos(1.0 - np.minimum(u, 2.0)) for u in u_range)
-        by_u = ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * (latest - earliest + PHASE_ERROR))
-        return GainVariation(np.broadcast_to(by_u, shape)[()], np.zeros(shape)[()])
+        earliest, latest = (np.arccos(1.0 - np.minimum(each, 2.0)) for each in u)
+        return ROUNDED_UP * SLOPE_BY_RATIO * 2.0 * np.sin(0.5 * (latest - earliest + PHASE_ERROR)), 0.0
 
     def small_gains(self) -> SmallGains:
         """Tell that N falls to 0 along the negative imaginary axis."""
