@@ -5,6 +5,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import fields
+from typing import Any, Self
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,3 +17,24 @@ Complexes = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Places = NDArray[np.intp]
 Integers = NDArray[np.int64]
+
+
+class ArrayRecord:
+    """A dataclass whose fields are arrays, or such records, that hold an entry each for the same things."""
+
+    __slots__ = ()
+
+    def __getitem__(self, which: Any) -> Self:
+        """Return the things at an index of NumPy, such as flags, places, or a tuple of slices."""
+        return type(self)(*(getattr(self, each.name)[which] for each in fields(self)))  # type: ignore[arg-type]
+
+    @classmethod
+    def joined(cls, groups: Sequence[Self]) -> Self:
+        """Return the things of several groups, at least one, as one group."""
+        columns = ([getattr(group, each.name) for group in groups] for each in fields(cls))  # type: ignore[arg-type]
+        return cls(*map(_joined, columns))
+
+
+def _joined(parts: list[Any]) -> Any:
+    first = parts[0]
+    return type(first).joined(parts) if isinstance(first, ArrayRecord) else np.concatenate(parts)

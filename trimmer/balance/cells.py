@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
+
 if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Places, Reals
+    from trimmer.arrays import Flags, Reals
 
 
 @dataclass(frozen=True)
-class Cells:
+class Cells(ArrayRecord):
     """Closed boxes, one per entry of the four arrays.
 
     Attributes:
@@ -50,16 +51,6 @@ class Cells:
         """Return an empty set of boxes, to which others are joined."""
         return cls(*(np.empty(0) for _ in range(4)))
 
-    @classmethod
-    def joined(cls, groups: Sequence[Cells]) -> Cells:
-        """Concatenate the boxes of several groups."""
-        return Cells(
-            np.concatenate([group.u_lower for group in groups]),
-            np.concatenate([group.u_upper for group in groups]),
-            np.concatenate([group.x_lower for group in groups]),
-            np.concatenate([group.x_upper for group in groups]),
-        )
-
     def __len__(self) -> int:
         return self.u_lower.size
 
@@ -82,10 +73,6 @@ class Cells:
     def x_centre(self) -> Reals:
         """Centre of each box in x, shape (n,)."""
         return 0.5 * (self.x_lower + self.x_upper)
-
-    def take(self, which: Flags | Places) -> Cells:
-        """Return the boxes that are flagged, or those at some places."""
-        return Cells(self.u_lower[which], self.u_upper[which], self.x_lower[which], self.x_upper[which])
 
     def split(self, along_u: Flags, parts: int) -> Cells:
         """Cut each box into equal parts along u where flagged (shape (n,)), along x elsewhere."""

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.cells import Cells
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class GainDisks:
+class GainDisks(ArrayRecord):
     """Disks that hold N on boxes; all arrays have the same shape, with one entry per box.
 
     Attributes:
@@ -34,10 +35,6 @@ class GainDisks:
     radius: Reals
     u_share: Reals
     exists: Flags
-
-    def take(self, which: Any) -> GainDisks:
-        """Return the disks at an index of NumPy, such as places, flags or a tuple of slices."""
-        return GainDisks(self.centre[which], self.radius[which], self.u_share[which], self.exists[which])
 
 
 @dataclass(frozen=True)
@@ -159,13 +156,8 @@ class GainTable:
         u_breaks = np.linspace(0.0, u_upper, rows + 1)
         cells = Cells.grid(u_breaks, x_breaks[:blocks], x_breaks[1 : blocks + 1])
         disks = curve.disks(cells)
-        table = GainDisks(
-            disks.centre.reshape(blocks, rows).T,
-            disks.radius.reshape(blocks, rows).T,
-            disks.u_share.reshape(blocks, rows).T,
-            disks.exists.reshape(blocks, rows).T,
-        )
-        return cls(curve, u_breaks, x_breaks, table)
+        table = (each.reshape(blocks, rows).T for each in vars(disks).values())
+        return cls(curve, u_breaks, x_breaks, GainDisks(*table))
 
     @cached_property
     def box(self) -> Cells:
@@ -187,11 +179,11 @@ class GainTable:
 
     def rows_at(self, blocks: Places) -> GainDisks:
         """Disks of all rows at some blocks; of shape (rows, blocks), or (rows, 1) if all blocks are alike."""
-        return self.disks.take((slice(None), blocks)) if self.curve.depends_on_x else self.disks
+        return self.disks[:, blocks] if self.curve.depends_on_x else self.disks
 
     def disks_at(self, rows: Places, blocks: Places) -> GainDisks:
         """Disks at pairs of row and block, arrays of the same length."""
-        return self.disks.take((rows, blocks if self.curve.depends_on_x else 0))
+        return self.disks[rows, blocks if self.curve.depends_on_x else 0]
 
     def cells(self, rows: Places, x_lower: Reals, x_upper: Reals) -> Cells:
         """Boxes of some rows between given x, arrays of the same length."""

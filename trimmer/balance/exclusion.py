@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainDisks
 from trimmer.balance.inverse_response import Enclosure
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class EnclosedCells:
+class EnclosedCells(ArrayRecord):
     """Boxes with bounds of N and 1/G on them; each part has one entry per box.
 
     Attributes:
@@ -54,7 +55,7 @@ class EnclosedCells:
         smallest = np.maximum(sizes - radius, smallest_gain)
         possible = disks_meet(self.disks, self.enclosure)
         which = np.flatnonzero(possible & sizes_meet(self.enclosure, smallest, sizes + radius))
-        return EnclosedCells(self.cells.take(which), self.disks.take(which), self.enclosure.take(which))
+        return self[which]
 
 
 def disks_meet(disks: GainDisks, enclosure: Enclosure) -> Flags:
@@ -84,7 +85,7 @@ NARROWEST = 1e-12
 
 
 @dataclass(frozen=True)
-class _Columns:
+class _Columns(ArrayRecord):
     """Intervals of x, with 1/G on them and the number of the block that each is a part of."""
 
     lower: Reals
@@ -136,7 +137,7 @@ def _columns(equation: EquationInBox, lower: Reals, upper: Reals, block: Places)
     enclosure = equation.response.enclose(lower, upper)
     smallest = max(equation.smallest_gain, equation.table.smallest_gain)
     which = np.flatnonzero(sizes_meet(enclosure, smallest, equation.table.largest_gain))
-    return _Columns(lower[which], upper[which], enclosure.take(which), block[which])
+    return _Columns(lower, upper, enclosure, block)[which]
 
 
 def _possible(equation: EquationInBox, columns: _Columns) -> Flags:
@@ -147,12 +148,9 @@ def _possible(equation: EquationInBox, columns: _Columns) -> Flags:
 def _boxes(equation: EquationInBox, columns: _Columns, which: Flags) -> EnclosedCells:
     """Boxes on some rows of some columns."""
     row, column = np.nonzero(which)
-    table = equation.table
-    return EnclosedCells(
-        table.cells(row, columns.lower[column], columns.upper[column]),
-        table.disks_at(row, columns.block[column]),
-        columns.enclosure.take(column),
-    )
+    table, chosen = equation.table, columns[column]
+    cells = table.cells(row, chosen.lower, chosen.upper)
+    return EnclosedCells(cells, table.disks_at(row, chosen.block), chosen.enclosure)
 
 
 def _cut(equation: EquationInBox, columns: _Columns, parts: Places) -> _Columns:

@@ -14,17 +14,18 @@ from typing import TYPE_CHECKING, Protocol, Self, TypeVar
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.linear.frequency_response import UnsupportedSystemError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from trimmer.arrays import Complexes, Flags, Places, Reals
+    from trimmer.arrays import Complexes, Flags, Reals
     from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 
 @dataclass(frozen=True)
-class Enclosure:
+class Enclosure(ArrayRecord):
     """Value and bounds of 1/G on n intervals of x; each field has shape (n,) and the unit of 1/G.
 
     Attributes:
@@ -42,17 +43,6 @@ class Enclosure:
     slope_radius: Reals
     smallest: Reals
     largest: Reals
-
-    def take(self, which: Places) -> Enclosure:
-        """Return the entries of the intervals at some places."""
-        return Enclosure(
-            self.centre[which],
-            self.slope[which],
-            self.radius[which],
-            self.slope_radius[which],
-            self.smallest[which],
-            self.largest[which],
-        )
 
 
 class InverseGain(Protocol):

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.cells import Cells
 from trimmer.balance.loop import range_of_roots
 from trimmer.balance.search import SearchedRegion, SearchResult
@@ -61,7 +62,7 @@ METHOD = "a grid of amplitude and frequency, refined, and Newton's method; nothi
 
 
 @dataclass(frozen=True)
-class _Grid:
+class _Grid(ArrayRecord):
     """Cells between some u (from their logarithms) and x, and F = N + 1/G at corners that they share."""
 
     v_lower: Reals
@@ -79,10 +80,6 @@ class _Grid:
             np.concatenate([x, x, self.x_upper, self.x_upper]),
         )
 
-    def take(self, which: Flags) -> _Grid:
-        """Return the cells that are flagged."""
-        return _Grid(self.v_lower[which], self.v_upper[which], self.x_lower[which], self.x_upper[which])
-
 
 def solve_sampled(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
@@ -98,7 +95,7 @@ def solve_sampled(
                 break
             cells = cells.quarters()
             examined += cells.v_lower.size
-            cells = cells.take(_may_hold(_corners(response, curve, cells)))
+            cells = cells[_may_hold(_corners(response, curve, cells))]
         u, x = _solutions(response, curve, cells, x_range)
     result = SearchResult(u, x, Cells.none(), examined)
     return SearchedRegion(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.cells import Cells
 from trimmer.balance.exclusion import NARROWEST, EnclosedCells, first_grid
 from trimmer.balance.uniqueness import examine, solve_in
@@ -58,7 +59,7 @@ class SearchResult:
 
 
 @dataclass(frozen=True)
-class _Solutions:
+class _Solutions(ArrayRecord):
     """Solutions, each with a region in which it is the only one."""
 
     u: Reals
@@ -76,11 +77,11 @@ def find_all(equation: EquationInBox) -> SearchResult:
         while len(boxes):
             found, settled = _settled(equation, boxes.cells, found)
             given_up = ~settled & _hopeless(equation, boxes)
-            undecided.append(boxes.cells.take(given_up))
+            undecided.append(boxes.cells[given_up])
             left = ~(settled | given_up)
             if not left.any():
                 break
-            cells = boxes.cells.take(left).split(_along_u(boxes)[left], _PARTS)
+            cells = boxes.cells[left].split(_along_u(boxes)[left], _PARTS)
             examined += len(cells)
             boxes = EnclosedCells.of(equation.response, equation.curve, cells).open(equation.smallest_gain)
     return SearchResult(found.u, found.x, Cells.joined(undecided), examined)
@@ -112,17 +113,13 @@ def _settled(equation: EquationInBox, cells: Cells, found: _Solutions) -> tuple[
     tried = np.flatnonzero(~settled & test.single)
     if tried.size == 0:
         return found, settled
-    tried_regions = regions.take(tried)
+    tried_regions = regions[tried]
     u, x, converged = solve_in(equation.response, equation.curve, tried_regions, test.u[tried], test.x[tried])
     # What lies in the region of a solution is that solution.
     place = np.arange(tried.size)
     again = tried_regions.hold(u, x) & converged[:, None] & (place[:, None] < place)
     first = converged & ~again.any(axis=0) & ~found.regions.hold(u, x).any(axis=0)
-    found = _Solutions(
-        np.concatenate([found.u, u[first]]),
-        np.concatenate([found.x, x[first]]),
-        Cells.joined([found.regions, tried_regions.take(first)]),
-    )
+    found = _Solutions.joined([found, _Solutions(u, x, tried_regions)[first]])
     settled[tried] |= tried_regions.hold(found.u, found.x).any(axis=1)
     return found, settled | cells.lie_within(found.regions)
 

@@ -226,7 +226,7 @@ def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegio
     starts = np.flatnonzero(cells.x_lower[order][1:] > reached[:-1] + _TOUCHING) + 1
     regions = []
     for group in np.split(order, starts):
-        members = cells.take(group)
+        members = cells[group]
         largest, smallest = members.u_upper.max(), members.u_lower.min()
         amplitudes = (float(curve.amplitude(largest)), _amplitude_of_lowest(curve, float(smallest)))
         omegas = (float(np.exp(members.x_lower.min())), float(np.exp(members.x_upper.max())))

@@ -109,7 +109,7 @@ def solve_in(
         solved = converged & inside
         left = inside & ~solved
         if solved.any():
-            left[left] = ~boxes.take(left).hold(u[solved], x[solved]).any(axis=1)
+            left[left] = ~boxes[left].hold(u[solved], x[solved]).any(axis=1)
         if not left.any():
             break
     gain, _, _ = curve.expansion(u, x)

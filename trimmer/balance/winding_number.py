@@ -16,11 +16,12 @@ what it finds too.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Self
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.cells import Cells
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ _ROUNDING = 1e-13
 
 
 @dataclass(frozen=True)
-class _Pieces:
+class _Pieces(ArrayRecord):
     """Pieces of the border between two points each, given as x and as u over the largest one at that x."""
 
     v_start: Reals
@@ -57,29 +58,11 @@ class _Pieces:
     x_start: Reals
     x_end: Reals
 
-    @classmethod
-    def joined(cls, groups: list[_Pieces]) -> Self:
-        """Concatenate the pieces of several groups."""
-        return cls(
-            np.concatenate([group.v_start for group in groups]),
-            np.concatenate([group.v_end for group in groups]),
-            np.concatenate([group.x_start for group in groups]),
-            np.concatenate([group.x_end for group in groups]),
-        )
-
-    def take(self, which: Flags) -> _Pieces:
-        """Return the pieces that are flagged."""
-        return _Pieces(self.v_start[which], self.v_end[which], self.x_start[which], self.x_end[which])
-
     def halves(self, which: Flags) -> _Pieces:
         """Return both halves of the pieces that are flagged: all first halves, then all second ones."""
-        v, x = 0.5 * (self.v_start + self.v_end)[which], 0.5 * (self.x_start + self.x_end)[which]
-        return _Pieces(
-            np.concatenate([self.v_start[which], v]),
-            np.concatenate([v, self.v_end[which]]),
-            np.concatenate([self.x_start[which], x]),
-            np.concatenate([x, self.x_end[which]]),
-        )
+        whole = self[which]
+        v, x = 0.5 * (whole.v_start + whole.v_end), 0.5 * (whole.x_start + whole.x_end)
+        return _Pieces.joined([replace(whole, v_end=v, x_end=x), replace(whole, v_start=v, x_start=x)])
 
 
 def winding_number(loop: LoopEquation, omegas: tuple[float, float]) -> int | None:
@@ -100,7 +83,7 @@ def winding_number(loop: LoopEquation, omegas: tuple[float, float]) -> int | Non
         narrow_pieces = []
         for _ in range(_MOST_LEVELS):
             narrow = _is_seen_narrowly(loop, pieces)
-            narrow_pieces.append(pieces.take(narrow))
+            narrow_pieces.append(pieces[narrow])
             if narrow.all():
                 return _turns(loop, _Pieces.joined(narrow_pieces))
             pieces = pieces.halves(~narrow)

@@ -69,7 +69,7 @@ def crossings(responses: Responses, omegas: Reals) -> Crossings:
             doubtful[rows[left]] = True
             break
         rows, grid = rows[left], FrequencyGrid(*(each[left] for each in grid))
-        grid = merged(grid, grid_at(responses.part(rows), _inserted(grid.omega, urgency[left])))
+        grid = merged(grid, grid_at(responses[rows], _inserted(grid.omega, urgency[left])))
     for part in parts:
         doubtful[part.rows[~part.certain]] = True
     found = Enclosures(*(np.concatenate(each) for each in zip(*parts, strict=True)))
@@ -100,7 +100,7 @@ def _enclosures(responses: Responses, rows: Places, grid: FrequencyGrid) -> Encl
     places, columns = np.nonzero(changes)
     lower, upper = grid.omega[places, columns], grid.omega[places, columns + 1]
     low_is_positive = positive[places, columns]
-    here = responses.part(rows[places])
+    here = responses[rows[places]]
     middle = grid_at(here, 0.5 * (lower + upper)[:, None])
     for _ in range(HALVINGS):
         same = (middle.h[:, 0] > 0) == low_is_positive

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import real_values, require_instance
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.solve import limit_cycles
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -98,23 +99,14 @@ class SampledLimitCycles(Tabular):
         return Table("Limit cycles; samples are numbered from 0", range(len(rows)), columns)
 
 
-class _CycleColumns(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class _Cycles(ArrayRecord):
     """Limit cycles, each with the number of its trimmer."""
 
     rows: Places
     amplitude: Reals
     omega: Reals
     stable: Flags
-
-
-class _Found(NamedTuple):
-    """The limit cycles of a block, and which of its trimmers need another search."""
-
-    rows: Places
-    amplitude: Reals
-    omega: Reals
-    stable: Flags
-    again: Flags
 
 
 def sampled_limit_cycles(
@@ -147,45 +139,38 @@ def sampled_limit_cycles(
     near = _near_poles(base)
     chosen = Displacement.parse(output), InputChannels.chosen(channels, "channels")
     again = np.empty(len(gaps), dtype=bool)
-    found: list[_CycleColumns] = []
+    found = [_Cycles(np.empty(0, np.intp), np.empty(0), np.empty(0), np.empty(0, dtype=bool))]
     for start in range(0, len(gaps), BLOCK):
         block = slice(start, start + BLOCK)
-        one = _found(responses_of(values[block], *chosen), gaps[block], near)
-        again[block] = one.again
-        certain = ~one.again[one.rows]
-        rows = one.rows[certain] + start
-        found.append(_CycleColumns(rows, one.amplitude[certain], one.omega[certain], one.stable[certain]))
+        cycles, again[block] = _found(responses_of(values[block], *chosen), gaps[block], near)
+        certain = cycles[~again[block][cycles.rows]]
+        found.append(replace(certain, rows=certain.rows + start))
     undecided = np.zeros(len(gaps), dtype=bool)
     for row in np.flatnonzero(again):
-        cycles, undecided[row] = _searched_again(values[row], gaps[row], *chosen)
-        amplitude = np.array([cycle.amplitude for cycle in cycles], dtype=float)
-        omega = np.array([cycle.omega for cycle in cycles], dtype=float)
-        stable = np.array([cycle.stable for cycle in cycles], dtype=bool)
-        found.append(_CycleColumns(np.full(len(cycles), row), amplitude, omega, stable))
-    return _in_rows(found, again, undecided)
+        proven, undecided[row] = _searched_again(values[row], gaps[row], *chosen)
+        amplitude = np.array([cycle.amplitude for cycle in proven], dtype=float)
+        omega = np.array([cycle.omega for cycle in proven], dtype=float)
+        stable = np.array([cycle.stable for cycle in proven], dtype=bool)
+        found.append(_Cycles(np.full(len(proven), row), amplitude, omega, stable))
+    return _in_rows(_Cycles.joined(found), again, undecided)
 
 
-def _found(responses: Responses, gaps: Reals, near: Complexes) -> _Found:
-    """Search a block of trimmers, with their poles found from values near them."""
+def _found(responses: Responses, gaps: Reals, near: Complexes) -> tuple[_Cycles, Flags]:
+    """Search a block of trimmers, with their poles found from values near them; which need another search?"""
     poles, all_found = roots(responses.denominator, np.repeat(near[None], len(gaps), axis=0))
     enclosures = crossings(responses, frequencies_near(poles))
-    here = responses.part(enclosures.rows)
+    here = responses[enclosures.rows]
     solutions = polished(here, enclosures)
     loeb = solutions.sine > 0
     unstable, unknown = np.zeros_like(loeb), np.zeros_like(loeb)
     # A limit cycle from which slow changes lead away needs no further look.
     unstable[loeb], unknown[loeb] = unstable_others(
-        here.part(np.flatnonzero(loeb)), poles[enclosures.rows[loeb]], solutions.part(loeb)
+        here[np.flatnonzero(loeb)], poles[enclosures.rows[loeb]], solutions[loeb]
     )
     again = enclosures.doubtful | ~all_found
     again[enclosures.rows[~solutions.found | unknown | (np.abs(solutions.sine) < NEAR_TANGENCY)]] = True
-    return _Found(
-        enclosures.rows,
-        gaps[enclosures.rows] / solutions.u,
-        solutions.omega * here.reference,
-        loeb & ~unstable,
-        again,
-    )
+    amplitude, omega = gaps[enclosures.rows] / solutions.u, solutions.omega * here.reference
+    return _Cycles(enclosures.rows, amplitude, omega, loeb & ~unstable), again
 
 
 def _near_poles(base: TrimmerParameters) -> Complexes:
@@ -208,23 +193,16 @@ def _searched_again(
     return cycles, any(issubclass(each.category, UndecidedWarning) for each in told)
 
 
-def _in_rows(found: list[_CycleColumns], again: Flags, undecided: Flags) -> SampledLimitCycles:
+def _in_rows(cycles: _Cycles, again: Flags, undecided: Flags) -> SampledLimitCycles:
     """Put the limit cycles of each trimmer into a row."""
-    nothing = np.empty(0)
-    found = found or [_CycleColumns(nothing.astype(np.intp), nothing, nothing, nothing.astype(bool))]
-    rows = np.concatenate([each.rows for each in found])
-    amplitude = np.concatenate([each.amplitude for each in found])
-    omega = np.concatenate([each.omega for each in found])
-    stable = np.concatenate([each.stable for each in found])
-    order = np.lexsort((amplitude, levels(omega), rows))
-    rows, amplitude, omega, stable = rows[order], amplitude[order], omega[order], stable[order]
-    count = np.bincount(rows, minlength=len(again))
-    place = np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count)
+    cycles = cycles[np.lexsort((cycles.amplitude, levels(cycles.omega), cycles.rows))]
+    count = np.bincount(cycles.rows, minlength=len(again))
+    place = np.arange(len(cycles.rows)) - np.repeat(np.cumsum(count) - count, count)
     shape = (len(again), int(count.max(initial=0)))
     table = np.full((2, *shape), np.nan)
-    table[:, rows, place] = amplitude, omega
+    table[:, cycles.rows, place] = cycles.amplitude, cycles.omega
     stays = np.zeros(shape, dtype=bool)
-    stays[rows, place] = stable
+    stays[cycles.rows, place] = cycles.stable
     return SampledLimitCycles(table[0], table[1], stays, count, again, undecided)
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.balance.uniqueness import cross
 from trimmer.ensembles.gain_by_phase import PLAY
 
@@ -21,7 +23,8 @@ SLACK = 1e-6
 """How far, as a share of the frequency, a solution may lie outside of its enclosure."""
 
 
-class Solutions(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Solutions(ArrayRecord):
     """Solutions of harmonic balance, each of shape (m,).
 
     Attributes:
@@ -39,17 +42,6 @@ class Solutions(NamedTuple):
     sine: Reals
     residual: Reals
     found: Flags
-
-    def part(self, rows: Flags) -> Solutions:
-        """Return some of the solutions."""
-        return Solutions(
-            self.omega[rows],
-            self.u[rows],
-            self.gain[rows],
-            self.sine[rows],
-            self.residual[rows],
-            self.found[rows],
-        )
 
 
 def polished(responses: Responses, crossings: Crossings) -> Solutions:

@@ -7,17 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.displacement import Displacement
 from trimmer.ensembles.polynomials import on_axis, value_and_slope
 from trimmer.generated import linear_trimmer
 from trimmer.linear.model import InputChannels
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Places, Reals
+    from trimmer.arrays import Complexes, Reals
 
 
 @dataclass(frozen=True)
-class Responses:
+class Responses(ArrayRecord):
     """G = numerator / denominator of each trimmer, with s in units of ``reference``.
 
     Attributes:
@@ -29,10 +30,6 @@ class Responses:
     numerator: Reals
     denominator: Reals
     reference: Reals
-
-    def part(self, rows: Places) -> Responses:
-        """Return the responses of some trimmers."""
-        return Responses(self.numerator[rows], self.denominator[rows], self.reference[rows])
 
     def inverse(self, omegas: Reals) -> Complexes:
         """Return -1/G at each trimmer's own omegas / reference, shape (n, points)."""

@@ -234,7 +234,7 @@ def bins_around(spectrum: Spectrum, lines: Lines, members: Places, noise: float)
     low = max(round(ends[0] - below), window.half_width)
     high = min(round(ends[1] + above), last)
     bins = np.arange(low, high + 1)
-    data = spectrum.lines[bins] - leakage(spectrum, lines.chosen(others), bins)
+    data = spectrum.lines[bins] - leakage(spectrum, lines[others], bins)
     variance = 2.0 * noise**2 * window.noise_bandwidth / spectrum.samples
     rounding = (ROUNDING * float(abs(lines.amplitudes).max())) ** 2
     covariance = variance * _correlation(window, len(bins)) + rounding * np.eye(len(bins))

@@ -90,8 +90,8 @@ def _replaced(
     amplitudes = np.array([line.amplitude for _, these in parted for line in these])
     new = Lines(np.rint(places).astype(np.intp), places, amplitudes)
     moving = np.arange(new.bins.size + rest.size) >= new.bins.size
-    lines = relaxed(spectrum, new.with_others(lines.chosen(rest)), moving)
-    return lines.chosen(np.flatnonzero(~moving | (np.abs(lines.amplitudes) > threshold[lines.bins])))
+    lines = relaxed(spectrum, Lines.joined([new, lines[rest]]), moving)
+    return lines[~moving | (np.abs(lines.amplitudes) > threshold[lines.bins])]
 
 
 def _alone(spectrum: Spectrum, lines: Lines, number: int, noise: float) -> SpectralLine:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import ArrayRecord
 from trimmer.spectra.noise import NEIGHBOURHOOD
 from trimmer.spectra.spectrum import Spectrum
 
@@ -24,24 +25,12 @@ _STRIDE = 3
 
 
 @dataclass(frozen=True, eq=False)
-class Lines:
+class Lines(ArrayRecord):
     """Sines that add up to a spectrum: bin of each, place in bins, complex amplitude; shape (number,)."""
 
     bins: Places
     places: Reals
     amplitudes: Complexes
-
-    def chosen(self, numbers: Places) -> Lines:
-        """Return some of the lines by their numbers."""
-        return Lines(self.bins[numbers], self.places[numbers], self.amplitudes[numbers])
-
-    def with_others(self, others: Lines) -> Lines:
-        """Return the lines followed by others."""
-        return Lines(
-            np.concatenate([self.bins, others.bins]),
-            np.concatenate([self.places, others.places]),
-            np.concatenate([self.amplitudes, others.amplitudes]),
-        )
 
 
 def noise_beside(spectrum: Spectrum, lines: Lines, place: float) -> float:
@@ -78,7 +67,7 @@ def added(spectrum: Spectrum, lines: Lines, bins: Places) -> Lines:
     new = Lines(bins, bins.astype(float), spectrum.lines[bins])
     for _ in range(_FIRST_STEPS):
         new = _fitted(spectrum, new, left)
-    return lines.with_others(new)
+    return Lines.joined([lines, new])
 
 
 def relaxed(spectrum: Spectrum, lines: Lines, moving: Flags | None = None) -> Lines:

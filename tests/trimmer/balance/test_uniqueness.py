@@ -226,7 +226,7 @@ def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> No
     u, x, solved = solve_in(*halves(plane), boxes, np.array([1.02, 3.05, 1.4]), np.array([2.02, 4.05, 2.3]))
     assert solved.tolist() == [True, False, False]
     assert (u[0], x[0]) == (pytest.approx(1.0, abs=1e-12), pytest.approx(2.0, abs=1e-12))
-    (alone,) = (solve_in(*halves(plane), boxes.take(np.array([2])), np.array([1.4]), np.array([2.3])),)
+    (alone,) = (solve_in(*halves(plane), boxes[np.array([2])], np.array([1.4]), np.array([2.3])),)
     assert alone[2].tolist() == [True]
     assert alone[0] == pytest.approx([1.0], abs=1e-12)
 

@@ -32,7 +32,7 @@ def grid(h: list[float], lag: list[float]) -> FrequencyGrid:
 def test_a_solution_outside_of_its_enclosure_is_not_found() -> None:
     made, poles = response()
     enclosed = crossings(made, frequencies_near(poles))
-    here = made.part(enclosed.rows)
+    here = made[enclosed.rows]
     assert polished(here, enclosed).found.all()
     beside = Crossings(
         enclosed.rows, 1.01 * enclosed.lower, 1.01 * enclosed.upper, enclosed.u, enclosed.doubtful
@@ -43,7 +43,7 @@ def test_a_solution_outside_of_its_enclosure_is_not_found() -> None:
 def test_a_mean_that_may_run_away_is_unknown() -> None:
     made, poles = response()
     enclosed = crossings(made, frequencies_near(poles))
-    here = made.part(enclosed.rows)
+    here = made[enclosed.rows]
     solutions, near = polished(here, enclosed), poles[enclosed.rows]
     assert not unstable_others(here, near, solutions)[1].any()
     # With twice the gain and the other sign the loop of the mean has positive feedback at rest.

@@ -41,7 +41,7 @@ def test_crossings_of_some_trimmers_enclose_their_solutions() -> None:
     omegas = np.repeat(np.geomspace(0.01, 30.0, 120)[None], 3, axis=0)
     found = crossings(THREE, omegas)
     assert set(found.rows.tolist()) <= {0, 2}
-    solved = polished(THREE.part(found.rows), found)
+    solved = polished(THREE[found.rows], found)
     assert solved.found.all()
     for row, gain in ((0, 4.0), (2, 9.0)):
         here = found.rows == row
@@ -68,7 +68,7 @@ def test_crossings_of_some_trimmers_enclose_their_solutions() -> None:
         assert (found.upper[here] - found.lower[here] < steps.max() / 60.0).all()
     assert not found.doubtful[[0, 2]].any()
     assert (solved.residual < 1e-11).all()
-    one = solved.part(np.arange(solved.u.size) == 0)
+    one = solved[np.arange(solved.u.size) == 0]
     assert [len(each) for each in one] == [1] * 6
     assert one.sine[0] == solved.sine[0]
 
@@ -125,7 +125,7 @@ def test_responses_are_those_of_the_model() -> None:
         ahead, behind = (made.inverse_and_slope(x + each)[0] for each in (step, -step))
         assert slope == pytest.approx((ahead - behind) / (2.0 * step), rel=1e-7)
         assert inverse == pytest.approx(np.diagonal(made.inverse(np.repeat(np.exp(x)[None], 2, axis=0))))
-    part = made.part(np.array([1]))
+    part = made[np.array([1])]
     assert part.reference.tolist() == [made.reference[1]]
     assert part.numerator.tolist() == [made.numerator[1].tolist()]
 
@@ -139,7 +139,7 @@ def test_roots_that_are_exact_stay() -> None:
 @pytest.mark.parametrize(("share", "found"), [(0.5e-6, True), (2e-6, False)])
 def test_a_solution_may_lie_beside_its_enclosure_by_a_millionth(share: float, found: bool) -> None:
     u, omega = by_hand(4.0)
-    one = THREE.part(np.zeros(1, int))
+    one = THREE[np.zeros(1, int)]
     for lower, upper in ((0.99, 1.0 - share), (1.0 + share, 1.01)):
         ends = (np.array([each]) for each in (lower * omega, upper * omega, u, False))
         assert polished(one, Crossings(np.zeros(1, int), *ends)).found.tolist() == [found]
