@@ -39,16 +39,11 @@ def numeric_module(title: str, derivation: MechanismDerivation, arguments: Mappi
         arguments: A name for each symbol, in their order; those that do not occur are left out.
     """
     functions = tuple(_functions(derivation, arguments))
-    used = set().union(*(_symbols(function) for function in functions))
+    used = set().union(*(function.symbols for function in functions))
     kept = {symbol: name for symbol, name in arguments.items() if symbol in used}
     safe = title.replace("\\", "/").replace('"', "'")
     sources = (function_source(function, kept) for function in functions)
     return "\n\n".join((HEADER.format(title=safe), *sources))
-
-
-def _symbols(function: NumericFunction) -> set[sympy.Basic]:
-    rows = (row if isinstance(row, tuple) else (row,) for row in function.entries)
-    return set().union(*(entry.free_symbols for row in rows for entry in row))
 
 
 def _functions(
@@ -112,16 +107,11 @@ def _polynomials(matrices: MotionMatrices, names: str) -> Iterator[NumericFuncti
         f"Return the coefficients of s^{order} .. s^0, monic.",
         transfer.denominator,
     )
-    yield NumericFunction(
-        "displacement_numerators",
-        f"Return for {names} the coefficients of s^{order - 2} .. s^0 from the pin's displacement.",
-        transfer.from_displacement,
-    )
-    yield NumericFunction(
-        "velocity_numerators",
-        f"Return for {names} the coefficients of s^{order - 2} .. s^0 from the pin's velocity.",
-        transfer.from_velocity,
-    )
+    powers = f"Return for {names} the coefficients of s^{order - 2} .. s^0 from the pin's"
+    # Of a pin with one link both are the adjugate of all else, times its stiffness or its damping.
+    moved = NumericFunction("displacement_numerators", f"{powers} displacement.", transfer.from_displacement)
+    yield moved
+    yield NumericFunction("velocity_numerators", f"{powers} velocity.", transfer.from_velocity, moved)
 
 
 def _directions(matrices: MotionMatrices) -> Iterator[NumericFunction]:

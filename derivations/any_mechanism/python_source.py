@@ -21,11 +21,19 @@ class NumericFunction:
         name: Name of the function.
         documentation: Its docstring, one line.
         entries: Derived entries that it returns: a row, or rows of a matrix.
+        sibling: A function before it in the module; if this one is that with another symbol in the place of
+            one, it calls it.
     """
 
     name: str
     documentation: str
     entries: Entries
+    sibling: NumericFunction | None = None
+
+    @property
+    def symbols(self) -> set[sympy.Basic]:
+        """The symbols that occur."""
+        return sympy.Tuple(*self.entries).free_symbols
 
 
 def function_source(function: NumericFunction, arguments: Mapping[sympy.Expr, str]) -> str:
@@ -38,19 +46,29 @@ def function_source(function: NumericFunction, arguments: Mapping[sympy.Expr, st
     plain = {symbol: sympy.Symbol(name) for symbol, name in arguments.items()}
     nested = isinstance(function.entries[0], tuple)
     flat = [entry for row in function.entries for entry in row] if nested else list(function.entries)
-    shared, reduced = sympy.cse([entry.xreplace(plain) for entry in flat], order="none")
     listed = ", ".join(f"{name}: float" for name in arguments.values())
     lines = [
         f"def {function.name}(",
         *_wrapped(f"{listed},", "    "),
         f") -> {'Matrix' if nested else 'Row'}:",
         f'    """{function.documentation}"""',
-        *(f"    {name} = {pycode(value)}" for name, value in shared),
-        "    return (",
-        *(_returned(reduced, len(function.entries[0]) if nested else None)),
-        "    )\n",
     ]
-    return "\n".join(lines)
+    if (taken := _taken(function)) is not None and function.sibling is not None:
+        given = ", ".join(arguments[taken.get(symbol, symbol)] for symbol in arguments)
+        return "\n".join((*lines, *_wrapped(f"return {function.sibling.name}({given})", "    "), ""))
+    shared, reduced = sympy.cse([entry.xreplace(plain) for entry in flat], order="none")
+    lines += [f"    {name} = {pycode(value)}" for name, value in shared]
+    returned = _returned(reduced, len(function.entries[0]) if nested else None)
+    return "\n".join((*lines, "    return (", *returned, "    )\n"))
+
+
+def _taken(function: NumericFunction) -> dict[sympy.Basic, sympy.Basic] | None:
+    """Return the symbol of the sibling and the one in its place here; None if more than that differs."""
+    if (sibling := function.sibling) is None:
+        return None
+    taken = dict(zip(sibling.symbols - function.symbols, function.symbols - sibling.symbols, strict=False))
+    same = sympy.Tuple(*sibling.entries).xreplace(taken) == sympy.Tuple(*function.entries)
+    return taken if same and len(taken) == 1 else None
 
 
 def _returned(entries: list[sympy.Expr], row_length: int | None) -> Iterator[str]:
