@@ -28,6 +28,9 @@ class ArrayRecord:
         """Return the things at an index of NumPy, such as flags, places, or a tuple of slices."""
         return type(self)(*(getattr(self, each.name)[which] for each in fields(self)))  # type: ignore[arg-type]
 
+    def __len__(self) -> int:
+        return len(getattr(self, fields(self)[0].name))  # type: ignore[arg-type]
+
     @classmethod
     def joined(cls, groups: Sequence[Self]) -> Self:
         """Return the things of several groups, at least one, as one group."""

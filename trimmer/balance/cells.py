@@ -51,9 +51,6 @@ class Cells(ArrayRecord):
         """Return an empty set of boxes, to which others are joined."""
         return cls(*(np.empty(0) for _ in range(4)))
 
-    def __len__(self) -> int:
-        return self.u_lower.size
-
     @property
     def u_half(self) -> Reals:
         """Half of the width of each box in u, shape (n,)."""

@@ -42,9 +42,6 @@ class EnclosedCells(ArrayRecord):
         """Enclose N and 1/G on boxes."""
         return cls(cells, curve.disks(cells), response.enclose(cells.x_lower, cells.x_upper))
 
-    def __len__(self) -> int:
-        return len(self.cells)
-
     def refined(self, curve: ElementCurve) -> EnclosedCells:
         """Replace the disks, which hold N on larger boxes, by those of the boxes themselves."""
         return EnclosedCells(self.cells, curve.disks(self.cells), self.enclosure)

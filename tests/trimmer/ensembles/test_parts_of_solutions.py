@@ -69,7 +69,7 @@ def test_crossings_of_some_trimmers_enclose_their_solutions() -> None:
     assert not found.doubtful[[0, 2]].any()
     assert (solved.residual < 1e-11).all()
     one = solved[np.arange(solved.u.size) == 0]
-    assert [len(each) for each in one] == [1] * 6
+    assert [len(each) for each in vars(one).values()] == [1] * 6
     assert one.sine[0] == solved.sine[0]
 
 
