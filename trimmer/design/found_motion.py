@@ -17,7 +17,8 @@ from trimmer.design.targets import Measure, Target
 from trimmer.hybrid.advance import Ending
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import along, durations, read, while_status
+from trimmer.motion.signals import along, read, while_status
+from trimmer.motion.spans import spans_of
 from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
@@ -231,13 +232,6 @@ def _signals(flow: Flow, course: Course, share: float) -> MotionSignals:
 
 
 def _spans(course: Course, on: Flags, end: float) -> Spans:
-    """Return the times at which something is on; what touches is one."""
-    spans: list[tuple[float, float]] = []
-    for start, length, each in zip(course.log.start, durations(course), on, strict=True):
-        if not each or length == 0 or start >= end:
-            continue
-        if spans and np.isclose(sum(spans[-1]), start, rtol=0, atol=1e-12 * course.duration):
-            spans[-1] = spans[-1][0], float(start + length - spans[-1][0])
-        else:
-            spans.append((float(start), float(length)))
-    return tuple((begin, min(length, end - begin)) for begin, length in spans)
+    """Return the times up to an end at which something is on."""
+    found = spans_of(course.log.start, course.duration, on)
+    return tuple((begin, min(length, end - begin)) for begin, length in found if begin < end)

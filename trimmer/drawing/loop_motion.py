@@ -9,11 +9,12 @@ import numpy as np
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
-from trimmer.drawing.strips import Strip, bars_of, draw_strips
+from trimmer.drawing.strips import Strip, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.relay_component import HELD
+from trimmer.motion.spans import spans_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -72,5 +73,5 @@ def strips_of(motion: LoopMotion) -> list[Strip]:
             on, word, stick = own == HELD, "stick", True
         else:
             continue
-        strips.append(Strip(f"{label}, {word}", bars_of(motion.log.start, motion.duration, on), stick))
+        strips.append(Strip(f"{label}, {word}", spans_of(motion.log.start, motion.duration, on), stick))
     return strips

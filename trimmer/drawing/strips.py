@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from matplotlib.collections import PolyCollection
 
 from trimmer.drawing.look import COLOURS
@@ -15,7 +14,6 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
-    from trimmer.arrays import Flags, Reals
 
 HEIGHT = 0.06
 """Height of a strip, as a share of the axes."""
@@ -39,26 +37,6 @@ class Strip:
     name: str
     bars: Sequence[tuple[float, float]]
     stick: bool
-
-
-def bars_of(starts: Reals, duration: float, on: Flags) -> list[tuple[float, float]]:
-    """Return start and length of each time at which something is on, s; what touches is one.
-
-    Args:
-        starts: Starts of the segments of a motion, s, rising, (n,).
-        duration: End of the motion, s.
-        on: Whether it is on in each segment, (n,).
-    """
-    lengths = np.diff(np.append(starts, duration))
-    bars: list[tuple[float, float]] = []
-    for start, length, each in zip(starts.tolist(), lengths.tolist(), on, strict=True):
-        if not each or length <= 0:
-            continue
-        if bars and np.isclose(sum(bars[-1]), start, rtol=0, atol=1e-12 * duration):
-            bars[-1] = bars[-1][0], start + length - bars[-1][0]
-        else:
-            bars.append((start, length))
-    return bars
 
 
 def draw_strips(axes: Axes, strips: Sequence[Strip]) -> None:

@@ -10,11 +10,12 @@ import numpy as np
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
-from trimmer.drawing.strips import Strip, bars_of, draw_strips
+from trimmer.drawing.strips import Strip, draw_strips
 from trimmer.drawing.units import name_axis
 from trimmer.motion.flow import signals_of
 from trimmer.motion.part import TOUCHING, Phase
 from trimmer.motion.signals import Steady, rate, read, while_status
+from trimmer.motion.spans import spans_of
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
 
@@ -70,7 +71,7 @@ def strips_of(flow: Flow, course: Course) -> list[Strip]:
             statuses = part.statuses(*phases)
             if statuses:
                 on = while_status(course, number, statuses)
-                bars = bars_of(course.log.start, course.duration, on)
+                bars = spans_of(course.log.start, course.duration, on)
                 found.append(Strip(f"{part.name}, {word}", bars, stick))
     return found
 
