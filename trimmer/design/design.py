@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
@@ -65,12 +65,12 @@ class Design:
         motions: The motions that were found.
         varied: The numbers that maps, branches and margins are over.
         spectra: Lines of each output of the first motion.
-        maps: Over gap and speed, gap and friction; as far as the mechanism has them.
-        paths: The branch through the working point over each number; empty where the motion does not repeat.
-        sensitivities: Of the first motion; None where it does not repeat.
         ranges: Over what nobody knows; None where the file leaves nothing open.
         questions: What is asked about.
         verdict: On the targets.
+        maps: Over gap and speed, gap and friction; as far as the mechanism has them.
+        paths: The branch through the working point over each number; empty where the motion does not repeat.
+        sensitivities: Of the first motion; None where it does not repeat.
         remedies: What would meet them; None where they are met or there are none.
     """
 
@@ -80,13 +80,13 @@ class Design:
     motions: Motions
     varied: tuple[VariedNumber, ...]
     spectra: Mapping[str, OutputSpectrum]
-    maps: tuple[DesignMap, ...]
-    paths: tuple[NumberPath, ...]
-    sensitivities: Sensitivities | None
     ranges: RangeStudy | None
     questions: tuple[Question, ...]
     verdict: DesignVerdict
-    remedies: Remedies | None
+    maps: tuple[DesignMap, ...] = ()
+    paths: tuple[NumberPath, ...] = ()
+    sensitivities: Sensitivities | None = None
+    remedies: Remedies | None = None
 
     @property
     def motion(self) -> FoundMotion | None:
@@ -114,48 +114,29 @@ class Study:
 
     def whole(self) -> Design:
         """Compute everything."""
-        motions, linear = self.motions(), self.linear()
-        varied = self.varied(motions)
-        of, ranges = self.sensitivities(motions), self.ranges()
-        verdict = verdict_on(self.file.targets, motions, ranges)
+        short = self.short()
+        of = self.sensitivities(short.motions)
+        return replace(
+            short,
+            sensitivities=of,
+            remedies=self.remedies(short.verdict, of),
+            paths=self.paths(short.motions, short.varied),
+            maps=self.maps(short.varied),
+        )
+
+    def short(self) -> Design:
+        """Compute verdict, motions and spectra alone, as for a comparison."""
+        motions, linear, ranges = self.motions(), self.linear(), self.ranges()
         return Design(
             file=self.file,
             settings=self.settings,
             linear=linear,
             motions=motions,
-            varied=varied,
+            varied=self.varied(motions),
             spectra=self.spectra(motions, linear),
-            remedies=self.remedies(verdict, of),
-            paths=self.paths(motions, varied),
-            maps=self.maps(varied),
-            sensitivities=of,
             ranges=ranges,
             questions=questions(self.file.mechanism, motions.first),
-            verdict=verdict,
-        )
-
-    def short(self) -> Design:
-        """Compute verdict, motions and spectra alone, as for a comparison."""
-        motions, linear = self.motions(), self.linear()
-        ranges = self.ranges()
-        verdict = verdict_on(self.file.targets, motions, ranges)
-        varied = self.varied(motions)
-        asked = questions(self.file.mechanism, motions.first)
-        lines = self.spectra(motions, linear)
-        return Design(
-            self.file,
-            self.settings,
-            linear,
-            motions,
-            varied,
-            lines,
-            (),
-            (),
-            None,
-            ranges,
-            asked,
-            verdict,
-            None,
+            verdict=verdict_on(self.file.targets, motions, ranges),
         )
 
     def linear(self) -> tuple[LinearState, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +14,7 @@ from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
 from trimmer.response.forced_orbit import exact_orbit
 from trimmer.response.respond import respond
-from trimmer.response.response import MotionKind, Response
+from trimmer.response.response import MotionKind
 from trimmer.response.same import same_orbit
 
 if TYPE_CHECKING:
@@ -88,11 +88,7 @@ def motions_from_starts(mechanism: Mechanism, settings: DesignSettings) -> Motio
     found = [of_settled(each) for each in response.motions]
     measured = tuple(each for each in found if each is not None)
     lost = len(found) - len(measured)
-    return Motions(measured, starts, settings.seed, lost, _message(response), found[0] is None)
-
-
-def _message(response: Response) -> str:
-    return response.motion.message
+    return Motions(measured, starts, settings.seed, lost, response.motion.message, found[0] is None)
 
 
 def with_neighbours(
@@ -121,19 +117,16 @@ def with_neighbours(
     centre = coexistence.result.cells[row * len(columns) + column]
     new = tuple(_new(mechanism, centre.motions, motions))
     first, second = values
-    tried = Neighbours(
-        (first, second),
-        len(result.cells),
-        REACH,
-        coexistence.tried,
-        coexistence.rounds,
-        coexistence.complete,
-        len(new),
+    neighbours = Neighbours(
+        places=(first, second),
+        cells=len(result.cells),
+        reach=REACH,
+        tried=coexistence.tried,
+        rounds=coexistence.rounds,
+        complete=coexistence.complete,
+        found=len(new),
     )
-    lost, message = motions.lost, motions.message
-    return Motions(
-        (*motions.found, *new), motions.starts, motions.seed, lost, message, motions.first_failed, tried
-    )
+    return replace(motions, found=(*motions.found, *new), neighbours=neighbours)
 
 
 def _around(varied: VariedNumber, count: int) -> tuple[float, ...]:

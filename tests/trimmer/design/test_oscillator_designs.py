@@ -205,7 +205,7 @@ def test_a_whole_and_a_short_look_have_their_stages() -> None:
     mechanism = replace(oscillator(), stops={"wall": Stop(ENDS, 2e4, 50.0, 4e-3)})
     made, told = study(mechanism, OpenRange("frequency", "Hz", 19.0, 21.0, False))
     whole = made.whole()
-    expected = ["motions", "neighbours", "linear", "sensitivities", "ranges", "remedies", "branch", "branch"]
+    expected = ["motions", "neighbours", "linear", "ranges", "sensitivities", "remedies", "branch", "branch"]
     assert [each for each in made.keeper.names if each != "row"] == expected  # type: ignore[attr-defined]
     assert told[:2] == [(Stage.MOTIONS, (), 0, 1), (Stage.MOTIONS, (), 1, 1)]
     branches = [over for stage, over, done, _ in told if stage is Stage.BRANCH and done]
