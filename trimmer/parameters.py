@@ -11,6 +11,7 @@ from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
 from trimmer.messages import in_lines, near_match, shown_value
 from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
+from trimmer.showing.shown import counted
 from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
 if TYPE_CHECKING:
@@ -28,16 +29,8 @@ class ParameterError(TrimmerError, ValueError):
     """One or more parameters are unusable; the message names each with its value and the reason."""
 
 
-def _mass(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": ParameterKind.MASS})
-
-
-def _stiffness(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": ParameterKind.STIFFNESS})
-
-
-def _damping(meaning: str) -> Any:
-    return field(metadata={"meaning": meaning, "quantity": ParameterKind.DAMPING})
+def _of(quantity: ParameterKind, meaning: str) -> Any:
+    return field(metadata={"meaning": meaning, "quantity": quantity})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,19 +44,19 @@ class TrimmerParameters:
         ParameterError: if values are not finite real numbers or have the wrong sign; each is named.
     """
 
-    m1: float = _mass("mass of the motor")
-    m2: float = _mass("mass of the cutter with the driving bridge")
-    m3: float = _mass("mass of the guard housing")
-    m4: float = _mass("mass of the guard")
-    k1: float = _stiffness("stiffness of the motor mount")
-    k2: float = _stiffness("stiffness of the driving bridge")
-    k3: float = _stiffness("stiffness of the housing mount")
-    k4: float = _stiffness("stiffness between guard and housing")
-    k5: float = _stiffness("stiffness of the coil spring between cutter and housing")
-    c1: float = _damping("damping of the motor mount")
-    c2: float = _damping("damping of the driving bridge")
-    c3: float = _damping("damping of the housing mount")
-    c4: float = _damping("damping between guard and housing")
+    m1: float = _of(ParameterKind.MASS, "mass of the motor")
+    m2: float = _of(ParameterKind.MASS, "mass of the cutter with the driving bridge")
+    m3: float = _of(ParameterKind.MASS, "mass of the guard housing")
+    m4: float = _of(ParameterKind.MASS, "mass of the guard")
+    k1: float = _of(ParameterKind.STIFFNESS, "stiffness of the motor mount")
+    k2: float = _of(ParameterKind.STIFFNESS, "stiffness of the driving bridge")
+    k3: float = _of(ParameterKind.STIFFNESS, "stiffness of the housing mount")
+    k4: float = _of(ParameterKind.STIFFNESS, "stiffness between guard and housing")
+    k5: float = _of(ParameterKind.STIFFNESS, "stiffness of the coil spring between cutter and housing")
+    c1: float = _of(ParameterKind.DAMPING, "damping of the motor mount")
+    c2: float = _of(ParameterKind.DAMPING, "damping of the driving bridge")
+    c3: float = _of(ParameterKind.DAMPING, "damping of the housing mount")
+    c4: float = _of(ParameterKind.DAMPING, "damping between guard and housing")
 
     def __post_init__(self) -> None:
         problems = [
@@ -172,7 +165,9 @@ def read_parameters(path: Path) -> TrimmerParameters:
     content = _parsed(path)
     problems = [*_unknown_keys(content), *_missing_keys(content), *_unusable_values(content)]
     if problems:
-        raise ParameterError(f"{path}: {_count(len(problems))} in the parameters:{in_lines(problems)}")
+        raise ParameterError(
+            f"{path}: {counted(len(problems), 'problem')} in the parameters:{in_lines(problems)}"
+        )
     return TrimmerParameters(**{key: value for key, value in content.items() if key != SCATTER})
 
 
@@ -219,7 +214,3 @@ def _unusable_values(content: dict[str, Any]) -> Iterator[str]:
         if isinstance(value, str):
             reason += ", without quotation marks; text is not evaluated"
         yield f"{parameter.symbol} = {shown_value(value)}: {reason}"
-
-
-def _count(problems: int) -> str:
-    return "1 problem" if problems == 1 else f"{problems} problems"

@@ -11,7 +11,7 @@ from trimmer.arguments import real_values, whole_number
 from trimmer.choices import Choice
 from trimmer.orbits.periodic_orbit import ORBIT_COLUMNS, PeriodicOrbit
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.shown import Tabular
+from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ class RelaySearch:
         )
         if self.undecided:
             width = sum(end - begin for begin, end in self.undecided)
-            sentence += f" except in {_counted(len(self.undecided), 'interval')} of {width:.3g} s together"
+            sentence += f" except in {counted(len(self.undecided), 'interval')} of {width:.3g} s together"
         if not self.grid:
             return sentence
         return (
@@ -170,7 +170,7 @@ class OrbitSearched:
         """What the search left open, in sentences without a full stop; nothing if it went to its end."""
         relay, simulations = self.relay, self.simulations
         doubts = (
-            (self.failed, f"{_counted(self.failed, self._start)} led to no orbit"),
+            (self.failed, f"{self._starts(self.failed)} led to no orbit"),
             (relay and len(relay.undecided), "part of the interval of half periods is undecided"),
             (simulations and simulations.left, "some simulations did not settle in time"),
             (simulations and simulations.interrupted, "the search was interrupted"),
@@ -184,16 +184,19 @@ class OrbitSearched:
         searched += [part.sentence for part in (self.relay, self.simulations) if part is not None]
         return f"searched: {'; '.join(searched)}. Not searched: {', '.join(self._not_searched)}."
 
-    @property
-    def _start(self) -> str:
-        return "prediction of harmonic balance" if self.predicted else "guess"
+    def _starts(self, count: int) -> str:
+        return (
+            f"{counted(count, 'prediction')} of harmonic balance"
+            if self.predicted
+            else counted(count, "guess")
+        )
 
     @property
     def _near_guesses(self) -> str:
         if not self.guesses:
             return "harmonic balance, which predicts no limit cycle" if self.predicted else "near no guess"
         led = "all led to an orbit" if not self.failed else f"{self.failed} led to none"
-        return f"near {_counted(self.guesses, self._start)} ({led})"
+        return f"near {self._starts(self.guesses)} ({led})"
 
     @property
     def _not_searched(self) -> list[str]:
@@ -244,7 +247,7 @@ class PeriodicOrbits(Tabular, Drawn, Sequence[PeriodicOrbit]):
     @property
     def message(self) -> str:
         """What came out, in words."""
-        found = f"{_counted(len(self), 'periodic orbit')} found"
+        found = f"{counted(len(self), 'periodic orbit')} found"
         return "; ".join([found, *self._continua, *self.search.doubts, self.search.sentence])
 
     @property
@@ -252,7 +255,7 @@ class PeriodicOrbits(Tabular, Drawn, Sequence[PeriodicOrbit]):
         return [family.sentence for family in self.families]
 
     def _told(self) -> str:
-        found = _counted(len(self), "periodic orbit")
+        found = counted(len(self), "periodic orbit")
         return "; ".join([found, *self._continua, *(self.search.doubts or ["the search went to its end"])])
 
     def _table(self) -> Table:
@@ -276,9 +279,3 @@ class OrbitSearchInterrupted(KeyboardInterrupt):
     def __init__(self, orbits: PeriodicOrbits) -> None:
         super().__init__(orbits.message)
         self.orbits = orbits
-
-
-def _counted(count: int, noun: str) -> str:
-    plural = "guesses" if noun == "guess" else noun.replace("prediction", "predictions")
-    plural = f"{noun}s" if noun in ("interval", "periodic orbit") else plural
-    return f"{count} {noun if count == 1 else plural}"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from trimmer.showing.shown import counted
 from trimmer.signals.cells import is_numeric, is_text, shown
 from trimmer.signals.csv_layout import (
     COMMENT,
@@ -44,9 +45,7 @@ class NumberedLines:
 
     def __getitem__(self, places: slice) -> NumberedLines:
         """Return the lines of a slice."""
-        return NumberedLines(
-            self.path, self.numbers[places], self.texts[places], self.delimiter, self.closing
-        )
+        return replace(self, numbers=self.numbers[places], texts=self.texts[places])
 
     def __len__(self) -> int:
         return len(self.texts)
@@ -120,7 +119,7 @@ class CsvTable:
         delimiter = self.data.delimiter
         separated = f"separated by {delimiter.word}" if delimiter else "without a delimiter"
         raise SignalFileError(
-            f"{self.path}, line {self.lines[place]}: {_count(cells)} {separated}, where line "
+            f"{self.path}, line {self.lines[place]}: {counted(len(cells), 'cell')} {separated}, where line "
             f"{self.lines[0]} has {self.width}: {shown(self.data.texts[place])}"
         )
 
@@ -204,15 +203,11 @@ def _headings(lines: NumberedLines, width: int) -> tuple[str, ...]:
     last = lines.cells(filled[-1])
     if len(last) != width:
         raise SignalFileError(
-            f"{lines.path}, line {lines.numbers[filled[-1]]}: {_count(last)} in the heading, but {width} in "
-            f"the data after it; put {COMMENT} before it if it is no heading, or say what the delimiter and "
-            "the decimal sign are"
+            f"{lines.path}, line {lines.numbers[filled[-1]]}: {counted(len(last), 'cell')} in the heading, "
+            f"but {width} in the data after it; put {COMMENT} before it if it is no heading, or say what the "
+            "delimiter and the decimal sign are"
         )
     names, before = last, lines.cells(filled[-2]) if len(filled) > 1 else []
     if all(map(is_unit, last)) and len(before) == width:
         names = [f"{name} {in_brackets(unit)}" for name, unit in zip(before, last, strict=True)]
     return tuple(" ".join(name.split()) for name in names)
-
-
-def _count(cells: Sequence[str]) -> str:
-    return "1 cell" if len(cells) == 1 else f"{len(cells)} cells"
