@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes
     from trimmer.parameters import TrimmerParameters
 
-Shape = tuple[complex, complex, complex, complex]
-
 
 @dataclass(frozen=True)
 class Mode(ShownFields):
@@ -32,7 +30,7 @@ class Mode(ShownFields):
     """
 
     eigenvalue: complex
-    shape: Shape
+    shape: tuple[complex, ...]
 
     @property
     def omega_natural(self) -> float:
@@ -68,7 +66,7 @@ class UndampedMode(ShownFields):
     """
 
     omega: float
-    shape: tuple[float, float, float, float]
+    shape: tuple[float, ...]
 
 
 def modes(parameters: TrimmerParameters) -> tuple[Mode, ...]:
@@ -91,7 +89,7 @@ def modes(parameters: TrimmerParameters) -> tuple[Mode, ...]:
     states = np.repeat([1.0, scale], n)
     eigenvalues, vectors = eig(A * states / states[:, None] / scale)
     found = (
-        Mode(complex(value) * scale, _complex_shape(vector[:n]))
+        Mode(complex(value) * scale, tuple(_relative_to_largest(vector[:n]).tolist()))
         for value, vector in zip(eigenvalues, vectors.T, strict=True)
         if value.imag >= 0
     )
@@ -110,7 +108,7 @@ def undamped_modes(parameters: TrimmerParameters) -> tuple[UndampedMode, ...]:
     K = np.array(linear_trimmer.stiffness_matrix(*values))
     squares, vectors = eigh(K, M)
     return tuple(
-        UndampedMode(math.sqrt(max(square, 0.0)), _real_shape(vector))
+        UndampedMode(math.sqrt(max(square, 0.0)), tuple(_relative_to_largest(vector).real.tolist()))
         for square, vector in zip(squares, vectors.T, strict=True)
     )
 
@@ -120,13 +118,3 @@ def _relative_to_largest(vector: Complexes) -> Complexes:
     relative = vector / vector[largest]
     relative[largest] = 1.0  # exactly, where the division rounds
     return np.asarray(relative)
-
-
-def _complex_shape(vector: Complexes) -> Shape:
-    first, second, third, fourth = (complex(entry) for entry in _relative_to_largest(vector))
-    return (first, second, third, fourth)
-
-
-def _real_shape(vector: Complexes) -> tuple[float, float, float, float]:
-    first, second, third, fourth = (float(entry.real) for entry in _relative_to_largest(vector))
-    return (first, second, third, fourth)
