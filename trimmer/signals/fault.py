@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import final
+from typing import ClassVar, final
 
 from trimmer.choices import Choice
 
@@ -39,11 +39,8 @@ class Clipping:
     samples: int
     first: float
     level: float
-
-    @property
-    def kind(self) -> str:
-        """The fault in a word or two."""
-        return "clipping"
+    kind: ClassVar[str] = "clipping"
+    """The fault in a word or two."""
 
     @property
     def sentence(self) -> str:
@@ -78,11 +75,8 @@ class Dropout:
     value: float
     samples: int
     others: int
-
-    @property
-    def kind(self) -> str:
-        """The fault in a word or two."""
-        return "dropout"
+    kind: ClassVar[str] = "dropout"
+    """The fault in a word or two."""
 
     @property
     def sentence(self) -> str:
@@ -113,11 +107,8 @@ class FewSteps:
     bits: float
     noise: float
     unit: str
-
-    @property
-    def kind(self) -> str:
-        """The fault in a word or two."""
-        return "few steps"
+    kind: ClassVar[str] = "few steps"
+    """The fault in a word or two."""
 
     @property
     def sentence(self) -> str:
@@ -143,11 +134,8 @@ class Offset:
     mean: float
     ratio: float
     unit: str
-
-    @property
-    def kind(self) -> str:
-        """The fault in a word or two."""
-        return "offset"
+    kind: ClassVar[str] = "offset"
+    """The fault in a word or two."""
 
     @property
     def sentence(self) -> str:

@@ -52,15 +52,8 @@ def faults(signal: Signal) -> tuple[Fault, ...]:
 
 
 def _found(signal: Signal, runs: _Runs) -> Iterator[Fault]:
-    clipping = _clipping(signal, runs)
-    if clipping is not None:
-        yield clipping
-    dropout = _dropout(signal, runs)
-    if dropout is not None:
-        yield dropout
-    steps = _few_steps(signal, runs)
-    if steps is not None:
-        yield steps
+    found = (look(signal, runs) for look in (_clipping, _dropout, _few_steps))
+    yield from (fault for fault in found if fault is not None)
     mean, rms = float(signal.values.mean()), signal.rms
     if abs(mean) > _LARGE_OFFSET * rms:
         yield Offset(mean, abs(mean) / rms, signal.unit)

@@ -222,17 +222,8 @@ def classify(
     _check(peaks, bin_width, drive_frequency, natural_frequencies, limit_cycle_frequencies)
     closed_loop = truth_value("closed_loop", closed_loop)
     require_instance("tolerance", tolerance, Tolerance, "a trimmer.spectra.Tolerance")
-    modes: list[Origin] = [
-        NaturalMode(number, frequency)
-        for number, frequency in enumerate(natural_frequencies, start=1)
-        if frequency > 0
-    ]
-    lines: list[Origin] = [
-        LimitCycleLine(number, order, order * frequency)
-        for number, frequency in enumerate(limit_cycle_frequencies, start=1)
-        for order in ODD_ORDERS
-        if drive_frequency is None or closed_loop
-    ]
+    modes = _modes(natural_frequencies)
+    lines = _lines(limit_cycle_frequencies if drive_frequency is None or closed_loop else (), ODD_ORDERS)
 
     def candidates(peak: Peak) -> Iterator[Match]:
         if drive_frequency is not None:
@@ -252,11 +243,20 @@ def fundamentals(
     limit_cycle_frequencies: Sequence[float],
 ) -> tuple[Origin, ...]:
     """List what a peak may be but for the higher harmonics; arguments are those of ``classify``."""
-    modes = [
-        NaturalMode(number, each) for number, each in enumerate(natural_frequencies, start=1) if each > 0
+    drive = [] if drive_frequency is None else [Harmonic(1, drive_frequency)]
+    return (*drive, *_modes(natural_frequencies), *_lines(limit_cycle_frequencies, (1,)))
+
+
+def _modes(frequencies: Sequence[float]) -> list[Origin]:
+    return [NaturalMode(number, each) for number, each in enumerate(frequencies, start=1) if each > 0]
+
+
+def _lines(frequencies: Sequence[float], orders: Sequence[int]) -> list[Origin]:
+    return [
+        LimitCycleLine(number, order, order * each)
+        for number, each in enumerate(frequencies, start=1)
+        for order in orders
     ]
-    cycles = [LimitCycleLine(number, 1, each) for number, each in enumerate(limit_cycle_frequencies, start=1)]
-    return (*([] if drive_frequency is None else [Harmonic(1, drive_frequency)]), *modes, *cycles)
 
 
 def _match(peak: Peak, origin: Origin, bin_width: float, tolerance: float) -> Match:
