@@ -113,10 +113,10 @@ def zeros(equation: HalfPeriodEquation, interval: Interval) -> Zeros:
         begin, end = pending.pop()
         examined += 1
         given_up = examined > MOST_PIECES
-        piece = Piece.UNDECIDED if given_up else _on_piece(equation, begin, end)
-        if not isinstance(piece, Piece):
+        piece = Unsolved.UNDECIDED if given_up else _on_piece(equation, begin, end)
+        if not isinstance(piece, Unsolved):
             found += piece
-        elif piece is Piece.UNDECIDED or end - begin <= NARROWEST * end:
+        elif piece is Unsolved.UNDECIDED or end - begin <= NARROWEST * end:
             undecided.append((begin, end))
         else:
             middle = 0.5 * (begin + end)
@@ -148,29 +148,29 @@ def interval_of(equation: HalfPeriodEquation) -> Interval:
     return 0.01 / float(abs(roots).max()), float(ends.max())
 
 
-class Piece(Enum):
+class Unsolved(Enum):
     """Why a piece gives no zeros yet."""
 
     UNRESOLVED = "to be halved"
     UNDECIDED = "the left side is rounding everywhere"
 
 
-def _on_piece(equation: HalfPeriodEquation, begin: float, end: float) -> list[float] | Piece:
+def _on_piece(equation: HalfPeriodEquation, begin: float, end: float) -> list[float] | Unsolved:
     """Return the zeros on a piece, or why there are none yet."""
     middle, half = 0.5 * (begin + end), 0.5 * (end - begin)
     try:
         states = equation.states(middle + half * POINTS)
     except np.linalg.LinAlgError:
-        return Piece.UNRESOLVED
+        return Unsolved.UNRESOLVED
     coefficients = TO_COEFFICIENTS @ (states @ equation.row - equation.level)
     if not np.isfinite(coefficients).all():
-        return Piece.UNRESOLVED
+        return Unsolved.UNRESOLVED
     rounding = ROUNDING * (float((abs(states) @ abs(equation.row)).max()) + abs(equation.level))
     largest = float(abs(coefficients).max())
     if largest <= rounding:
-        return Piece.UNDECIDED
+        return Unsolved.UNDECIDED
     if abs(coefficients[-LAST:]).max() > max(RESOLVED * largest, rounding):
-        return Piece.UNRESOLVED
+        return Unsolved.UNRESOLVED
     if abs(coefficients[0]) > abs(coefficients[1:]).sum() + rounding:
         return []
     significant = np.flatnonzero(abs(coefficients) > 1e-3 * rounding)[-1] + 1

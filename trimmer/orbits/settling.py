@@ -54,7 +54,7 @@ NEAR = 0.1
 """Change of state and span by Newton's method that leaves them near where they were."""
 
 
-class Ending(Enum):
+class MotionEnd(Enum):
     """How a motion ended."""
 
     SETTLED = "settled on an orbit"
@@ -65,10 +65,10 @@ class Ending(Enum):
 
 
 ENDED = {
-    advance.Ending.DIVERGED: Ending.DIVERGED,
-    advance.Ending.CHATTERING: Ending.ACCUMULATED,
-    advance.Ending.UNDECIDED: Ending.ACCUMULATED,
-    advance.Ending.STEP_LIMIT: Ending.LEFT,
+    advance.Ending.DIVERGED: MotionEnd.DIVERGED,
+    advance.Ending.CHATTERING: MotionEnd.ACCUMULATED,
+    advance.Ending.UNDECIDED: MotionEnd.ACCUMULATED,
+    advance.Ending.STEP_LIMIT: MotionEnd.LEFT,
 }
 """How a motion ended that does not go on, by how its integration did."""
 
@@ -110,18 +110,18 @@ def settled_orbits(
     Returns:
         Those that are not, and how the motions ended.
     """
-    orbits, endings = list(known), Counter[Ending]()
+    orbits, endings = list(known), Counter[MotionEnd]()
     starts = initial_states(loop, search.starts, search.seed)
     bar = progress_bar(starts, "simulate", total=search.starts)
     with suppress(KeyboardInterrupt), bar:
         for mode, state in bar:
             endings[_follow(loop, mode, state, search.steps, orbits)] += 1
-    ends = [endings[each] for each in Ending]
+    ends = [endings[each] for each in MotionEnd]
     found = SimulationSearch(sum(ends), search.seed, *[*ends, search.starts])
     return orbits[len(known) :], found
 
 
-def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]) -> Ending:
+def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]) -> MotionEnd:
     """Follow a motion until it has settled, and add the orbits that it settles on or passes by."""
     quiet, events, total, best = quiet_time(loop), FIRST_EVENTS, 0, math.inf
     widest = np.zeros(loop.modes.system.layout.order)
@@ -129,22 +129,22 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
         stretch = followed(loop.modes, mode, state, quiet, events, steps)
         log, total = stretch.log, total + events
         if stretch.ending is advance.Ending.REACHED_END and log.start[-1] == 0:
-            return Ending.AT_REST
+            return MotionEnd.AT_REST
         if stretch.ending in ENDED:
             return ENDED[stretch.ending]
         swing = np.ptp(log.state[-RECENT:, : widest.size], axis=0)
         widest = np.maximum(widest, np.ptp(log.state[:, : widest.size], axis=0))
         if (swing <= SHRUNK * widest).all():
-            return Ending.AT_REST
+            return MotionEnd.AT_REST
         turn = _last_turn(loop, log)
         if turn is not None and (turn.miss < PROGRESS * best or turn.miss < ARRIVED):
             best = turn.miss
             if _settles(loop, turn, orbits):
-                return Ending.SETTLED
+                return MotionEnd.SETTLED
         steps -= stretch.steps
         mode, state = _quiet_state(loop, log, stretch.duration)
         events += events // 2
-    return Ending.LEFT
+    return MotionEnd.LEFT
 
 
 def _settles(loop: ClosedLoop, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
