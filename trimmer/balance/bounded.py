@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import GainTable
-from trimmer.balance.equation_in_box import EquationInBox
+from trimmer.balance.exclusion import EquationInBox
 from trimmer.balance.loop import range_of_roots
 from trimmer.balance.search import SearchedRegion, find_all
 from trimmer.balance.vanishing import empty_intervals, poles_on_axis

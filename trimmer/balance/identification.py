@@ -14,7 +14,7 @@ from scipy.optimize import minimize_scalar
 from trimmer.arguments import positive_number, real_number
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.element_curve import ElementCurve, GainTable
-from trimmer.balance.equation_in_box import EquationInBox
+from trimmer.balance.exclusion import EquationInBox
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
 from trimmer.balance.inverse_response import ConstantResponse
 from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle

@@ -19,7 +19,7 @@ from trimmer.balance.uniqueness import examine, solve_in
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
-    from trimmer.balance.equation_in_box import EquationInBox
+    from trimmer.balance.exclusion import EquationInBox
 
 
 _PARTS = 3
