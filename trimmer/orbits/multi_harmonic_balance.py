@@ -17,7 +17,7 @@ from trimmer.errors import OrbitNotFoundError
 from trimmer.orbits.steady_response import steady_response
 from trimmer.orbits.trigonometric import OddPolynomial
 from trimmer.showing.shown import Tabular
-from trimmer.showing.table import Table, arrays
+from trimmer.showing.table import Table, of_harmonics
 
 if TYPE_CHECKING:
     import control
@@ -62,13 +62,8 @@ class BalancedHarmonics(Tabular):
 
     def _table(self) -> Table:
         orders = np.arange(1, self.order + 1, 2)
-        columns = arrays(
-            order=("", orders),
-            frequency=("Hz", self.frequency * orders),
-            amplitude=(IN_UNIT_OF_INPUT, np.abs(self.harmonics)),
-            phase=("rad", np.angle(self.harmonics)),
-        )
-        return Table("Harmonics of the element's input", range(len(orders)), columns)
+        title = "Harmonics of the element's input"
+        return of_harmonics(title, self.frequency, IN_UNIT_OF_INPUT, orders, self.harmonics)
 
 
 @takes_a_loop

@@ -17,7 +17,7 @@ from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import Steady, along
 from trimmer.orbits.orbit_measures import ImpactEvent, impacts
 from trimmer.response.orbit import Orbit
-from trimmer.showing.table import Table, arrays, attributes
+from trimmer.showing.table import Table, attributes, of_harmonics
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
@@ -260,10 +260,6 @@ class PeriodicOrbit(Orbit):
 
     def _table(self) -> Table:
         orders = np.arange(1, len(self.harmonics) + 1)
-        columns = arrays(
-            order=("", orders),
-            frequency=("Hz", self.frequency * orders),
-            amplitude=(self.unit, np.abs(self.harmonics)),
-            phase=("rad", np.angle(self.harmonics)),
+        return of_harmonics(
+            "Harmonics of the element's input", self.frequency, self.unit, orders, self.harmonics
         )
-        return Table("Harmonics of the element's input", range(len(orders)), columns)

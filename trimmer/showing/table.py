@@ -63,6 +63,19 @@ def arrays(**given: tuple[str, Any]) -> tuple[Column, ...]:
     return tuple(Column(name, unit, values.__getitem__) for name, (unit, values) in given.items())
 
 
+def of_harmonics(title: str, frequency: float, unit: str, orders: Any, coefficients: Any) -> Table:
+    """Return amplitude and phase of the harmonics of a frequency, Hz, whose orders are given."""
+    from numpy import angle
+
+    columns = arrays(
+        order=("", orders),
+        frequency=("Hz", frequency * orders),
+        amplitude=(unit, abs(coefficients)),
+        phase=("rad", angle(coefficients)),
+    )
+    return Table(title, range(len(orders)), columns)
+
+
 def over_time(title: str, times: Any, signals: Mapping[str, tuple[str, Any]]) -> Table:
     """Return signals over time: by name unit and values; one that is called time is ``outputs.time``."""
     named = {"outputs.time" if name == "time" else name: each for name, each in signals.items()}

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arguments import real_number, whole_number
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
-from trimmer.showing.table import Table, arrays
+from trimmer.showing.table import Table, of_harmonics
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.spectrum import IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
@@ -64,14 +64,8 @@ class HarmonicFit(Tabular, Drawn):
         return f"{count} of {frequency:.9g} Hz explain {self.explained:.4%} of the variance"
 
     def _table(self) -> Table:
-        orders = np.array(self.orders)
-        columns = arrays(
-            order=("", orders),
-            frequency=("Hz", self.frequency * orders),
-            amplitude=(IN_UNIT_OF_SIGNAL, self.amplitudes),
-            phase=("rad", np.angle(self.coefficients)),
-        )
-        return Table("Harmonics of the drive; phases of cosines", range(orders.size), columns)
+        orders, title = np.array(self.orders), "Harmonics of the drive; phases of cosines"
+        return of_harmonics(title, self.frequency, IN_UNIT_OF_SIGNAL, orders, self.coefficients)
 
     def at(self, times: ArrayLike) -> Reals:
         """Evaluate the fit at times after the first sample (s), in their shape and in the signal's unit."""
