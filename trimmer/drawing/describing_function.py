@@ -10,7 +10,7 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.locus import draw_element_curve, ratios_of
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import arrow, critical_point
-from trimmer.drawing.plane import inverse
+from trimmer.drawing.plane import inverse, show
 from trimmer.elements.element import Element, ElementLocus
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def draw_element_locus(locus: ElementLocus, axes: Axes) -> None:
     curve = curve[np.isfinite(curve)]
     curve = curve[abs(curve) <= max(LEAST, SHOWN * abs(curve).min())]
     critical_point(axes)
-    _fit(axes, np.append(curve, -1.0))
+    show(axes, np.append(curve, -1.0), 0.5)
     middle = int(np.argmin(abs(_shares(curve) - 0.5)))
     arrow(axes, complex(curve[max(middle - 1, 0)]), complex(curve[middle]), color=line(1)["color"])
     axes.set_xlabel("real part of −1/N")
@@ -82,10 +82,3 @@ def _shares(curve: Complexes) -> Reals:
     """Return the length of a curve up to each point, as a share."""
     length = np.append(0.0, np.cumsum(abs(np.diff(curve))))
     return np.asarray(length / (length[-1] or 1.0))
-
-
-def _fit(axes: Axes, points: Complexes) -> None:
-    for parts, set_limits in ((points.real, axes.set_xlim), (points.imag, axes.set_ylim)):
-        low, high = float(parts.min()), float(parts.max())
-        margin = 0.08 * (high - low) or 0.5
-        set_limits(low - margin, high + margin)

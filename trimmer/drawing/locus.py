@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.balance.limit_cycle import HarmonicBalance
-from trimmer.drawing.along import Along
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import figure_of, new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import critical_point, limit_cycle
-from trimmer.drawing.plane import element_locus, system_locus
+from trimmer.drawing.plane import MARGIN, Along, element_locus, show, system_locus
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
@@ -33,8 +32,6 @@ SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 600), 1.0 - np.geomspace(0.5, 1
 """Shares of the largest u, close together at both ends."""
 EACH_INTEGRATED = 9
 """One place of so many is shown of an element without closed form, each point of which is integrated."""
-MARGIN = 0.08
-"""Free room around what is shown, as a share of it."""
 CLOSE = 0.25
 """Share of the picture, across and up, within which limit cycles are enlarged."""
 FAR = 4.0
@@ -68,7 +65,7 @@ def draw_balance(balance: HarmonicBalance, axes: Axes, *, near: bool = False) ->
     for cycle, place in zip(balance.limit_cycles, _places(balance), strict=True):
         limit_cycle(axes, place, stable=cycle.stable, label=_words(cycle))
     critical_point(axes)
-    _frame(axes, _places(balance, -1.0) if near and balance.limit_cycles else _shown(balance))
+    show(axes, _places(balance, -1.0) if near and balance.limit_cycles else _shown(balance), MARGIN)
     axes.set_xlabel("real part")
     axes.set_ylabel("imaginary part")
     axes.grid(alpha=0.3)
@@ -138,11 +135,3 @@ def _shown(balance: HarmonicBalance) -> Complexes:
     if (np.real(ZeroPoleGain.of(system).poles) == 0).any():
         response = response[abs(response) <= FAR * abs(places).max()]
     return np.concatenate([response, places])
-
-
-def _frame(axes: Axes, shown: Complexes) -> None:
-    """Show some places with a margin around them, whatever lies outside."""
-    for parts, set_limits in ((shown.real, axes.set_xlim), (shown.imag, axes.set_ylim)):
-        lowest, highest = float(parts.min()), float(parts.max())
-        margin = MARGIN * (highest - lowest) or MARGIN
-        set_limits(lowest - margin, highest + margin)

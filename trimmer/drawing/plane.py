@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
+from matplotlib.lines import Line2D
 
-from trimmer.drawing.along import Along, plot_along
 from trimmer.linear.frequency_response import response_at
 
 if TYPE_CHECKING:
@@ -15,6 +16,42 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element import Element
+
+
+MARGIN = 0.08
+"""Free room around what is shown, as a share of it."""
+
+
+@dataclass(frozen=True)
+class Along:
+    """A quantity along a curve, such as omega along a Nyquist locus: symbol, unit, a value for each point."""
+
+    quantity: str
+    unit: str
+    values: Reals
+
+
+@final
+class CurveAlong(Line2D):
+    """A line with a quantity for each of its points."""
+
+    def __init__(self, points: Complexes, along: Along, **keywords: Any) -> None:
+        super().__init__(points.real, points.imag, **keywords)
+        self.along = along
+
+
+def plot_along(axes: Axes, points: Complexes, along: Along, **keywords: Any) -> None:
+    """Draw a curve in the complex plane with a quantity along it; keywords are those of ``Axes.plot``."""
+    axes.add_line(CurveAlong(points, along, **keywords))
+    axes.autoscale_view()
+
+
+def show(axes: Axes, places: Complexes, least: float) -> None:
+    """Show some places with a margin around them, whatever lies outside; ``least`` where they are one."""
+    for parts, set_limits in ((places.real, axes.set_xlim), (places.imag, axes.set_ylim)):
+        lowest, highest = float(parts.min()), float(parts.max())
+        margin = MARGIN * (highest - lowest) or least
+        set_limits(lowest - margin, highest + margin)
 
 
 def system_locus(axes: Axes, system: control.lti.LTI, omega: Reals, **look: Any) -> None:

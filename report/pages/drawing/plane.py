@@ -11,9 +11,8 @@ import numpy as np
 from report.pages.drawing.marks import beside, limit_cycle
 from report.pages.drawing.style import LINES, Look
 from trimmer import response_at
-from trimmer.drawing.along import Along
 from trimmer.drawing.marks import critical_point as critical_point
-from trimmer.drawing.plane import element_locus, system_locus
+from trimmer.drawing.plane import Along, element_locus, system_locus
 from trimmer.drawing.plane import inverse as inverse_gain
 
 if TYPE_CHECKING:

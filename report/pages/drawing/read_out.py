@@ -14,9 +14,9 @@ from matplotlib.lines import Line2D
 from report.pages.drawing.marks import Names
 from report.pages.drawing.peaks import peaks
 from report.pages.drawing.placed import axes_name, placed
-from trimmer.drawing.along import Along as Along
-from trimmer.drawing.along import CurveAlong
-from trimmer.drawing.along import plot_along as plot_along
+from trimmer.drawing.plane import Along as Along
+from trimmer.drawing.plane import CurveAlong
+from trimmer.drawing.plane import plot_along as plot_along
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
