@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from trimmer.design.trial import MeasureOfPart, all_measures
@@ -47,12 +48,7 @@ class MeasureDifference:
     @property
     def change(self) -> float | None:
         """Relative change; None where it is not defined."""
-        if (
-            self.before is None
-            or self.after is None
-            or not self.before
-            or not _finite(self.before, self.after)
-        ):
+        if not self.before or self.after is None or not isfinite(self.before) or not isfinite(self.after):
             return None
         return self.after / self.before - 1
 
@@ -121,7 +117,3 @@ def _value(design: Design, asked: MeasureOfPart) -> float | None:
     if motion is None or asked not in all_measures(design.file.mechanism):
         return None
     return motion.measure(asked.measure, asked.part)
-
-
-def _finite(*values: float) -> bool:
-    return all(abs(value) < float("inf") for value in values)

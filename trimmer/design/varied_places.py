@@ -85,11 +85,7 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNum
     live = [name for name, (_, part) in parts.items() if part.stiffness or part.damping]
     if not live:
         return
-    name = live[0]
-    if motion is not None:
-        # A difference of one part in a million is none, so that rounding does not choose between twins.
-        speeds = {each: float(f"{motion.contacts[each].impact_speed:.6g}") for each in live}
-        name = max(live, key=lambda each: speeds[each])
+    name = max(live, key=lambda each: _told_apart(motion.contacts[each].impact_speed) if motion else 0.0)
     section, part = parts[name]
     stroke = max((each.peak_to_peak for each in motion.outputs.values()), default=0.0) if motion else 0.0
     reach = abs(part.gap) or SLACK * stroke
@@ -103,6 +99,11 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNum
     )
 
 
+def _told_apart(value: float) -> float:
+    """Return a value to one part in a million, so that rounding does not choose between twins."""
+    return float(f"{value:.6g}")
+
+
 def _speed(mechanism: Mechanism) -> Iterator[VariedNumber]:
     if mechanism.frequency is not None:
         low, high = (share * mechanism.frequency for share in SPEEDS)
@@ -113,10 +114,7 @@ def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Vari
     live = [name for name, friction in mechanism.frictions.items() if friction.force > 0]
     if not live:
         return
-    name = live[0]
-    if motion is not None:
-        powers = {each: float(f"{motion.frictions[each].power:.6g}") for each in live}
-        name = max(live, key=lambda each: powers[each])
+    name = max(live, key=lambda each: _told_apart(motion.frictions[each].power) if motion else 0.0)
     friction = mechanism.frictions[name]
     place = place_text(("frictions", name, "force"))
     if friction.static_force > friction.force:

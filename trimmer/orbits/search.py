@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, overload
 
@@ -182,7 +182,9 @@ class OrbitSearched:
         """What was searched and what was not, in words."""
         searched = [self._near_guesses]
         searched += [part.sentence for part in (self.relay, self.simulations) if part is not None]
-        return f"searched: {'; '.join(searched)}. Not searched: {', '.join(self._not_searched)}."
+        simulated = "stable orbits that none of these initial states leads to"
+        others = f"other unstable orbits, {simulated}" if self.simulations else _NOT_SIMULATED
+        return f"searched: {'; '.join(searched)}. Not searched: {others}."
 
     def _starts(self, count: int) -> str:
         return (
@@ -198,14 +200,8 @@ class OrbitSearched:
         led = "all led to an orbit" if not self.failed else f"{self.failed} led to none"
         return f"near {self._starts(self.guesses)} ({led})"
 
-    @property
-    def _not_searched(self) -> list[str]:
-        others = ["other unstable orbits"]
-        if self.simulations is None:
-            others = ["other orbits, which simulations look for if they are asked for (--simulate)"]
-        else:
-            others.append("stable orbits that none of these initial states leads to")
-        return others
+
+_NOT_SIMULATED = "other orbits, which simulations look for if they are asked for (--simulate)"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -235,9 +231,6 @@ class PeriodicOrbits(Tabular, Drawn, Sequence[PeriodicOrbit]):
 
     def __len__(self) -> int:
         return len(self.orbits)
-
-    def __iter__(self) -> Iterator[PeriodicOrbit]:
-        return iter(self.orbits)
 
     @property
     def success(self) -> bool:
