@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trimmer.arguments import real_number, real_values
+from trimmer.arguments import positive_number, real_values
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.limit_cycle import (
     Certificate,
@@ -184,8 +184,7 @@ def _solve(
     given = None if omega_range is None else _checked_range(omega_range)
     element = loop.element
     if frozen_omega is not None:
-        _require_positive(frozen_omega)
-        element = element.at(frozen_omega)
+        element = element.at(positive_number("frozen_omega", frozen_omega, "rad/s"))
     equation = loop_equation(loop.system, element)
     if not equation.curve.element.has_bounds:
         return equation, solve_sampled(equation.response, equation.curve, given)
@@ -203,11 +202,6 @@ def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
             f"not {omega_range!r}"
         )
     return float(lowest), float(highest)
-
-
-def _require_positive(frozen_omega: float) -> None:
-    if not 0 < real_number("frozen_omega", frozen_omega, "rad/s") < math.inf:
-        raise ValueError(f"frozen_omega must be positive and finite, rad/s, not {frozen_omega!r}")
 
 
 _AT_EDGE = 1.0 - 1e-9

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,21 +24,6 @@ def require_not_negative(field: str, value: float, unit: str) -> None:
     """
     if not real_number(field, value, unit) >= 0:
         raise ValueError(f"{field} must be zero, positive or infinite ({unit}), not {value!r}")
-
-
-def harmonic_number(harmonic: int) -> int:
-    """Return the number of a harmonic as an int.
-
-    Raises:
-        ValueError: if it is not an integer, or less than 1.
-    """
-    try:
-        number = operator.index(harmonic)
-    except TypeError:
-        number = 0
-    if number < 1 or isinstance(harmonic, bool):
-        raise ValueError(f"harmonic must be an integer from 1 on, not {harmonic!r}")
-    return number
 
 
 def positive_amplitudes(amplitude: ArrayLike) -> Reals:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, TypeVar, final
 
 import numpy as np
 
-from trimmer.arguments import real_values
-from trimmer.elements.arguments import harmonic_number, positive_amplitudes, positive_omegas
+from trimmer.arguments import real_values, whole_number
+from trimmer.elements.arguments import positive_amplitudes, positive_omegas
 from trimmer.elements.expansion import Derivatives, Expansion, GainSensitivity, GainVariation
 from trimmer.showing.drawn import Drawn, drawn
 
@@ -94,7 +94,7 @@ class Element(Drawn, ABC):
             ValueError: if an amplitude or omega is not positive, omega is infinite or missing, or the
                 harmonic is no integer >= 1.
         """
-        number = harmonic_number(harmonic)
+        number = whole_number("harmonic", harmonic, 1)
         amplitudes, omegas = self._inputs(amplitude, omega)
         missing = np.isnan(amplitudes) | np.isnan(omegas)
         values: Complexes = np.empty(amplitudes.size, dtype=complex)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.arguments import harmonic_number
+from trimmer.arguments import whole_number
 from trimmer.elements.element import Element
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.quadrature import QuadratureEstimate, harmonic_by_quadrature
@@ -67,7 +67,7 @@ class UnboundedElement(Element):
             ValueError: as for ``describing_function``, and for an array.
             UnsupportedElementError: if the element is not odd at this amplitude.
         """
-        number = harmonic_number(harmonic)
+        number = whole_number("harmonic", harmonic, 1)
         amplitudes, omegas = self._inputs(amplitude, omega)
         if amplitudes.ndim or omegas.ndim or not np.isfinite(amplitudes):
             raise ValueError(

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import real_number
+from trimmer.arguments import positive_number
 from trimmer.linear.extrema import polished_root, stationary_gains, stationary_phases
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.showing.shown import ShownFields
@@ -62,10 +62,8 @@ def gain_crossings(system: control.lti.LTI, level: float = 1.0) -> tuple[float, 
         ValueError: if the level is not positive and finite.
         UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``.
     """
-    if not 0 < real_number("level", level) < math.inf:
-        raise ValueError(f"level, a gain to cross, must be positive and finite, not {level!r}")
+    log_level = math.log(positive_number("level", level))
     factored = ZeroPoleGain.of(system)
-    log_level = math.log(level)
 
     def excess(omega: float) -> float:
         return float(np.clip(factored.log_gain(omega) - log_level, -_LOG_LIMIT, _LOG_LIMIT))

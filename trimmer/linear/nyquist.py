@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import cmath
-import math
 from typing import TYPE_CHECKING
 
-from trimmer.arguments import real_number
+from trimmer.arguments import finite_number
 from trimmer.errors import TrimmerError
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
@@ -44,8 +43,7 @@ def encirclements(system: control.lti.LTI, point: float = -1.0) -> int:
         UnsupportedSystemError: see ``trimmer.linear.frequency_response.require_siso``; or if the system is
             not proper.
     """
-    if not math.isfinite(real_number("point", point)):
-        raise ValueError(f"the point must be finite, not {point!r}")
+    finite_number("point", point)
     open_loop = ZeroPoleGain.of(system)
     if open_loop.relative_degree < 0:
         raise UnsupportedSystemError("the system has more zeros than poles: its Nyquist locus does not close")

@@ -54,9 +54,7 @@ class OrbitSearch:
     def __post_init__(self) -> None:
         object.__setattr__(self, "simulations", Simulations.chosen(self.simulations, "simulations"))
         for name, least in (("starts", 1), ("seed", 0), ("steps", 1)):
-            value = whole_number(name, getattr(self, name))
-            if value < least:
-                raise ValueError(f"{name} must be a whole number of at least {least}, not {value!r}")
+            whole_number(name, getattr(self, name), least)
         if self.half_periods is None:
             return
         limits = real_values("half_periods", self.half_periods)

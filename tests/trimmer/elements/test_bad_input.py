@@ -110,7 +110,7 @@ class TestArguments:
 
     def test_harmonics_are_counted_from_one(self, element: Element) -> None:
         for harmonic in (0, -1, 1.0, 1.5, True, "1", None):
-            with pytest.raises(ValueError, match="harmonic must be an integer from 1 on"):
+            with pytest.raises(ValueError, match="harmonic must be a whole number from 1 on"):
                 element.describing_function(1.0, 1.0, harmonic)
 
     def test_nan_in_gives_nan_out(self, element: Element) -> None:

@@ -87,7 +87,7 @@ def test_the_same_seed_gives_the_same_answer() -> None:
 @pytest.mark.parametrize(
     ("setting", "message"),
     [
-        ({"starts": 0}, "starts must be a whole number of at least 1, not 0"),
+        ({"starts": 0}, "starts must be a whole number from 1 on, not 0"),
         ({"starts": 1.5}, "starts must be"),
         ({"seed": -1}, "seed must be"),
         ({"steps": 0}, "steps must be"),
