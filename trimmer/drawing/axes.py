@@ -1,20 +1,34 @@
-"""The legend of axes, where it leaves the data free."""
+"""What axes get after their data: names, grid, strips, and a legend where it leaves the data free."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.transforms import ScaledTranslation
+
+from trimmer.drawing.strips import Strip, draw_strips
+from trimmer.drawing.units import name_axis
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
+    Label = tuple[str, str]
+
 NARROW = 4.0
 """Width of axes, inches, below which a legend stands under them and not beside them."""
 UNDER = 3.6
 """How far under the axes, in font sizes: below ticks and label."""
+
+
+def finish(axes: Axes, across: Label, up: Label, strips: Sequence[Strip] = ()) -> None:
+    """Name both axes of drawn curves, by what they show and SI unit, and add grid, strips and legend."""
+    name_axis(axes.yaxis, *up)
+    name_axis(axes.xaxis, *across)
+    axes.grid(alpha=0.3)
+    draw_strips(axes, strips)
+    add_legend(axes)
 
 
 def add_legend(axes: Axes, handles: Iterable[Artist] | None = None, title: str = "") -> None:

@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
-from trimmer.drawing.strips import Strip, draw_strips
-from trimmer.drawing.units import name_axis
+from trimmer.drawing.strips import Strip
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.relay_component import HELD
@@ -36,11 +35,7 @@ def draw_loop_motion(motion: LoopMotion, axes: Axes) -> None:
     for number, (name, values) in enumerate(signals_of(motion, times).items()):
         axes.plot(times, values, label=name, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, motion.duration)
-    name_axis(axes.yaxis, "displacement", "m")
-    name_axis(axes.xaxis, "time", "s")
-    axes.grid(alpha=0.3)
-    draw_strips(axes, strips_of(motion))
-    add_legend(axes)
+    finish(axes, ("time", "s"), ("displacement", "m"), strips_of(motion))
 
 
 def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
-from trimmer.drawing.units import name_axis, with_prefix
+from trimmer.drawing.units import with_prefix
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import PeriodicOrbits
 
@@ -41,10 +41,7 @@ def draw_orbits(orbits: Sequence[PeriodicOrbit], axes: Axes) -> None:
         where = in_plane(orbit, events[events <= orbit.period])
         axes.plot(*where, "o", color=BLACK, markersize=3.0, linestyle="none", label="change of mode")
     unit = next(iter(orbits)).unit if orbits else ""
-    name_axis(axes.xaxis, "input of the element", unit)
-    name_axis(axes.yaxis, "its rate", f"{unit or 1}/s")
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    finish(axes, ("input of the element", unit), ("its rate", f"{unit or 1}/s"))
 
 
 def in_plane(orbit: PeriodicOrbit, times: Reals) -> Reals:

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.special import SpecialKind
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import finish
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
-from trimmer.drawing.units import name_axis
 from trimmer.errors import MechanismError
 from trimmer.mechanism.place_text import unit_of
 from trimmer.messages import listed
@@ -54,10 +53,8 @@ def draw_branch(branch: FollowedBranch, axes: Axes, output: str | None = None) -
         _draw_line(axes, each, name, colour(periods.index(each.periods)))
         _draw_special(axes, each, name)
     place = branch.map.place
-    name_axis(axes.xaxis, place, unit_of(branch.map.subject.places, place))
-    name_axis(axes.yaxis, f"{name}, peak to peak", branch.units[name])
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    across = place, unit_of(branch.map.subject.places, place)
+    finish(axes, across, (f"{name}, peak to peak", branch.units[name]))
 
 
 def _outputs(branch: FollowedBranch) -> list[str]:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
-from trimmer.drawing.strips import Strip, draw_strips
+from trimmer.drawing.strips import Strip
 from trimmer.drawing.units import name_axis
 from trimmer.motion.flow import signals_of
 from trimmer.motion.part import TOUCHING, Phase
@@ -52,11 +52,7 @@ def draw_motion(flow: Flow, course: Course, axes: Axes) -> None:
         axes.plot(times, values, label=plain_label(name), linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)
     unit = "m" if all(each.unit == "m" for each in signals.values()) else ""
-    name_axis(axes.yaxis, "displacement" if unit else "signals", unit)
-    name_axis(axes.xaxis, "time", "s")
-    axes.grid(alpha=0.3)
-    draw_strips(axes, strips_of(flow, course))
-    add_legend(axes)
+    finish(axes, ("time", "s"), ("displacement" if unit else "signals", unit), strips_of(flow, course))
 
 
 def _rows(course: Course, times: Reals) -> Integers:

@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.signals.spectrum import outline
-from trimmer.drawing.units import name_axis
 from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.spectrum import amplitude_spectrum
 
@@ -63,11 +62,8 @@ def draw_waveforms(comparison: MotionComparison, axes: Axes) -> None:
     axes.plot(folded, rest, ".", color="0.75", markersize=2, linestyle="none", label="samples")
     axes.plot(times, measured, color=BLACK, linewidth=1.2, label="measured lines")
     axes.plot(times, simulated, "--", color=SIMULATED, linewidth=1.4, label="simulated, shifted")
-    name_axis(axes.xaxis, "time in the period", "s")
-    name_axis(axes.yaxis, f"{signal.quantity.word} about its mean", signal.unit)
     axes.set_title(
         f"shifted by {1e3 * comparison.shift:.4g} ms; difference {100 * comparison.residual:.3g} % rms",
         fontsize="small",
     )
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    finish(axes, ("time in the period", "s"), (f"{signal.quantity.word} about its mean", signal.unit))

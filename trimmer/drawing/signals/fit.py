@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
@@ -53,10 +53,7 @@ def draw_waveform(fit: Fit, output: str, axes: Axes) -> None:
     told = f"measured,\nmean of {count} periods"
     axes.plot(folded, means, "o", color=MEASURED, linestyle="none", markersize=3, label=told)
     axes.plot(times, simulated, color=SIMULATED, linewidth=1.4, label="fitted")
-    name_axis(axes.xaxis, "time in the period", "s")
-    name_axis(axes.yaxis, f"{output}, {signal.quantity.word}", signal.unit)
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    finish(axes, ("time in the period", "s"), (f"{output}, {signal.quantity.word}", signal.unit))
 
 
 def draw_rest(fit: Fit, output: str, axes: Axes) -> None:
@@ -69,10 +66,7 @@ def draw_rest(fit: Fit, output: str, axes: Axes) -> None:
     axes.plot(
         times, measured - simulated, color=MEASURED, linewidth=1.0, label="lines: measured\nless fitted"
     )
-    name_axis(axes.xaxis, "time in the period", "s")
-    name_axis(axes.yaxis, "left", signal.unit)
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    finish(axes, ("time in the period", "s"), ("left", signal.unit))
 
 
 def draw_lines(fit: Fit, output: str, axes: Axes) -> None:
