@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.balance.cells import Cells
-from trimmer.balance.element_curve import GainTable
+from trimmer.balance.element_curve import ElementCurve, GainTable
 from trimmer.balance.exclusion import EquationInBox
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.loop import range_of_roots
-from trimmer.balance.search import SearchedRegion, find_all
-from trimmer.balance.vanishing import empty_intervals, poles_on_axis
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.search import SearchResult
-    from trimmer.balance.vanishing import EmptyInterval
-
+from trimmer.balance.search import SearchedRegion, SearchResult, find_all
+from trimmer.balance.vanishing import EmptyInterval, empty_intervals, poles_on_axis
 
 SMALLEST_GAIN = 1e-10
 """|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis next to

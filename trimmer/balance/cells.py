@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
+from trimmer.arrays import ArrayRecord, Flags, Reals
 
 
 @dataclass(frozen=True)

@@ -7,17 +7,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Flags, Places, Reals
 from trimmer.balance.cells import Cells
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Places, Reals
-    from trimmer.elements.element import Element
-    from trimmer.elements.expansion import Expansion
+from trimmer.elements.element import Element
+from trimmer.elements.expansion import Expansion
 
 
 @dataclass(frozen=True)

@@ -7,20 +7,14 @@ begin as the blocks of the table; those that may hold a solution are cut until 1
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Flags, Places, Reals
 from trimmer.balance.cells import Cells
-from trimmer.balance.element_curve import GainDisks
-from trimmer.balance.inverse_response import Enclosure
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Places, Reals
-    from trimmer.balance.element_curve import ElementCurve, GainTable
-    from trimmer.balance.inverse_response import InverseGain
-    from trimmer.balance.vanishing import EmptyInterval
+from trimmer.balance.element_curve import ElementCurve, GainDisks, GainTable
+from trimmer.balance.inverse_response import Enclosure, InverseGain
+from trimmer.balance.vanishing import EmptyInterval
 
 
 @dataclass(frozen=True)

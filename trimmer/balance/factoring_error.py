@@ -7,16 +7,12 @@ roots are near. For a transfer function what its coefficients' last digits may c
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import control
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_part import LinearGain
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.inverse_response import InverseResponse
 
 _EPSILON = float(np.finfo(float).eps)
 

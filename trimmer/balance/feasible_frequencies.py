@@ -14,12 +14,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import control
 import numpy as np
 from scipy.optimize import brentq
 
+from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.loop import ComparedSystem
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
@@ -29,9 +29,6 @@ from trimmer.linear.crossings import real_axis_crossings
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.showing.shown import Shown
-
-if TYPE_CHECKING:
-    from trimmer.balance.limit_cycle import LimitCycle
 
 _BEYOND = 1e3
 """How far beyond the outermost end of a band a frequency is that stands for all beyond."""

@@ -6,17 +6,18 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from operator import attrgetter
-from typing import TYPE_CHECKING
 
+import control
 import numpy as np
 from scipy.optimize import minimize_scalar
 
 from trimmer.arguments import positive_number, real_number
+from trimmer.arrays import Reals
 from trimmer.balance.bounded import solve_bounded
 from trimmer.balance.element_curve import ElementCurve, GainTable
 from trimmer.balance.exclusion import EquationInBox
 from trimmer.balance.feasible_frequencies import FeasibleBand, feasible_bands
-from trimmer.balance.inverse_response import ConstantResponse
+from trimmer.balance.inverse_response import ConstantResponse, InverseResponse
 from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop import LoopEquation, inverse_response
 from trimmer.balance.search import find_all
@@ -25,12 +26,6 @@ from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, ShownFields, Tabular
 from trimmer.showing.table import Table, attributes
-
-if TYPE_CHECKING:
-    import control
-
-    from trimmer.arrays import Reals
-    from trimmer.balance.inverse_response import InverseResponse
 
 GAMMA_RANGE = (1e-8, 1e8)
 """omega M/D that is searched; beyond it, no measured frequency distinguishes the load from a friction- or

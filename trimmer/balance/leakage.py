@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,9 +10,7 @@ from trimmer.arguments import require_instance, require_instances, whole_number
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.linear.frequency_response import response_at
-
-if TYPE_CHECKING:
-    from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.loops import ClosedLoop
 
 HARMONICS = (3, 5, 7)
 """The first harmonics above the fundamental that an odd element has."""

@@ -10,10 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import reduce
 from operator import add
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.inverse_response import InverseResponse
+from trimmer.elements.element import Element
 from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
@@ -21,11 +23,6 @@ from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.linear.frequency_response import UnsupportedSystemError
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.elements.element import Element
 
 
 @dataclass(frozen=True)

@@ -8,20 +8,16 @@ from __future__ import annotations
 
 import math
 import sys
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.optimize import brentq
 
+from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.balance.cells import Cells
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.errors import LinearElementError, UnsupportedElementError
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseResponse
-
 
 _FIRST_INTERVALS = 64
 """Intervals of x to begin with."""

@@ -14,15 +14,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import control
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.linear_part import LinearGain
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.inverse_response import InverseResponse
+from trimmer.balance.linear_part import LinearGain
 
 _EPSILON = float(np.finfo(float).eps)
 _ROUNDED_UP = 1.0 + 1e-12

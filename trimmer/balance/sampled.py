@@ -9,28 +9,23 @@ starts from those at last left where |N + 1/G| is less than in the cells beside 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Flags, Reals
 from trimmer.balance.cells import Cells
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.loop import range_of_roots
 from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.balance.uniqueness import cross, newton_step
 from trimmer.elements.control_element import ControlElement
+from trimmer.elements.element import Element
 from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.elements.element import Element
 
 DECADES = 8.0
 """How far on either side of the element's scale amplitudes are searched."""

@@ -8,19 +8,13 @@ finds it. All others are cut into smaller ones.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Flags, Reals
 from trimmer.balance.cells import Cells
-from trimmer.balance.exclusion import NARROWEST, EnclosedCells, first_grid
+from trimmer.balance.exclusion import NARROWEST, EnclosedCells, EquationInBox, first_grid
 from trimmer.balance.uniqueness import examine, solve_in
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.balance.exclusion import EquationInBox
-
 
 _PARTS = 3
 """Into how many parts a box is cut."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from trimmer.choices import Choice
+from trimmer.design.design_file import DesignFile
+from trimmer.design.found_motion import FoundMotion
 from trimmer.design.keeping import NOT_KEPT, Keeper
 from trimmer.design.kept_map import DesignMap, design_map
 from trimmer.design.linear import LinearState, linear_states
@@ -22,13 +24,7 @@ from trimmer.design.spectrum import OutputSpectrum, spectra
 from trimmer.design.varied_places import VariedNumber, varied_places
 from trimmer.design.verdict import DesignVerdict, verdict_on
 from trimmer.runners.processes import ProcessRunner
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.design.design_file import DesignFile
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.runners.runner import Runner
+from trimmer.runners.runner import Runner
 
 Result = TypeVar("Result")
 

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from trimmer.arrays import Complexes
 from trimmer.contact.readouts import acceleration
+from trimmer.motion.course import Course
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import along
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Complexes
-    from trimmer.motion.course import Course
 
 BAND = 10**0.8, 10**3.1
 """Corner frequencies of the band limitation f1 and f2, Hz: 6.310 and 1258.9."""

@@ -5,18 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
 
+from trimmer.design.keeping import Keeper
+from trimmer.design.settings import DesignSettings
+from trimmer.design.varied_places import VariedNumber
 from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.result import MotionMap
-
-if TYPE_CHECKING:
-    from trimmer.design.keeping import Keeper
-    from trimmer.design.settings import DesignSettings
-    from trimmer.design.varied_places import VariedNumber
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.runners.runner import Runner
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.runner import Runner
 
 Told = Callable[[int, int], None]
 """Is told how many rows of how many are done."""

@@ -8,17 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.arrays import Complexes, Reals
+from trimmer.mechanism.matrices import LinearMatrices, displacement_rows, linear_matrices
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Contact, Link
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.mechanism.matrices import LinearMatrices
-    from trimmer.mechanism.mechanism import Mechanism
 
 POINTS = 2000
 """Frequencies of a transfer function."""

@@ -4,27 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled
+from trimmer.design.settings import DesignSettings
+from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError
+from trimmer.maps.cells import CellMotion
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import exact_orbit
+from trimmer.response.orbit import Orbit
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind
 from trimmer.response.same import same_orbit
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.design.settings import DesignSettings
-    from trimmer.design.varied_places import VariedNumber
-    from trimmer.maps.cells import CellMotion
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.orbit import Orbit
-    from trimmer.runners.runner import Runner
+from trimmer.runners.runner import Runner
 
 REACH = 0.3
 """How far neighbours lie around the working point at most, relative, along each of two numbers."""

@@ -4,22 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Flags, Reals
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
-from trimmer.branches.followed import FollowedOrbit
+from trimmer.branches.followed import FollowedBranch, FollowedOrbit
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.branches.followed import FollowedBranch
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.varied_places import VariedNumber
-    from trimmer.mechanism.mechanism import Mechanism
+from trimmer.design.found_motion import FoundMotion
+from trimmer.design.varied_places import VariedNumber
+from trimmer.mechanism.mechanism import Mechanism
 
 LARGEST_STEP = 0.02
 """Largest change of the number between two orbits, as a share of one side of the range."""

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Flags, Integers, Reals
 from trimmer.design.design_file import OpenRange
+from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Integers, Reals
-    from trimmer.design.settings import DesignSettings
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.runners.runner import Runner
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.runner import Runner
 
 EACH = 3
 """Powers of two by which the points of several ranges exceed those of one."""

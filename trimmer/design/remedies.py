@@ -5,20 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.design.motions import motions_from_starts
-from trimmer.design.sensitivity import designable
+from trimmer.design.sensitivity import Sensitivities, designable
+from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
-
-if TYPE_CHECKING:
-    from trimmer.design.sensitivity import Sensitivities
-    from trimmer.design.settings import DesignSettings
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.runners.runner import Runner
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.runner import Runner
 
 FARTHEST = 3.0
 """Largest factor by which a number is changed."""

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.design.found_motion import FoundMotion
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, all_measures, measured
 from trimmer.errors import TrimmerError
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
 from trimmer.response.forced_orbit import exact_orbit
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.orbit import Orbit
+from trimmer.response.orbit import Orbit
 
 STEP = 1e-3
 """Change of a number, relative."""

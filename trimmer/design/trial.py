@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,11 +12,9 @@ from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.measures import Measures
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Integers, Reals
+from trimmer.arrays import Integers, Reals
 
 INK = "#404040"
 """Colour of hatching."""

@@ -6,19 +6,15 @@ import io
 import re
 import textwrap
 import warnings
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trimmer.errors import LetterWarning
 from trimmer.messages import shown_value
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
-
-    from matplotlib.axes import Axes
 
 DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 """Metadata without a date, so that the same picture has the same bytes."""

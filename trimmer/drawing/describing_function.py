@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.locus import draw_element_curve, ratios_of
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import arrow, critical_point
 from trimmer.drawing.plane import inverse, show
 from trimmer.elements.element import Element, ElementLocus
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Complexes, Reals
 
 LARGEST = 1e2
 """Largest amplitude that is shown over the smallest one, or the scale over the smallest one."""

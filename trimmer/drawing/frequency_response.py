@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.look import BLACK, DOTTED, line
 from trimmer.linear.summary import LinearSummary
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Complexes, Reals
 
 TURN = 2.0 * np.pi
 SIZE = (7.2, 6.0)

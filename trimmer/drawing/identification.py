@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from trimmer.balance.identification import Identification
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 
 POINTS = 49
 """Time constants for which the limit cycles are found."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
 
+from trimmer.arrays import Reals
 from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
@@ -14,11 +14,6 @@ from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.relay_component import HELD
 from trimmer.motion.spans import spans_of
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Reals
 
 POINTS = 4000
 """Points of a curve, beside the events."""

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
 
+from trimmer.arrays import Reals
 from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import with_prefix
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import PeriodicOrbits
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Reals
 
 POINTS = 2000
 """Points of an orbit, beside its events."""

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
+import control
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.element import Element
 from trimmer.linear.frequency_response import response_at
-
-if TYPE_CHECKING:
-    import control
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Element
-
 
 MARGIN = 0.08
 """Free room around what is shown, as a share of it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from matplotlib.axes import Axes
 
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.dispatch import draw
@@ -10,9 +10,6 @@ from trimmer.drawing.look import line, plain_label
 from trimmer.drawing.signals.samples import finish_time, thinned
 from trimmer.drawing.units import name_axis
 from trimmer.linear.in_time import TimeResponse
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 
 @draw.register(TimeResponse)

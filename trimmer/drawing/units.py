@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from matplotlib.axis import Axis
 from matplotlib.ticker import FuncFormatter
-
-if TYPE_CHECKING:
-    from matplotlib.axis import Axis
 
 PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 PREFIXED = ("m", "s", "N", "Hz", "m/s", "m/s²", "N/m", "N s/m", "W", "J")

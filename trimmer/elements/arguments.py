@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number, real_values, shown
+from trimmer.arrays import Reals
 from trimmer.errors import WrongTypeError
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Reals
 
 
 def require_not_negative(field: str, value: float, unit: str) -> None:

@@ -7,18 +7,16 @@ import math
 import sys
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
 import numpy as np
 
 from trimmer.arguments import require_instance
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.element import Element
 from trimmer.elements.quadrature import QuadratureEstimate
 from trimmer.elements.unbounded import EVEN, UnboundedElement
 from trimmer.errors import UnsupportedElementError
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
 
 SETTLING = 2
 """Periods that a nonlinearity with memory runs through before its output counts."""

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, final
+from typing import ClassVar, final
 
 import numpy as np
 
 from trimmer.arguments import positive_number
+from trimmer.arrays import Reals
 from trimmer.elements.square_wave import SquareWaveElement
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 @final

@@ -6,18 +6,15 @@ import math
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import positive_number, real_values, shown
+from trimmer.arrays import Reals
 from trimmer.elements.unbounded import UnboundedElement
 from trimmer.errors import WrongTypeError
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Reals
 
 
 class OwnElement(UnboundedElement):

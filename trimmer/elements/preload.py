@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
 from trimmer.arguments import positive_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.square_wave import IdealRelay
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
 
 
 @final

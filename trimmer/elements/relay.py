@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, final
+from typing import final
 
 from trimmer.arguments import finite_number, positive_number
 from trimmer.elements.derived_element import DerivedElement
+from trimmer.elements.element import Element
 from trimmer.elements.square_wave import IdealRelay
 from trimmer.elements.threshold_relay import ThresholdRelay
-
-if TYPE_CHECKING:
-    from trimmer.elements.element import Element
 
 
 @final

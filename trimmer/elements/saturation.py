@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.corners import CornerElement, clipped_fundamental, clipped_harmonic, corner_share
 from trimmer.elements.small_gains import SmallGains, real_small_gains
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
 
 
 @final

@@ -6,13 +6,10 @@ Arguments are arrays of any shape, which the result has too; none has a unit.
 from __future__ import annotations
 
 from math import factorial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-
+from trimmer.arrays import Reals
 
 SMALL = 0.25
 """Below it the series are used: the first term they leave out is less than 1e-17 of their first one."""

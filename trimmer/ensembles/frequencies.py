@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes, Reals
 
 ANGLES = np.tan(np.radians(np.linspace(-84.0, 84.0, 22)))
 """Distances from a pole in units of its damping: its own phase turns by 8 degrees between two of them."""

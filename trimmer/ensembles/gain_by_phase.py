@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 PLAY = FrictionBacklash(1.0)
 """Play of gap 1: with another gap the amplitude is as many times larger."""

@@ -5,12 +5,13 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_values, require_instance
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Flags, Integers, Places, Reals
+from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.balance.solve import limit_cycles
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -19,7 +20,7 @@ from trimmer.ensembles.frequencies import frequencies_near
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.polynomials import roots
-from trimmer.ensembles.responses import responses_of
+from trimmer.ensembles.responses import Responses, responses_of
 from trimmer.errors import UndecidedWarning
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.messages import listed, near_match
@@ -28,13 +29,6 @@ from trimmer.parameters import ParameterError, TrimmerParameters, parameter_tabl
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, arrays
 from trimmer.ties import levels
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Complexes, Flags, Integers, Places, Reals
-    from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.ensembles.responses import Responses
 
 BLOCK = 2048
 """Trimmers that are computed together: enough to make calls cheap, few enough to need little memory."""

@@ -5,12 +5,11 @@ A polynomial is a row of coefficients, the highest power first; the last axis is
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
+from trimmer.arrays import Complexes, Flags, Reals
 
 MOST_STEPS = 60
 """Steps from starting values that are nowhere near; near ones need five or six."""

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Reals
 from trimmer.displacement import Displacement
 from trimmer.ensembles.polynomials import on_axis, value_and_slope
 from trimmer.generated import linear_trimmer
 from trimmer.linear.model import InputChannels
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
 
 
 @dataclass(frozen=True)

@@ -10,17 +10,14 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
+import control
 import numpy as np
 
 from trimmer.arguments import positive_number
 from trimmer.linear.extrema import polished_root, stationary_gains, stationary_phases
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.showing.shown import ShownFields
-
-if TYPE_CHECKING:
-    import control
 
 _REACH = 1e6
 """How far beyond the smallest and the largest root a crossing is looked for where |G| is level in the end."""

@@ -11,20 +11,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
+import control
 import numpy as np
 from numpy import exp
 from scipy.linalg import eigvals
 from scipy.optimize import brentq
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.showing.shown import ShownFields
-
-if TYPE_CHECKING:
-    import control
-
-    from trimmer.arrays import Complexes, Reals
 
 _ROUNDING = 1e-13
 """Ratio of a sum to the sum of its terms' magnitudes below which its sign is taken for rounding."""

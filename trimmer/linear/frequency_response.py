@@ -6,18 +6,13 @@ delay: a ``control.StateSpace`` or a ``control.TransferFunction``. It need not b
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import control
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_values, shown
+from trimmer.arrays import Complexes
 from trimmer.errors import TrimmerError
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Complexes
 
 
 class UnsupportedSystemError(TrimmerError, ValueError):

@@ -4,22 +4,17 @@ from __future__ import annotations
 
 import cmath
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import control
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import positive_number, real_array, real_number, real_values
+from trimmer.arrays import Reals
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso, response_at
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import ShownFields, Tabular
 from trimmer.showing.table import Column, Table, arrays
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Reals
-
 
 SPACING_TOLERANCE = 1e-6
 """How far a distance between instants may be off, relative to the first; time stamps are rounded."""

@@ -7,20 +7,16 @@ The describing-function method needs a linear part that passes the fundamental a
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
+import control
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import finite_number, real_values, whole_number
+from trimmer.arrays import Reals
 from trimmer.linear.crossings import gain_crossings
 from trimmer.linear.frequency_response import UnsupportedSystemError, response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-
-if TYPE_CHECKING:
-    import control
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Reals
 
 DECIBELS_PER_DECADE = 20.0
 """Roll-off of one pole in excess of the zeros, dB per decade."""

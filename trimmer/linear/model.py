@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import control
 import numpy as np
 
 from trimmer.arguments import require_instances
+from trimmer.arrays import Reals
 from trimmer.choices import Choice
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, TrimmerBody
 from trimmer.generated import linear_trimmer
-from trimmer.parameters import ParameterError, require_parameters
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.parameters import TrimmerParameters
+from trimmer.parameters import ParameterError, TrimmerParameters, require_parameters
 
 STATES = tuple(body.coordinate for body in TrimmerBody) + tuple(
     f"{body.coordinate}_dot" for body in TrimmerBody

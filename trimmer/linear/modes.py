@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.linalg import eig, eigh
 
+from trimmer.arrays import Complexes
 from trimmer.displacement import TrimmerBody
 from trimmer.generated import linear_trimmer
-from trimmer.parameters import require_parameters
+from trimmer.parameters import TrimmerParameters, require_parameters
 from trimmer.showing.shown import ShownFields
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes
-    from trimmer.parameters import TrimmerParameters
 
 
 @dataclass(frozen=True)

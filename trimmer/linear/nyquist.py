@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import cmath
-from typing import TYPE_CHECKING
+
+import control
 
 from trimmer.arguments import finite_number
 from trimmer.errors import TrimmerError
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-
-if TYPE_CHECKING:
-    import control
-
 
 _SAME = 1e-9
 """Relative distance within which a zero and a pole are the same, both rounded."""

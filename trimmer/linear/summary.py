@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+
+import control
 
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.linear.crossings import RealAxisCrossing, gain_crossings, real_axis_crossings
@@ -14,14 +15,10 @@ from trimmer.linear.model import InputChannels, transfer_function
 from trimmer.linear.modes import Mode, modes
 from trimmer.linear.nyquist import PointOnLocusError, encirclements
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.parameters import TrimmerParameters
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
-
-if TYPE_CHECKING:
-    import control
-
-    from trimmer.parameters import TrimmerParameters
 
 CRITICAL_POINT = -1.0
 """The point of the Nyquist criterion for a loop 1 + G = 0."""

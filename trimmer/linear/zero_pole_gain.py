@@ -7,19 +7,16 @@ directly, not as a small difference of large powers of omega.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
 import control
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.linalg.lapack import dgebal, dgeev
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.linear.frequency_response import UnsupportedSystemError, require_siso
 from trimmer.showing.shown import Shown, counted
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from trimmer.arrays import Complexes, Reals
 
 _ROUNDING = 64 * np.finfo(float).eps
 """Relative size below which a computed quantity is taken for a rounded zero."""

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import require_instance
+from trimmer.arrays import Reals
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 from trimmer.showing.shown import Shown, counted
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 @dataclass(frozen=True, eq=False, repr=False)

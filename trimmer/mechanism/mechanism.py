@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
-from trimmer.mechanism.problems import as_message
+from trimmer.mechanism.problems import Problem, as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 from trimmer.showing.shown import Shown, counted
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.problems import Problem
-
 
 SINGULAR = {"bodies": "body"}
 

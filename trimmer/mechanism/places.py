@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism.mechanism import changed
+from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.parts import Friction, Output
 from trimmer.mechanism.place_text import advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import (
@@ -24,9 +23,6 @@ from trimmer.mechanism.quantities import (
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 Place = tuple[str, ...]
 STATE: Mapping[str, NumberField] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import MISSING, fields
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw
 from trimmer.mechanism.place_text import key_text, quoted
 from trimmer.mechanism.quantities import PARTS
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 _HEAD = (
     "# Mechanism that moves along one line, in SI units: bodies, and what holds, pushes and rubs them.\n\n"

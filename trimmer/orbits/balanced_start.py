@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.loops.switched_component import Component
 from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 from trimmer.orbits.pieces import mode_on, switching_phases
 from trimmer.orbits.steady_response import Flight, flight_of, steady_response, switch_of
 from trimmer.orbits.trigonometric import OddPolynomial
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.loops.loops import ClosedLoop
-    from trimmer.loops.switched_component import Component
-
 
 ORDERS = range(1, 17, 2)
 """Harmonics that are balanced, one after the other."""

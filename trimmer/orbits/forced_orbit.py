@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
-from trimmer.loops.loops import require_loop
+from trimmer.loops.loops import Drive, Loop, require_loop
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.realization import restated
 from trimmer.response.forced_orbit import SETTLING, exact_orbit
 from trimmer.response.shooting import SETTLED, SINGULAR, sizes_of
-
-if TYPE_CHECKING:
-    from trimmer.loops.loops import Drive, Loop
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-    from trimmer.response.starts import Start
+from trimmer.response.starts import Start
 
 RESONANT = 1e-7
 """Distance of a pole from a multiple of the drive's frequency, as a share: a double one is known to that."""

@@ -5,27 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+import control
 import numpy as np
 import scipy.optimize
 
 from trimmer.arguments import require_instance, require_instances, whole_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
+from trimmer.elements.element import Element
 from trimmer.errors import OrbitNotFoundError
+from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.steady_response import steady_response
 from trimmer.orbits.trigonometric import OddPolynomial
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, of_harmonics
-
-if TYPE_CHECKING:
-    import control
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Element
-    from trimmer.loops.loops import ClosedLoop
-
 
 BALANCED = 1e-9
 """Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""

@@ -4,27 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.displacement import Displacement
 from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
+from trimmer.loops.loops import Drive, Loop
 from trimmer.loops.motion import LoopMotion, Outcome
 from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
-from trimmer.motion.signals import Steady, along
+from trimmer.motion.signals import Signal, Steady, along
 from trimmer.orbits.orbit_measures import ImpactEvent, impacts
 from trimmer.response.orbit import Orbit
 from trimmer.showing.table import Table, attributes, of_harmonics
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.loops.loops import Drive, Loop
-    from trimmer.motion.signals import Signal
-
 
 NEUTRAL = 1e-6
 """Distance from 1 that rounding can give a multiplier; a double one is exact to the root of rounding."""

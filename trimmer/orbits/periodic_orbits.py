@@ -6,7 +6,6 @@ import math
 import warnings
 from collections.abc import Sequence
 from itertools import chain
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,11 +15,13 @@ from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
 from trimmer.loops.flow import LoopFlow, instant_in
+from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, same
 from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.realization import restated
 from trimmer.orbits.relay_orbits import relay_orbits
 from trimmer.orbits.search import (
@@ -28,15 +29,12 @@ from trimmer.orbits.search import (
     OrbitSearched,
     OrbitSearchInterrupted,
     PeriodicOrbits,
+    RelaySearch,
     Simulations,
+    SimulationSearch,
 )
 from trimmer.orbits.settling import settled_orbits
 from trimmer.response.shooting import Return, Shot
-
-if TYPE_CHECKING:
-    from trimmer.loops.loops import ClosedLoop
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-    from trimmer.orbits.search import RelaySearch, SimulationSearch
 
 
 @takes_a_loop

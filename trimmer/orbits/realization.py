@@ -10,18 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import Generic, TypeVar
 
 import control
 import numpy as np
 import scipy.linalg
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.loops.loops import ClosedLoop, Loop, OpenLoop
-from trimmer.orbits.periodic_orbit import Given
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer.orbits.periodic_orbit import Given, PeriodicOrbit
 
 LOSS = 1e4
 """Loss of digits, as a factor of rounding, that leaves a return closed by far."""

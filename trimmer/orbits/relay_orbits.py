@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.hybrid.variation import propagator
 from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent
 from trimmer.loops.flow import LoopFlow, instant_in
+from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.relay_component import PLUS, RelayComponent
+from trimmer.loops.switched_component import Component
 from trimmer.loops.threshold_component import POSITIVE, ThresholdComponent
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, shortest
-from trimmer.orbits.half_period import HalfPeriodEquation, interval_of, zeros
+from trimmer.orbits.half_period import HalfPeriodEquation, Interval, interval_of, zeros
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import RelaySearch
 from trimmer.orbits.unequal_switches import POINTS, unequal_switches
 from trimmer.response.shooting import Return
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.loops.loops import ClosedLoop
-    from trimmer.loops.switched_component import Component
-    from trimmer.orbits.half_period import Interval
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-
 
 CLOSE = 1e-3
 """Miss of the return above which a zero is no orbit: the relay switches in between, or the other way."""

@@ -5,18 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
 from trimmer.arguments import real_values, whole_number
 from trimmer.choices import Choice
+from trimmer.orbits.families import OrbitFamily
+from trimmer.orbits.half_period import Interval
 from trimmer.orbits.periodic_orbit import ORBIT_COLUMNS, PeriodicOrbit
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
-
-if TYPE_CHECKING:
-    from trimmer.orbits.families import OrbitFamily
-    from trimmer.orbits.half_period import Interval
 
 
 class Simulations(Choice):

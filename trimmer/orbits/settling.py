@@ -7,28 +7,24 @@ from collections import Counter
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.hybrid import advance
 from trimmer.hybrid.variation import propagator
+from trimmer.hybrid.work import Log
 from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.integration import followed
+from trimmer.loops.loops import ClosedLoop
 from trimmer.motion.part import mirrored as mirrored_statuses
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import OrbitSearch, SimulationSearch
 from trimmer.progress import progress_bar
 from trimmer.response.shooting import Patience, Return, Shot
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.work import Log
-    from trimmer.loops.loops import ClosedLoop
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-
 
 FIRST_EVENTS = 128
 """Events after which the motion is first looked at; then after half as many again, and so on."""

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.element import Element
 from trimmer.errors import UnsupportedMotionError
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent, components_of
 from trimmer.loops.corner_component import CornerComponent
 from trimmer.loops.relay_component import RelayComponent
+from trimmer.loops.switched_component import Component
 from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.pieces import corner_pieces, relay_pieces
-from trimmer.orbits.trigonometric import falls_through_zero
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Element
-    from trimmer.loops.switched_component import Component
-    from trimmer.orbits.trigonometric import OddPolynomial
-
+from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
 
 NODE_COUNT = 80
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(NODE_COUNT)

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.optimize
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from trimmer.arrays import Complexes, Integers, Reals
-
+from trimmer.arrays import Complexes, Integers, Reals
 
 POINTS = 721
 """Points of an interval of phases between which a function changes its sign at most once."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from trimmer.arguments import file_path, require_instance
+from trimmer.arrays import Reals
 from trimmer.signals.cells import numbers_in
 from trimmer.signals.columns import ColumnChoice, Columns, chosen_columns
 from trimmer.signals.csv_layout import CsvLayout
@@ -16,9 +16,6 @@ from trimmer.signals.sampling import Sampling, Stamped, TimeStamps, stretches_of
 from trimmer.signals.signal import Signal, checked_rate, split_heading
 from trimmer.signals.text_file import SignalFileError
 from trimmer.signals.units import SECONDS
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 _FOUND_OUT = CsvLayout()
 _STRICT = Sampling()

@@ -5,19 +5,16 @@ from __future__ import annotations
 import math
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trimmer.arguments import file_path, real_number, whole_number
+from trimmer.arrays import Reals
 from trimmer.files import STANDARD_INPUT
 from trimmer.signals.signal import LARGEST_VALUE, Signal
 from trimmer.signals.text_file import SignalFileError, unreadable
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from trimmer.arrays import Reals
 
 _RIFF = (b"RIFF", b"RIFX", b"RF64")
 

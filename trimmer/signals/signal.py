@@ -5,22 +5,19 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number, require_instance, require_instances, whole_number
+from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, arrays
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.quantity import MotionQuantity, in_si, quantity_of
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Reals
 
 _HEADING = re.compile(r"(?P<name>.*?)\s*(?:\[(?P<square>[^][]*)\]|\((?P<round>[^()]*)\))?", flags=re.DOTALL)
 

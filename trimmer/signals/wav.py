@@ -8,20 +8,16 @@ import wave
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from trimmer.arguments import file_path, real_number, truth_value
+from trimmer.arrays import Reals
 from trimmer.choices import Choice
 from trimmer.files import write_atomically
 from trimmer.showing.shown import ShownFields
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from trimmer.arrays import Reals
 
 SUITED_RATES = (8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 88200, 96000, 176400, 192000)
 """Sample rates that sound devices play, Hz; a signal at one of them is not resampled."""

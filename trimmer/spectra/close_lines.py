@@ -10,20 +10,16 @@ Source: S. M. Kay, Fundamentals of Statistical Signal Processing: Detection Theo
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Places, Reals
 from trimmer.spectra.line_fit import Bins, LineFit, bins_around, linked
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.spectra.lines import Lines
-    from trimmer.spectra.spectrum import Spectrum
-    from trimmer.spectra.window import Window
+from trimmer.spectra.lines import Lines
+from trimmer.spectra.spectrum import Spectrum
+from trimmer.spectra.window import Window
 
 SURE = 30.0
 """Fall of the sum of squares that makes another line certain: noise alone gives it once in 10^5 peaks."""

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trimmer.arguments import require_instance, whole_number
 from trimmer.arrays import Complexes, Reals
@@ -20,9 +21,6 @@ from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 NEAR = 0.03
 """How far from that of the simulation the frequency of the drive is looked for, relative."""

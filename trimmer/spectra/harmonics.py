@@ -5,22 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number, whole_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, of_harmonics
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.spectrum import IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Complexes, Reals
 
 MOST_HARMONICS = 20
 """Highest harmonic that is fitted if no number is given."""

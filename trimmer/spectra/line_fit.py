@@ -9,21 +9,17 @@ Statistical Signal Processing: Estimation Theory, 1993, chapter 3.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Places, Reals
 from trimmer.spectra.lines import Lines, leakage
+from trimmer.spectra.spectrum import Spectrum
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.spectra.spectrum import Spectrum
 
 LINKED = 6
 """Bins up to which lines are fitted together, at least."""

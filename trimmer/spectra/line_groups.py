@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from trimmer.arrays import Places, Reals
+from trimmer.signals.band import Band
 from trimmer.spectra.close_lines import SpectralLine, groups, resolve
 from trimmer.spectra.lines import Lines, noise_beside, relaxed
+from trimmer.spectra.spectrum import Spectrum
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Places, Reals
-    from trimmer.signals.band import Band
-    from trimmer.spectra.spectrum import Spectrum
 
 
 class _Loss(NamedTuple):

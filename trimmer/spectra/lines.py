@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Flags, Places, Reals
 from trimmer.spectra.noise import NEIGHBOURHOOD
 from trimmer.spectra.spectrum import Spectrum
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Places, Reals
 
 _LARGEST_OFFSET = 0.75
 _STEP = 1e-4

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from trimmer.arguments import real_number, require_instance, whole_number
+from trimmer.arrays import Flags, Places, Reals
 from trimmer.showing.shown import ShownFields
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import SignalError
@@ -18,9 +18,6 @@ from trimmer.spectra.line_groups import resolved_lines
 from trimmer.spectra.lines import NONE, Lines, added, bins_near, leakage, relaxed
 from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
 from trimmer.spectra.spectrum import Spectrum
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Places, Reals
 
 MOST_PEAKS = 200
 """Most peaks that are looked for, the largest; it bounds the time."""

@@ -4,20 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, arrays
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Complexes, Reals
 
 IN_UNIT_OF_SIGNAL = "unit of the signal"
 """Stands for the unit of an amplitude where it is not known."""

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.choices import Choice
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Complexes, Reals
 
 
 class Window(Choice):

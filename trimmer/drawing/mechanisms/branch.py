@@ -6,7 +6,9 @@ A colour stands for a number of drive periods, so that an asymmetric branch has 
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.special import SpecialKind
@@ -17,11 +19,6 @@ from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.errors import MechanismError
 from trimmer.mechanism.place_text import unit_of
 from trimmer.messages import listed
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 WIDTH, HEIGHT = 7.2, 3.4
 MARKERS = {

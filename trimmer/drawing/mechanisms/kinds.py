@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from matplotlib.patches import Patch
 
-from trimmer.maps.cells import described, waited_for
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from trimmer.maps.cells import CellMotion
+from trimmer.maps.cells import CellMotion, described, waited_for
 
 PERIOD_COLOURS = ("#56B4E9", "#0072B2", "#009E73", "#F0E442", "#E69F00", "#D55E00")
 """Of motions of period 1, 2, ...: the colours of Okabe and Ito, which colour-blind readers tell apart."""

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
 
+from trimmer.arrays import Integers
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.cells import draw_cells
 from trimmer.drawing.dispatch import draw
@@ -17,15 +21,6 @@ from trimmer.errors import MapError
 from trimmer.maps.basin import Basin
 from trimmer.maps.result import MotionMap
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-
-    from matplotlib.axes import Axes
-    from matplotlib.lines import Line2D
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Integers
 
 BASIN_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
 """Of the motions of a basin in turn: the colours of Okabe and Ito."""

@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
 
+from trimmer.arrays import Integers, Reals
 from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
 from trimmer.drawing.strips import Strip
 from trimmer.drawing.units import name_axis
-from trimmer.motion.flow import signals_of
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow, signals_of
 from trimmer.motion.part import TOUCHING, Phase
 from trimmer.motion.signals import Steady, rate, read, while_status
 from trimmer.motion.spans import spans_of
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Integers, Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
 
 POINTS = 4000
 """Points of a curve."""

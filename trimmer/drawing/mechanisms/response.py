@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.mechanisms.motions import draw_motion, draw_phase_plane, draw_section
-from trimmer.response.response import Response
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.response.motion import MechanismMotion
-    from trimmer.response.response import SettledMotion
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
+from trimmer.response.motion import MechanismMotion
+from trimmer.response.response import Response, SettledMotion
 
 SIZE = (7.6, 7.2)
 CLOSE = 0.05

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from trimmer.design.targets import Measure
+from trimmer.design.trial import MeasureOfPart
 from trimmer.drawing.units import name_axis
+from trimmer.uncertainty.samples import Samples
 from trimmer.uncertainty.study import name_of
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.design.trial import MeasureOfPart
-    from trimmer.uncertainty.samples import Samples
 
 COLUMNS = 2
 INSIDE, OUTSIDE = "#0072B2", "#D55E00"
@@ -24,8 +19,6 @@ INSIDE, OUTSIDE = "#0072B2", "#D55E00"
 
 def sample_figure(samples: Samples) -> Figure:
     """Draw a histogram of each measure, with the targets."""
-    from matplotlib.figure import Figure
-
     asked = [each for each in samples.asked if each.measure is not Measure.PERIOD]
     rows = -(-len(asked) // COLUMNS)
     figure = Figure(figsize=(3.6 * COLUMNS, 2.1 * rows), layout="constrained")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.content import new_figure
@@ -13,11 +13,6 @@ from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.signals.spectrum import outline
 from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.spectrum import amplitude_spectrum
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 SIZE = (7.2, 6.8)
 SAMPLES = 2000

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
+from trimmer.arrays import Reals
 from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.units import name_axis
 from trimmer.fitting.result import Fit
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Reals
 
 WIDTH, HEIGHT = 6.6, 8.0
 """Inches of the picture of one output."""

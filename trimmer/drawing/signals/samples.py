@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
 
+from trimmer.arrays import Reals
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line, plain_label
 from trimmer.drawing.units import name_axis
 from trimmer.signals.signal import Signal
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Reals
 
 MOST_POINTS = 8000
 """Samples up to which each is drawn; of more, the lowest and the highest of each block."""

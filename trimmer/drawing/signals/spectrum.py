@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
+from trimmer.arrays import Reals
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, colour
@@ -13,15 +16,8 @@ from trimmer.spectra.analysis import SpectrumAnalysis
 from trimmer.spectra.averaged import AveragedSpectrum
 from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
 from trimmer.spectra.harmonics import HarmonicFit
+from trimmer.spectra.peaks import Peak
 from trimmer.spectra.spectrum import Spectrum
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Reals
-    from trimmer.spectra.peaks import Peak
 
 POINTS = 4000
 LABELLED = 6

@@ -9,15 +9,11 @@ other two limits. All bounds are rounded upwards.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.backlashes.backlash_motion import SLOPE_BY_RATIO
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-
 
 ROUNDED_UP = 1.0 + 1e-9
 """Factor that outweighs the rounding errors of a bound."""

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-from trimmer.elements.backlashes.backlash_motion import complex_of
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.backlashes.backlash_motion import BacklashMotion
-
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.backlashes.backlash_motion import BacklashMotion, complex_of
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
 """Gauss-Legendre quadrature for a flight of at most half a period at gamma >= 1."""

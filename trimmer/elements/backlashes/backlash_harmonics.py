@@ -9,17 +9,12 @@ the relative error stays near rounding at both edges of the domain.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from trimmer.arrays import Complexes
+from trimmer.elements.backlashes.backlash_motion import BacklashMotion
 from trimmer.elements.backlashes.short_flight import relative_velocity
 from trimmer.elements.small_arguments import SMALL
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes
-    from trimmer.elements.backlashes.backlash_motion import BacklashMotion
-
 
 NODES_BESIDE_HARMONIC = 14
 """Nodes for a quarter of the pin's period; each multiple of the fundamental takes one more."""

@@ -10,15 +10,11 @@ derivation is in derivations/elements/backlash.py; Gelb and Vander Velde (1968) 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.small_arguments import argument_less_sine, damped_excess_of_sinh
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-
 
 GAMMA_LIMITS = (1e-150, 1e150)
 """Beyond these gamma, the motion equals friction- or inertia-controlled backlash in double precision."""

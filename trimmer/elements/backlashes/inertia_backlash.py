@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.backlashes.backlash import Backlash
 from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 @final

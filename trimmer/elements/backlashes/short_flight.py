@@ -6,10 +6,9 @@ first order g/A is c (1 + 1/gamma²) t³/6, while its terms are of the order of 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.small_arguments import (
     SMALL,
     cosine_remainder,
@@ -17,9 +16,6 @@ from trimmer.elements.small_arguments import (
     decay_remainder,
     sine_remainder,
 )
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 def short_residual(flight: Reals, ratio: Reals, gamma: Reals, cosine: Reals) -> tuple[Reals, Reals, Reals]:

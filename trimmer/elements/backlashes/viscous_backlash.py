@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.arguments import require_not_negative
 from trimmer.elements.backlashes.backlash import Backlash
 from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
 from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 @final
