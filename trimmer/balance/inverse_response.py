@@ -10,18 +10,14 @@ import math
 import sys
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol, Self, TypeVar
+from typing import Protocol, Self, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Flags, Reals
 from trimmer.linear.frequency_response import UnsupportedSystemError
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 
 @dataclass(frozen=True)

@@ -15,17 +15,14 @@ where the harmonics are not small; near tangency it is undecided.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Places, Reals
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.balance.loop import LoopEquation
 from trimmer.ties import levels
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.loop import LoopEquation
 
 
 def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:

@@ -13,15 +13,13 @@ Newton's method finds the solution of a box that holds at most one.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.balance.cells import Cells
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseGain
+from trimmer.arrays import Complexes, Flags, Reals
+from trimmer.balance.cells import Cells
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.inverse_response import InverseGain
 
 
 @dataclass(frozen=True)

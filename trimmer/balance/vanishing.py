@@ -13,16 +13,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.elements.small_gains import COASTING, LEAST
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.elements.small_gains import SmallGains
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.inverse_response import InverseResponse
+from trimmer.elements.small_gains import COASTING, LEAST, SmallGains
 
 
 @dataclass(frozen=True)

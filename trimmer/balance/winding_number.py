@@ -17,19 +17,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Flags, Reals
 from trimmer.balance.cells import Cells
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.loop import LoopEquation
-
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.inverse_response import InverseResponse
+from trimmer.balance.loop import LoopEquation
 
 _INSIDE = 1.0 - 1e-13
 """Where the border runs, over the largest u."""

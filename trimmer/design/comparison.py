@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING
 
+from trimmer.design.design import Design
 from trimmer.design.trial import MeasureOfPart, all_measures
-
-if TYPE_CHECKING:
-    from trimmer.design.design import Design
-    from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.mechanism import Mechanism
 
 SAME = 1e-12
 """Relative difference of two numbers below which they are one."""

@@ -5,29 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.readouts import contact_force
 from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target
 from trimmer.hybrid.advance import Ending
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, read, while_status
 from trimmer.motion.spans import spans_of
-from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.response.estimate import Estimate
-    from trimmer.response.orbit import Orbit
-    from trimmer.response.response import SettledMotion
+from trimmer.response.estimate import Estimate
+from trimmer.response.orbit import Orbit
+from trimmer.response.response import MotionKind, SettledMotion
 
 POINTS = 1200
 """Instants at which signals are kept."""

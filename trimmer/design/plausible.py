@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
-from typing import TYPE_CHECKING
 
+from trimmer.design.found_motion import FoundMotion
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
-
-if TYPE_CHECKING:
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.mechanism.mechanism import Mechanism
 
 HEAVY = 50.0
 """Mass of a body, as a multiple of the middle one of all, from which it is asked about."""

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
-from trimmer.design.linear import Contacts
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.linear import LinearMode, LinearState
+from trimmer.design.found_motion import FoundMotion
+from trimmer.design.linear import Contacts, LinearMode, LinearState
 
 SMALLEST = 1e-4
 """Amplitude of a line, relative to the largest, from which on it is listed."""

@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
+from trimmer.design.found_motion import FoundMotion
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.mechanism.mechanism import Mechanism
 
 STEPS = 6
 """Cells of a map from zero to the number of the file, of 24."""

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
+from trimmer.design.found_motion import FoundMotion
+from trimmer.design.motions import Motions
+from trimmer.design.ranges import RangeStudy
 from trimmer.design.targets import Measure, Target
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.motions import Motions
-    from trimmer.design.ranges import RangeStudy
 
 NEAR = 0.02
 """Distance from a bound, as a share of it, that counts as near."""

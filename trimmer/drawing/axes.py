@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.transforms import ScaledTranslation
 
 from trimmer.drawing.strips import Strip, draw_strips
 from trimmer.drawing.units import name_axis
 
-if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-
-    Label = tuple[str, str]
+Label = tuple[str, str]
 
 NARROW = 4.0
 """Width of axes, inches, below which a legend stands under them and not beside them."""

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.arrays import Reals
+from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 REACH = 100.0
 """How far beyond the outermost roots."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
-from trimmer.balance.limit_cycle import HarmonicBalance
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import figure_of, new_figure
 from trimmer.drawing.dispatch import draw
@@ -14,17 +15,10 @@ from trimmer.drawing.frequencies import telling_frequencies
 from trimmer.drawing.look import line
 from trimmer.drawing.marks import critical_point, limit_cycle
 from trimmer.drawing.plane import MARGIN, Along, element_locus, show, system_locus
+from trimmer.elements.element import Element
 from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.elements.element import Element
-    from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.loops import ClosedLoop
 
 ANY = np.geomspace(1e-6, 1e6, 1800)
 """u = amplitude_scale/amplitude where any amplitude will do."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
+
+from matplotlib.axes import Axes
 
 from trimmer.drawing.look import BLACK
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    PlanePoint = tuple[float, float] | complex
+PlanePoint = tuple[float, float] | complex
 
 STABLE: Final = "_stable limit cycle"
 UNSTABLE: Final = "_unstable limit cycle"

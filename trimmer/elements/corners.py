@@ -12,19 +12,15 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import positive_number
+from trimmer.arrays import Reals
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
-from trimmer.elements.element import Element
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_arguments import argument_less_sine, sine_less_cosine_part
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.elements.element import Bounds, Limits
 
 _STEEPEST = 4.0 / np.pi
 """|dN/du| over the slope at u = 0, its largest value: it is (4/π) cos α."""

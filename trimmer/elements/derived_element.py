@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING
 
-from trimmer.elements.element import Element
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
-    from trimmer.elements.expansion import Expansion
-    from trimmer.elements.small_gains import SmallGains
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.element import Bounds, Element, Limits
+from trimmer.elements.expansion import Expansion
+from trimmer.elements.small_gains import SmallGains
 
 
 class DerivedElement(Element):

@@ -8,26 +8,25 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar, final
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from trimmer.arguments import real_values, whole_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.arguments import positive_amplitudes, positive_omegas
 from trimmer.elements.expansion import Derivatives, Expansion, GainSensitivity, GainVariation
+from trimmer.elements.small_gains import SmallGains
 from trimmer.showing.drawn import Drawn, drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike, NDArray
 
-    from trimmer.arrays import Complexes, Reals
     from trimmer.elements.element_at_frequency import ElementAtFrequency
     from trimmer.elements.scaled_element import ScaledElement
-    from trimmer.elements.small_gains import SmallGains
     from trimmer.elements.sum_of_elements import SumOfElements
 
-    Range = tuple[ArrayLike, ArrayLike]
-    Limits = tuple[Reals, Reals]
-    Bounds = tuple[Reals | float, Reals | float]
-
+Range = tuple[ArrayLike, ArrayLike]
+Limits = tuple[Reals, Reals]
+Bounds = tuple[Reals | float, Reals | float]
 
 Number = TypeVar("Number", np.float64, np.complex128)
 

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
 from trimmer.arguments import positive_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.control_element import adopted
 from trimmer.elements.derived_element import DerivedElement
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Element, Limits
-    from trimmer.elements.expansion import Expansion
-    from trimmer.elements.small_gains import SmallGains
+from trimmer.elements.element import Bounds, Element, Limits
+from trimmer.elements.expansion import Expansion
+from trimmer.elements.small_gains import SmallGains
 
 
 @final

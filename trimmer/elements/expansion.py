@@ -6,10 +6,9 @@ unit of N, output over input, and have the shape that the arguments broadcast to
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes, Reals
 
 
 class Derivatives(NamedTuple):

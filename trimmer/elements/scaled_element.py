@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 from trimmer.arguments import real_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.control_element import adopted
 from trimmer.elements.derived_element import DerivedElement
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Element, Limits
-    from trimmer.elements.small_gains import SmallGains
+from trimmer.elements.small_gains import SmallGains
 
 
 @final

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
-from trimmer.elements.element import Element
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
-
 
 FUNDAMENTAL = 4.0 / np.pi
 """First Fourier coefficient of a square wave between -1 and 1."""

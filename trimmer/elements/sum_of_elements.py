@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 from operator import add
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
 from trimmer.arguments import require_instances
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.control_element import adopted
-from trimmer.elements.element import Element
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
 
 
 @final

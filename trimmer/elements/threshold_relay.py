@@ -17,18 +17,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.elements.backlashes.backlash_bounds import ROUNDED_UP
-from trimmer.elements.element import Element
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_gains import SmallGains, real_small_gains
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.elements.element import Bounds, Limits
 
 _BEHIND = 0.61
 _ROUNDING = 1e-15

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 import numpy as np
 
 from trimmer.arguments import whole_number
-from trimmer.elements.element import Element
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.quadrature import QuadratureEstimate, harmonic_by_quadrature
 from trimmer.errors import UnsupportedElementError
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
 
 EVEN = 1e-6
 """Sum of the outputs half a period apart, over the largest output, from which on an element is not odd."""

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
 from trimmer.arguments import positive_number
-from trimmer.elements.element import Element
+from trimmer.arrays import Complexes, Reals
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
 
 
 @final

@@ -6,16 +6,14 @@ omega, whose changes of sign are looked for.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from trimmer.arrays import Flags, Places, Reals
 from trimmer.ensembles.gain_by_phase import gain_by_lag
 from trimmer.ensembles.grid import FrequencyGrid, grid_at, merged
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Places, Reals
-    from trimmer.ensembles.responses import Responses
+from trimmer.ensembles.responses import Responses
 
 STEEP = 0.6
 """Turn of the phase between two frequencies, rad, from which a step is too coarse to be trusted."""

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.ensembles.gain_by_phase import gain_by_lag
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.ensembles.responses import Responses
+from trimmer.ensembles.responses import Responses
 
 LOUD = 0.5
 """Ln |1/G| up to which a point counts: |N| is at most 1, so above 0 there is no limit cycle."""

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from trimmer.arrays import Complexes, Flags
 from trimmer.ensembles.gain_by_phase import PLAY
+from trimmer.ensembles.polishing import Solutions
 from trimmer.ensembles.polynomials import roots
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags
-    from trimmer.ensembles.polishing import Solutions
-    from trimmer.ensembles.responses import Responses
+from trimmer.ensembles.responses import Responses
 
 ROUNDING = 1e-9
 """Part of a pole below which its real or imaginary part is taken for rounding."""

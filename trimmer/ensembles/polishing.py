@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arrays import ArrayRecord
+from trimmer.arrays import ArrayRecord, Complexes, Flags, Reals
 from trimmer.balance.uniqueness import cross
+from trimmer.ensembles.crossings import Crossings
 from trimmer.ensembles.gain_by_phase import PLAY
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.ensembles.crossings import Crossings
-    from trimmer.ensembles.responses import Responses
+from trimmer.ensembles.responses import Responses
 
 STEPS = 8
 ROUNDING = 1e-11

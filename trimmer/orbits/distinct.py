@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Instant
 from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.response.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-
 
 POINTS = 64
 """Points of a period at which two orbits are compared."""

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.ties import levels
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
 
 
 @dataclass(frozen=True)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.dead_zone import DeadZone
+from trimmer.elements.element import Element
 from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
@@ -15,17 +16,12 @@ from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.loops.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.loops.switched_component import Component
 from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.pieces import mode_on
 from trimmer.orbits.trigonometric import OddPolynomial
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.elements.element import Element
-    from trimmer.loops.loops import ClosedLoop
-    from trimmer.loops.switched_component import Component
-
 
 PHASES = 720
 """Phases among which the one to start from is chosen."""

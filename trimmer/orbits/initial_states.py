@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.corner_component import CornerComponent
 from trimmer.loops.initial import segment_from
+from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.relay_component import RelayComponent
 from trimmer.loops.threshold_component import ThresholdComponent
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.loops.loops import ClosedLoop
-
 
 FARTHER = 3.0
 """Factor by which the frequencies reach beyond the slowest and the fastest root."""

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
 from trimmer.hybrid.variation import propagator
 from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
+from trimmer.loops.motion import LoopMotion
 from trimmer.showing.shown import ShownFields
-
-if TYPE_CHECKING:
-    from trimmer.loops.motion import LoopMotion
 
 
 @final

@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.optimize
 
+from trimmer.arrays import Reals
 from trimmer.loops.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
+from trimmer.loops.switched_component import Component
 from trimmer.loops.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
-from trimmer.orbits.trigonometric import POINTS
+from trimmer.orbits.trigonometric import POINTS, OddPolynomial
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from trimmer.arrays import Reals
-    from trimmer.loops.switched_component import Component
-    from trimmer.orbits.trigonometric import OddPolynomial
-
-    Piece = tuple[float, float, Callable[[Reals], Reals]]
+Piece = tuple[float, float, Callable[[Reals], Reals]]
 
 
 def corner_pieces(component: CornerComponent, given: OddPolynomial) -> list[Piece]:

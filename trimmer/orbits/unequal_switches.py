@@ -10,14 +10,11 @@ which both change their signs, so that one may be missed between its points.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.orbits.half_period import HalfPeriodEquation, Interval
-
+from trimmer.arrays import Reals
+from trimmer.orbits.half_period import HalfPeriodEquation, Interval
 
 POINTS = 48
 """Durations along either side of the grid."""

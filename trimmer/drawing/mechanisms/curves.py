@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import cycle
-from typing import TYPE_CHECKING
+from typing import Literal
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
 
 from trimmer.branches.loci.locus import Locus
 from trimmer.drawing.axes import add_legend
@@ -15,14 +18,7 @@ from trimmer.drawing.look import BLACK
 from trimmer.drawing.units import name_axis
 from trimmer.maps.special_curve import SpecialCurve, SpecialCurves
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-    from typing import Literal
-
-    from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike
-
-    Dashes = Literal["-", "--", "-.", ":"]
+Dashes = Literal["-", "--", "-.", ":"]
 
 STYLES: tuple[Dashes, ...] = ("-", "--", "-.", ":")
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import positive_number
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.backlashes.backlash_bounds import BacklashBox
 from trimmer.elements.backlashes.backlash_frequency import slope_by_log_gamma
 from trimmer.elements.backlashes.backlash_harmonics import harmonic_of
@@ -20,12 +20,8 @@ from trimmer.elements.backlashes.backlash_motion import (
     slope_by_ratio,
 )
 from trimmer.elements.backlashes.contact_equation import largest_ratio, steady_motion
-from trimmer.elements.element import Element
+from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
 
 
 @dataclass(frozen=True)

@@ -8,20 +8,16 @@ quarter period, where it is convex, and beyond it for the contact π - t, from t
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.elements.backlashes.backlash_motion import BacklashMotion, separation
 from trimmer.elements.backlashes.short_flight import short_residual
 from trimmer.elements.small_arguments import SMALL
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from trimmer.arrays import Reals
-
-    Residual = tuple[Reals, Reals, Reals]
+Residual = tuple[Reals, Reals, Reals]
 
 STEPS = 3
 """Halley steps that take every starting value below to rounding; a test covers all gamma and g/A."""

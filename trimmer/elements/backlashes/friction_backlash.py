@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.elements.backlashes.backlash import Backlash
 from trimmer.elements.backlashes.backlash_bounds import PHASE_ERROR, ROUNDED_UP
 from trimmer.elements.backlashes.backlash_motion import (
@@ -16,14 +17,10 @@ from trimmer.elements.backlashes.backlash_motion import (
     complex_of,
     separation,
 )
+from trimmer.elements.element import Bounds, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_arguments import argument_less_sine
 from trimmer.elements.small_gains import SmallGains, small_gains_of_backlash
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.elements.element import Bounds, Limits
-
 
 _LARGEST = np.finfo(float).max
 
