@@ -60,6 +60,11 @@ def require_instances(name: str, values: object, kinds: type[Any], wanted: str) 
     return entries
 
 
+def scalar(value: object) -> object:
+    """Return the number or truth value of an array of NumPy without dimensions; all else as it is."""
+    return value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
+
+
 def real_number(name: str, value: object, unit: str = "") -> float:
     """Return a real number as a float; infinity and NaN pass.
 
@@ -69,11 +74,10 @@ def real_number(name: str, value: object, unit: str = "") -> float:
         WrongTypeError: if it is none.
     """
     of_unit = f" ({unit})" if unit else ""
-    # An array of NumPy without dimensions counts as a number, as its scalars do.
-    scalar = value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
-    if not isinstance(scalar, bool) and isinstance(scalar, Real):
+    number = scalar(value)
+    if not isinstance(number, bool) and isinstance(number, Real):
         try:
-            return float(scalar)
+            return float(number)
         except OverflowError:
             return math.inf
     raise WrongTypeError(f"{name} must be a real number{of_unit}, not {shown(value)}")
@@ -137,9 +141,9 @@ def truth_value(name: str, value: object) -> bool:
     Raises:
         WrongTypeError: if it is neither; a text would be taken for True otherwise.
     """
-    scalar = value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
-    require_instance(name, scalar, bool, "True or False")
-    return bool(scalar)
+    given = scalar(value)
+    require_instance(name, given, bool, "True or False")
+    return bool(given)
 
 
 def file_path(name: str, path: object) -> Path:
@@ -161,7 +165,7 @@ def real_array(name: str, values: ArrayLike) -> Reals:
     """
     import numpy as np
 
-    array = _array(name, values)
+    array = real_values(name, values)
     if not np.isfinite(array).all():
         raise ValueError(f"{name} must be finite, but holds {float(array[~np.isfinite(array)].flat[0])!r}")
     return array
@@ -173,10 +177,6 @@ def real_values(name: str, values: ArrayLike) -> Reals:
     Raises:
         WrongTypeError: if they are no real numbers.
     """
-    return _array(name, values)
-
-
-def _array(name: str, values: ArrayLike) -> Reals:
     import numpy as np
 
     try:

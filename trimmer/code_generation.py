@@ -28,7 +28,7 @@ from derivations.mechanism import Mechanism as SymbolicMechanism
 from derivations.mechanism import trimmer
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, Force, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import (
     Place,
     PrintedSymbol,
@@ -38,11 +38,6 @@ from trimmer.mechanism.printed_symbols import (
     value_of,
 )
 
-LAWS = {
-    ContactLaw.RELAXING: parts.ContactLaw.RELAXING,
-    ContactLaw.TRUNCATED: parts.ContactLaw.TRUNCATED,
-    ContactLaw.PULLING: parts.ContactLaw.PULLING,
-}
 UNITS = {unit.text: unit for unit in vars(symbols).values() if isinstance(unit, Unit)}
 ARGUMENTS = ("mass", "stiffness", "damping", "viscous", "gap", "side")
 """What functions of a module take, in this order."""
@@ -223,7 +218,7 @@ class _Translation:
         return {
             **{of: self._number(section, name, of, getattr(contact, of)) for of in numbers},
             **{of: self._function(section, name, of) for of in ("distance", "stretch", "tension")},
-            **{"name": name, "start": start, "end": end, "law": LAWS[contact.law]},
+            **{"name": name, "start": start, "end": end, "law": parts.ContactLaw[contact.law.name]},
         }
 
     def _friction(self, name: str, ends: Mapping[str, parts.End]) -> parts.Friction:

@@ -16,7 +16,7 @@ from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.problems import Problem, as_message_of_file
+from trimmer.mechanism.problems import Problem, as_message_of_file, line_of
 from trimmer.mechanism.reading import bytes_of_file, content_of_text, mechanism_of_text
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError
@@ -73,8 +73,7 @@ class DesignFile:
 
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
-        near = (place[:length] for length in range(len(place), 0, -1))
-        return next((self.lines[each] for each in near if each in self.lines), 0)
+        return line_of(place, self.lines)
 
 
 def read_design_file(path: Path | str) -> DesignFile:

@@ -108,9 +108,7 @@ def ratios_of(element: Element, omega: float | None) -> Reals:
 
 def _frequencies(balance: HarmonicBalance) -> list[tuple[str, float | None]]:
     """Return the curves of -1/N: label, and omega where it depends on that."""
-    loop: ClosedLoop | None = balance.loop
-    assert loop is not None
-    if not loop.element.depends_on_frequency:
+    if not _loop(balance).element.depends_on_frequency:
         return [("−1/N(A)", None)]
     found = [cycle.omega for cycle in balance.limit_cycles]
     omegas = found or [float(np.sqrt(balance.certificate.omegas[0]) * np.sqrt(balance.certificate.omegas[1]))]

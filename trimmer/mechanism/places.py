@@ -10,7 +10,7 @@ from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.parts import Friction, Output
-from trimmer.mechanism.place_text import advice, parse_place, place_text, split_assignment
+from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import (
     DISPLACEMENT,
     FREQUENCY,
@@ -24,7 +24,6 @@ from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 
-Place = tuple[str, ...]
 STATE: Mapping[str, NumberField] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
 """What a start gives of a body, in the order of the file."""
 

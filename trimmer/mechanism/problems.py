@@ -60,10 +60,10 @@ def as_message_of_file(
         content: The file as nested dictionaries.
         lines: The line of each key, from 1 on, by the names that lead there.
     """
-    ordered = sorted(problems, key=lambda problem: _line(problem.place, lines))
+    ordered = sorted(problems, key=lambda problem: line_of(problem.place, lines))
     sentences = [
-        f"line {_line(problem.place, lines)}: {problem.sentence(_written(problem.place, content))}"
-        if _line(problem.place, lines)
+        f"line {line_of(problem.place, lines)}: {problem.sentence(_written(problem.place, content))}"
+        if line_of(problem.place, lines)
         else problem.sentence()
         for problem in ordered
     ]
@@ -77,7 +77,7 @@ def in_one(sentences: Sequence[str], name: str) -> str:
     return f"{name}: {len(sentences)} problems:{in_lines(sentences)}"
 
 
-def _line(place: tuple[str, ...], lines: Mapping[tuple[str, ...], int]) -> int:
+def line_of(place: tuple[str, ...], lines: Mapping[tuple[str, ...], int]) -> int:
     """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
     return next((lines[place[:length]] for length in range(len(place), 0, -1) if place[:length] in lines), 0)
 

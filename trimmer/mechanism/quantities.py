@@ -9,6 +9,7 @@ from enum import Enum
 from numbers import Real
 from types import MappingProxyType
 
+from trimmer.arguments import scalar
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
 
 _LOWEST = 1e-300
@@ -63,7 +64,7 @@ class NumberField:
     def taken(self, value: object) -> float:
         """Return a number as the float, or for a whole one the int, that the parts hold."""
         try:
-            number = float(_scalar(value))  # type: ignore[arg-type]
+            number = float(scalar(value))  # type: ignore[arg-type]
         except OverflowError:
             return math.inf
         return int(number) if self.range is Range.WHOLE and number.is_integer() else number
@@ -75,12 +76,8 @@ class NumberField:
 
 def is_number(value: object) -> bool:
     """Say whether a value is a real number; truth values are none, scalars of NumPy are."""
-    scalar = _scalar(value)
-    return isinstance(scalar, Real) and not isinstance(scalar, bool)
-
-
-def _scalar(value: object) -> object:
-    return value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value
+    number = scalar(value)
+    return isinstance(number, Real) and not isinstance(number, bool)
 
 
 FREQUENCY = NumberField("Hz", "110 Hz", Range.POSITIVE)

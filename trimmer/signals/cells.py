@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.messages import shown_value
 from trimmer.signals.csv_layout import COMMENT, DecimalSign
 from trimmer.signals.signal import LARGEST_VALUE
 from trimmer.signals.text_file import SignalFileError
@@ -22,7 +23,6 @@ _INFINITE = frozenset({"inf", "+inf", "-inf", "infinity", "+infinity", "-infinit
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?", flags=re.ASCII)
 _NUMERIC = re.compile(r"[+-]?[.,]?[0-9][0-9.,'eE+|\s-]*", flags=re.ASCII)
 _PLAIN = re.compile(r"[0-9.eE+\s-]+", flags=re.ASCII)
-_SHOWN_LENGTH = 40
 
 
 def is_missing(cell: str) -> bool:
@@ -38,12 +38,6 @@ def is_numeric(cell: str) -> bool:
 def is_text(cell: str) -> bool:
     """Return whether a cell is neither a number nor a missing or infinite value, as in a heading."""
     return not (is_numeric(cell) or is_missing(cell) or cell.strip().casefold() in _INFINITE)
-
-
-def shown(cell: str) -> str:
-    """Return a cell as text for a message, in quotation marks, shortened if it is long."""
-    text = repr(cell)
-    return text if len(text) <= _SHOWN_LENGTH else f"{text[: _SHOWN_LENGTH - 3]}..."
 
 
 def numbers_in(cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign | None, place: str) -> Reals:
@@ -76,7 +70,7 @@ def numbers_in(cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign 
         else:
             raise SignalFileError(f"{place}, line {line}: {_reason(cell, sign)}")
         if abs(numbers[index]) > LARGEST_VALUE:
-            raise SignalFileError(f"{place}, line {line}: {shown(cell)} is too large for a number")
+            raise SignalFileError(f"{place}, line {line}: {shown_value(cell)} is too large for a number")
     return numbers
 
 
@@ -109,7 +103,7 @@ def _decimal_sign(cells: Sequence[str], lines: Sequence[int], place: str) -> Dec
         signs = [sign for sign in DecimalSign if sign.value in cell]
         if len(signs) == 2 and is_numeric(cell):
             raise SignalFileError(
-                f"{place}, line {line}: {shown(cell)} has a point and a comma; choose the delimiter "
+                f"{place}, line {line}: {shown_value(cell)} has a point and a comma; choose the delimiter "
                 "that fits, and write thousands without a sign"
             )
         for sign in signs:
@@ -124,17 +118,15 @@ def _decimal_sign(cells: Sequence[str], lines: Sequence[int], place: str) -> Dec
 
 
 def _reason(cell: str, sign: DecimalSign) -> str:
-    text = cell.strip()
+    text, given = cell.strip(), shown_value(cell)
     if text.casefold() in _INFINITE:
-        return (
-            f"{shown(cell)} is not finite; was the sensor overloaded? Leave the cell empty if it is missing"
-        )
+        return f"{given} is not finite; was the sensor overloaded? Leave the cell empty if it is missing"
     if ("," if sign is DecimalSign.POINT else ".") in text:
-        return f"{shown(cell)} is no number with a decimal {sign.word}"
+        return f"{given} is no number with a decimal {sign.word}"
     parts = re.split(r"[\s|]+", text)
     if len(parts) > 1 and all(map(is_numeric, parts)):
         return (
-            f"{shown(cell)} is several numbers; separate columns by comma, semicolon or tab, "
+            f"{given} is several numbers; separate columns by comma, semicolon or tab, "
             "and write thousands without spaces"
         )
-    return f"{shown(cell)} is not a number; put {COMMENT} before lines that are neither heading nor data"
+    return f"{given} is not a number; put {COMMENT} before lines that are neither heading nor data"

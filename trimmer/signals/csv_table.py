@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from trimmer.messages import shown_value
 from trimmer.showing.shown import counted
-from trimmer.signals.cells import is_numeric, is_text, shown
+from trimmer.signals.cells import is_numeric, is_text
 from trimmer.signals.csv_layout import (
     COMMENT,
     CsvLayout,
@@ -120,7 +121,7 @@ class CsvTable:
         separated = f"separated by {delimiter.word}" if delimiter else "without a delimiter"
         raise SignalFileError(
             f"{self.path}, line {self.lines[place]}: {counted(len(cells), 'cell')} {separated}, where line "
-            f"{self.lines[0]} has {self.width}: {shown(self.data.texts[place])}"
+            f"{self.lines[0]} has {self.width}: {shown_value(self.data.texts[place])}"
         )
 
 
