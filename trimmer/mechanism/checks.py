@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
@@ -20,13 +21,16 @@ from trimmer.mechanism.quantities import (
     WEIGHT,
     NumberField,
 )
-from trimmer.mechanism.symbols import SYMBOL_RULE, is_symbol
 
 LONGEST_NAME = 300
 """Characters of a name; each is repeated in every table and message."""
 LONGEST_TITLE = 1000
 """Characters of a title, and of who wrote a file."""
 _SHOWN = 40
+_SYMBOL_RULE = 'a symbol is a letter or a name, perhaps with an index, as in "k_2" or "k_bridge"'
+
+_LETTER = "A-Za-zΑ-Ωα-ω"
+_SYMBOL = re.compile(rf"[{_LETTER}]+[0-9]*(?:_[{_LETTER}0-9]+|_\{{[{_LETTER}0-9]+(?:,[{_LETTER}0-9]+)*\}})?")
 
 Content = Mapping[str, object]
 """Fields of a mechanism, by name."""
@@ -89,8 +93,8 @@ def _fields(place: tuple[str, ...], part: object) -> Iterator[Problem]:
 def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:
     match place[-1]:
         case "symbol":
-            if value is not None and not is_symbol(value):
-                yield Problem(place, SYMBOL_RULE, value)
+            if value is not None and not _is_symbol(value):
+                yield Problem(place, _SYMBOL_RULE, value)
         case "law":
             yield from _law(place, value)
         case "on":
@@ -99,6 +103,11 @@ def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:
         case "between":
             if not _is_pair(value) or not all(isinstance(end, str) for end in value):  # type: ignore[attr-defined]
                 yield Problem(place, 'name two ends, as in ["ground", "motor"]', value)
+
+
+def _is_symbol(value: object) -> bool:
+    """Say whether a value can be a symbol in printed equations."""
+    return isinstance(value, str) and _SYMBOL.fullmatch(value) is not None
 
 
 def _law(place: tuple[str, ...], value: object) -> Iterator[Problem]:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
+from trimmer.arrays import Flags, Reals
 
 
 def spans_of(starts: Reals, duration: float, on: Flags) -> list[tuple[float, float]]:
