@@ -19,6 +19,7 @@ from report.building.tasks import Task, done
 from report.cache.libraries import libraries
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
+from report.data.figures import figure_words
 from report.data.statements import read_inventory
 from report.derivation.code_lines import with_lines
 from report.derivation.number_steps import number_steps
@@ -107,7 +108,7 @@ def _tasks(
         *(
             Task(extra.name, "extras", digest, partial(extra.make, evidence, seed_of(digest)))
             for extra in EXTRAS
-            for digest in [key([extra.module, "report.numbers.evidence"])]
+            for digest in [key([extra.module, "report.numbers.evidence"], figure_words())]
         ),
         Task(
             "number-steps",
@@ -126,7 +127,7 @@ def _tasks(
             Task(
                 f"figure-{figure.id}",
                 "draw",
-                key([figure.draw.__module__, "report.numbers.evidence", "report.judging.record"]),
+                key([figure.draw.__module__, "report.numbers.evidence"], figure.words),
                 partial(figure.finished, evidence),
             )
             for figure in reversed(records.figures)

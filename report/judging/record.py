@@ -1,4 +1,4 @@
-"""A claim, or a figure, as one record: id, text and parts together, read from top to bottom.
+"""A claim as one record: id, text and parts together, read from top to bottom.
 
     @claim("eq-5.6")
     def external_input(known: Evidence) -> Record:
@@ -13,19 +13,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
 from report.judging.claim import Claim, Part, Uncheckable
 from report.judging.text import RecordError, filled
-from report.pages.drawing.drawn import drawn
-from report.pages.drawing.style import style
-from report.pages.figure import Figure
-
-if TYPE_CHECKING:
-    import matplotlib.figure
-
-    Draw = Callable[[Any], matplotlib.figure.Figure]
-
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
 MARK = "\0"
@@ -121,28 +112,3 @@ def text(prose: str) -> Text:
     For the places and filters of the numbers see ``report.judging.text.filled``.
     """
     return Text(prose)
-
-
-@final
-@dataclass(frozen=True)
-class FigureRecord:
-    """A figure to draw: the claim's id, title, caption (Markdown), alternative text, and what draws it."""
-
-    id: str
-    title: str
-    caption: str
-    alternative_text: str
-    draw: Draw = field(repr=False)
-
-    def finished(self, known: Any) -> Figure:
-        """Draw the figure; it is then an SVG with its words."""
-        words = (self.id, self.title, self.caption, self.alternative_text)
-        return drawn(*words, lambda: self.draw(known))
-
-
-def figure(
-    figure_id: str, title: str, *, caption: str, alternative_text: str
-) -> Callable[[Draw], FigureRecord]:
-    """Make a figure of what draws it, in the report's look; caption and words may be text blocks."""
-    words = filled(caption), filled(alternative_text)
-    return lambda draw: FigureRecord(figure_id, title, *words, style()(draw))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from report.data.figures import FigureRecord
 from report.document.extras import Observation, TwinChapter, TwinSection
 from report.judging.parts import so
-from report.judging.record import FigureRecord, text
+from report.judging.record import text
 from report.numbers.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
