@@ -40,10 +40,10 @@ def components(known: Evidence) -> Record:
         "cutter and driving bridge",
         "cutter and driving bridge are one rigid body",
         free == len(MOVING_PARTS) - 1,
-        """
-        of [[ parts ]] only [[ free ]] move by themselves: cutter and bridge share a mass and a displacement
+        f"""
+        of {", ".join(MOVING_PARTS)} only {free} move by themselves: cutter and bridge share a mass and a
+        displacement
         """,
-        numbers={"parts": ", ".join(MOVING_PARTS), "free": free},
         method="rank of the mass matrix",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), free),
     )

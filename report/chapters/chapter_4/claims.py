@@ -119,11 +119,11 @@ def gaps(_: Evidence) -> Record:
     caption = "Inertia-controlled wave characteristics for a variety of backlash widths"
     missing = "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each"
     yield uncheckable("the other curves", caption, missing)
-    yield text("""
+    yield text(f"""
         What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of
-        [[ gap ]] mm only. For other gaps the figure is right if they were replaced each time, as in the
-        figure drawn here.
-    """).given(gap=1e3 * TIMED_GAP)
+        {1e3 * TIMED_GAP} mm only. For other gaps the figure is right if they were replaced each time, as in
+        the figure drawn here.
+    """)
 
 
 @claim("txt-4.2.1-block-equivalence")
@@ -185,11 +185,12 @@ def zero_gap(_: Evidence) -> Record:
     )
     phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
-    yield text("""
+    left = 1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max())
+    yield text(f"""
         Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
         output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
-        for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
-    """).given(left=1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
+        for each gap: with line 2 alone set to zero its output is off by {left:.2f} mm.
+    """)
 
 
 @claim("txt-4.2.3-roles")
@@ -243,15 +244,15 @@ def gamma(_: Evidence) -> Record:
         severity=Severity.SLIP,
         certainty=Certainty.PROVEN,
     )
-    yield text(r"""
-        With the printed ratio $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The printed value is a
+    yield text(rf"""
+        With the printed ratio $\gamma = 200\pi/99 = {right:.4f}$, a pure number. The printed value is a
         hundred times as large and comes out with $M/D = 1/0.99$, so the ratio, which is arbitrary, may be the
         one that is mistyped. It is printed twice, so a decimal point lost in the copy would have to be lost
         twice.
 
         None beyond this section: the separation angle that follows belongs to 1/0.99, a load nearly without
         friction; with 1/99 it is a hundred times larger.
-    """).given(right=right)
+    """)
 
 
 @claim("txt-4.2.3-separation-angle")
@@ -286,9 +287,9 @@ def angle_of_separation(_: Evidence) -> Record:
         severity=Severity.SLIP,
         certainty=Certainty.PROVEN,
     )
-    yield text(r"""
-        The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
-        [[ degrees | f2 ]] degrees, and it is an angle, not a time.
+    yield text(rf"""
+        The arctangent is right for the printed $\gamma$. For the stated ratio it is {right:.4f} rad, or
+        {math.degrees(right):.2f} degrees, and it is an angle, not a time.
 
         None on later numbers: the section computes no waveform from it.
-    """).given(angle=right, degrees=math.degrees(right))
+    """)

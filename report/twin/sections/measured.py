@@ -19,13 +19,12 @@ def without_play(known: Evidence) -> Observed:
     cases = known.twin.no_gap
     even = max(case.line(order) for case in cases for order in (2, 4, 6))
     third, fifth = (1e6 * cases[1].line(order) for order in (3, 5))
-    yield text("""
+    yield text(f"""
         Compared by order of the drive and by parity alone, since the parameters of the measured trimmer
-        (table C.1) are not given: its spectrum without play has the orders 1, 3 and 5 (table 3.1). So has
-        the twin with friction and no play, [[ third | f0 ]] µm at the third and [[ fifth | f0 ]] µm at the
-        fifth harmonic with 1 N, and no even ones. So has the thesis's model; this measurement decides
-        nothing between them.
-    """).given(third=third, fifth=fifth)
+        (table C.1) are not given: its spectrum without play has the orders 1, 3 and 5 (table 3.1). So has the
+        twin with friction and no play, {third:.0f} µm at the third and {fifth:.0f} µm at the fifth harmonic
+        with 1 N, and no even ones. So has the thesis's model; this measurement decides nothing between them.
+    """)
     yield small("even harmonics of the exact motions with 0 to 4 N", even, VANISHES)
     yield equal("motions of one drive period", {case.period_count for case in cases}, {1})
 
@@ -62,12 +61,12 @@ def with_play(known: Evidence) -> Observed:
 @observation("twin-mirror", source="report/numbers/twin/cases.py", title="A pair of mirrored motions.")
 def mirrored(known: Evidence) -> Observed:
     case = known.twin.asymmetric
-    yield text("""
-        An example, in the model with the parameters of Listing A.1 and at its 100 Hz: with 0.2 mm and 2 N
-        it repeats with the drive, and its second harmonic has [[ second | f1 ]] µm, its fourth
-        [[ fourth | f0 ]] µm. A mirrored motion exists beside it with the same amplitudes; the start
+    yield text(f"""
+        An example, in the model with the parameters of Listing A.1 and at its 100 Hz: with 0.2 mm and 2 N it
+        repeats with the drive, and its second harmonic has {1e6 * case.line(2):.1f} µm, its fourth
+        {1e6 * case.line(4):.0f} µm. A mirrored motion exists beside it with the same amplitudes; the start
         decides.
-    """).given(second=1e6 * case.line(2), fourth=1e6 * case.line(4))
+    """)
     yield equal("exact periodic motion of one drive period", case.period_count, 1)
     yield so("stable, by its Floquet multipliers", case.largest_multiplier < 1)
     yield small("the mirror image, half a period later, is an exact motion too", known.twin.mirror_miss)
@@ -78,15 +77,15 @@ def mirrored(known: Evidence) -> Observed:
 def between(known: Evidence) -> Observed:
     twin = known.twin.main.twin
     spacing = twin.frequency / twin.period_count
-    yield text("""
+    yield text(f"""
         The thesis found no further frequencies in the measured spectra (section 3.2). A line at a third of
-        the drive would lie [[ spacing | f1 ]] Hz from the next one, [[ bins | f1 ]] bins of [[ bin | f0 ]]
-        Hz: such a record would show it. As far as a record of 0.1 s tells, the measured trimmer, whose
-        parameters are not given, repeated with its drive of 109.945 Hz. By order and parity alone it moved
-        as the twin with Listing A.1 does where its motion keeps the drive's period and has lost its
-        symmetry. A gap that is not centred, or a blade that rubs unequally, would give even harmonics as
-        well: neither model has that, and the spectra do not tell it apart.
-    """).given(spacing=spacing, bins=spacing / RESOLUTION, bin=RESOLUTION)
+        the drive would lie {spacing:.1f} Hz from the next one, {spacing / RESOLUTION:.1f} bins of
+        {RESOLUTION:.0f} Hz: such a record would show it. As far as a record of 0.1 s tells, the measured
+        trimmer, whose parameters are not given, repeated with its drive of 109.945 Hz. By order and parity
+        alone it moved as the twin with Listing A.1 does where its motion keeps the drive's period and has
+        lost its symmetry. A gap that is not centred, or a blade that rubs unequally, would give even
+        harmonics as well: neither model has that, and the spectra do not tell it apart.
+    """)
     yield so("the lines are more than two bins apart", spacing > 2 * RESOLUTION)
     yield equal("lines of the twin at thirds of the drive", twin.period_count, 3)
 

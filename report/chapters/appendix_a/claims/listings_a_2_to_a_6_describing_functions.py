@@ -77,11 +77,10 @@ def guard_part() -> Part:
         "amplitudes inside the dead band",
         "the function returns zero where the pin does not reach the bridge",
         abs(inside) < 1e-12,
-        """
-        the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
-        [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
+        f"""
+        the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is {inside.real:.2f}
+        {inside.imag:+.2f} j
         """,
-        numbers={"inside": inside},
         method=REPEATED,
         second=close(
             "the square root of a negative number",
@@ -140,11 +139,10 @@ def inertia_parts() -> tuple[Part, Part]:
         "with another $w$",
         "the function still returns the describing function",
         abs(two - one) < 1e-9,
-        """
-        at Beta = 1 it returns [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
-        [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
+        f"""
+        at Beta = 1 it returns {one.real:.4f} {one.imag:+.4f} j for $w = 1$ and {two.real:.4f} {two.imag:+.4f}
+        j for $w = 2$
         """,
-        numbers={"one": one, "two": two},
         method=REPEATED,
         second=close(by_half, inertia_formula(angle / 2, 1.0), two),
         item="argument w of Listings A.4 and A.10",

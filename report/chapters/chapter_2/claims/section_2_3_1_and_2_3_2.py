@@ -115,11 +115,12 @@ def van_der_pol(_: Evidence) -> Record:
         ),
     )
     damping = 1.0
-    yield text(r"""
+    third = 100 * van_der_pol_third_harmonic(damping)
+    yield text(rf"""
         The condition is $\alpha > 0$: for $\alpha = 0$ every orbit is closed, and none is a limit cycle by
         the thesis's own definition. An ellipse over position and velocity is a sinusoid, the very shape that
-        the method assumes. If any distorted oval is meant, the sentence is right: at $\alpha =
-        [[ damping | f0 ]]$ the third harmonic of the position has [[ third | f0 ]] % of the first.
+        the method assumes. If any distorted oval is meant, the sentence is right: at $\alpha = {damping:.0f}$
+        the third harmonic of the position has {third:.0f} % of the first.
 
         None: the caution is right, and no number rests on the example.
-    """).given(damping=damping, third=100 * van_der_pol_third_harmonic(damping))
+    """)

@@ -49,19 +49,11 @@ def amplitude_only(_: Evidence) -> Record:
         "",
         statement,
         abs(driven - cycling) < 1e-9,
-        """
-        at an amplitude of [[ amplitude | f0 ]] gaps a load with $M/D$ of [[ load | f0 ]] ms has $N =
-        [[ a.real | f3 ]] [[ a.imag | signed3 ]]j$ at [[ drive | f0 ]] rad/s and $[[ b.real | f3 ]]
-        [[ b.imag | signed3 ]]j$ at [[ near | f0 ]] rad/s
+        f"""
+        at an amplitude of {amplitude:.0f} gaps a load with $M/D$ of {1e3 * load:.0f} ms has $N =
+        {driven.real:.3f} {driven.imag:+.3f}j$ at {DRIVE_OMEGA:.0f} rad/s and ${cycling.real:.3f}
+        {cycling.imag:+.3f}j$ at {near_limit_cycle:.0f} rad/s
         """,
-        numbers={
-            "amplitude": amplitude,
-            "load": 1e3 * load,
-            "a": driven,
-            "b": cycling,
-            "drive": DRIVE_OMEGA,
-            "near": near_limit_cycle,
-        },
         method="the describing function of viscous-controlled backlash at two frequencies",
         second=Confirmation("the derived phase of separation", independent),
     )

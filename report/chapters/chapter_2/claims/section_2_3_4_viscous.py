@@ -152,10 +152,11 @@ def ratio(_: Evidence) -> Record:
     in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
     second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))
     yield expression("", printed, second / first, form=r"\gamma = \frac{M}{D} \omega")
-    yield text(r"""
+    unit = dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH})
+    yield text(rf"""
         With the phase as variable $M\ddot y + D\dot y = 0$ becomes $\gamma y'' + y' = 0$ with the printed
-        ratio. It is a pure number, with the unit [[ unit ]].
-    """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
+        ratio. It is a pure number, with the unit {unit}.
+    """)
 
 
 @claim("eq-2.46")

@@ -203,12 +203,11 @@ def two_limit_cycles(_: Evidence) -> Record:
         method="both solutions of harmonic balance",
         second=close(means, float(from_between), second, SETTLED),
     )
-    yield text("""
-        The text names no loop, so [[ loop ]] is taken, which has two limit cycles. The operating points
-        beside them are encircled or not as the text says, counted by turns of the locus and by growing poles.
-        With another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves
-        cross.
-    """).given(loop=EXAMPLE)
+    yield text(f"""
+        The text names no loop, so {EXAMPLE} is taken, which has two limit cycles. The operating points beside
+        them are encircled or not as the text says, counted by turns of the locus and by growing poles. With
+        another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves cross.
+    """)
 
 
 @claim("txt-2.3.6-stability-rule")
@@ -220,11 +219,10 @@ def stability_rule(_: Evidence) -> Record:
         "$L_1$",
         "the first limit cycle is unstable",
         not first.stable,
-        """
-        of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
-        tenth above it at [[ above | f2 ]]
+        f"""
+        of {EXAMPLE}, started a tenth below {first.amplitude:.3f} gaps it ends at {from_below:.2f}, started a
+        tenth above it at {from_between:.2f}
         """,
-        numbers={"loop": EXAMPLE, "first": first.amplitude, "below": from_below, "above": from_between},
         method="Loeb's criterion",
         second=close("a simulation that leaves it for $L_2$", from_between, second.amplitude, SETTLED),
     )
@@ -283,12 +281,11 @@ def nyquist_premise(_: Evidence) -> Record:
         "",
         "an open loop can be stable only if the closed loop is",
         not counterexamples,
-        r"""
-        the open loop at $L_1'$ of figure 2.14 is stable, the closed one has [[ growing ]] growing pole;
-        $10/(s + 1)^3$ is stable, and with unit feedback has poles at $[[ real | f3 ]] \pm
-        [[ imaginary | f3 ]]j$
+        rf"""
+        the open loop at $L_1'$ of figure 2.14 is stable, the closed one has {growing} growing pole; $10/(s +
+        1)^3$ is stable, and with unit feedback has poles at ${closed.real.max():.3f} \pm
+        {abs(closed.imag).max():.3f}j$
         """,
-        numbers={"growing": growing, "real": closed.real.max(), "imaginary": abs(closed.imag).max()},
         method="counterexamples, by their poles",
         second=equal(means, encirclements_of(linear, -1.0), in_right_half),
     )

@@ -165,15 +165,16 @@ def units(_: Evidence) -> Record:
             altered and backlash.subs(in_milliseconds) == backlash,
         ),
     )
-    yield text(r"""
+    stiffness = written(dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))
+    yield text(rf"""
         The thesis adds the two terms and does not speak of their units. Backlash turns a displacement into a
         displacement, friction a velocity into a force. However $A$ is read in equation 2.60, the friction
-        term is no pure number. With the right operator it is a stiffness, $j\,4F_c/(\pi A)$ in
-        [[ stiffness ]], and has to be divided by one, such as $k_2$, before it can be added to a number.
+        term is no pure number. With the right operator it is a stiffness, $j\,4F_c/(\pi A)$ in {stiffness},
+        and has to be divided by one, such as $k_2$, before it can be added to a number.
 
         Every contour of section 5.2.5 adds quantities of different units, so its numbers have no physical
         meaning.
-    """).given(stiffness=written(dimension_of(4 * COULOMB / (sympy.pi * A), UNITS)))
+    """)
 
 
 def written(dimension: Dimension | None) -> str:

@@ -101,8 +101,8 @@ def order(known: Evidence) -> Record:
     nearest = min(abs(pole - zero) / abs(pole) for pole in system.poles() for zero in system.zeros())
     second = equal("the Popov-Belevitch-Hautus test of every eigenvalue", seen, minimal)
     yield digits("", "8", minimal, second=second, certainty=Certainty.PROVEN)
-    yield text("""
+    yield text(f"""
         Numerator and denominator have no common factor in exact arithmetic, so all eight states count. One
-        pair of poles comes within [[ nearest | f3 ]] % of a pair of zeros, which hides a resonance and keeps
+        pair of poles comes within {100 * nearest:.3f} % of a pair of zeros, which hides a resonance and keeps
         the order.
-    """).given(nearest=100 * nearest)
+    """)

@@ -31,15 +31,10 @@ def touching(known: Evidence) -> Record:
         r"the curves for $2\times10^{-8}$ m",
         "they just touch, so that no limit cycle is predicted",
         all(cycle.near_tangency for cycle in predicted),
-        """
-        they cross [[ times ]] times, at [[ angle | f0 ]] degrees for the stable one, with
-        [[ amplitude | f1 ]] nm
+        f"""
+        they cross {len(predicted)} times, at {math.degrees(stable.crossing_angle):.0f} degrees for the stable
+        one, with {1e9 * stable.amplitude:.1f} nm
         """,
-        numbers={
-            "times": len(predicted),
-            "angle": math.degrees(stable.crossing_angle),
-            "amplitude": 1e9 * stable.amplitude,
-        },
         method="all solutions of harmonic balance for that gap",
         second=equal("the coefficients of Listing A.9", len(listed), len(predicted)),
         item=SMALLEST_GAP,

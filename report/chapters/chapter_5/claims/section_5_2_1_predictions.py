@@ -92,22 +92,17 @@ def prediction(known: Evidence) -> Record:
     _, stable = predicted(known)
     right, listing, both = stable.exact, stable.listing, known.cycles.friction_both_channels.stable
     yield from all_parts("", SMALL_GAP, stable, ("3.3138e-05", "4.6077e+03", "733.3"), AMPLITUDE)
-    yield text("""
+    shift = 100 * (listing.amplitude / right.amplitude - 1)
+    less = 100 * (1 - both.amplitude / right.amplitude)
+    yield text(f"""
         The printed numbers come out with the coefficients that Listing A.9 rounds to four digits. With exact
-        ones the prediction is $A = [[ amplitude | f4 ]]$ µm at [[ frequency | f2 ]] Hz. Rounding moves the
-        amplitude by as much as [[ shift | f2 ]] %, because the loop passes close to $-1$.
+        ones the prediction is $A = {1e6 * SMALL_GAP * right.amplitude:.4f}$ µm at {right.frequency:.2f} Hz.
+        Rounding moves the amplitude by as much as {shift:.2f} %, because the loop passes close to $-1$.
 
         Every prediction of section 5.2.1 carries this small shift. The velocity of the pin, which the loop
-        leaves out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] %
-        less, at [[ both.frequency | f2 ]] Hz.
-    """).given(
-        amplitude=1e6 * SMALL_GAP * right.amplitude,
-        frequency=right.frequency,
-        shift=100 * (listing.amplitude / right.amplitude - 1),
-        with_velocity=1e6 * SMALL_GAP * both.amplitude,
-        less=100 * (1 - both.amplitude / right.amplitude),
-        both=both,
-    )
+        leaves out, weighs far more: with it the amplitude is {1e6 * SMALL_GAP * both.amplitude:.2f} µm,
+        {less:.0f} % less, at {both.frequency:.2f} Hz.
+    """)
 
 
 @claim("txt-5.2.1-stable")
@@ -124,20 +119,19 @@ def stability(known: Evidence) -> Record:
         "in the exact loop",
         statement,
         orbit.stable,
-        """
-        no disturbance keeps more than [[ largest | f4 ]] of itself over a period of the orbit at
-        [[ orbit.frequency | f2 ]] Hz
+        f"""
+        no disturbance keeps more than {largest:.4f} of itself over a period of the orbit at
+        {orbit.frequency:.2f} Hz
         """,
-        numbers={"largest": largest, "orbit": orbit},
         method="Floquet multipliers of the exact orbit",
         second=close(outward, known.orbits.left_by[1], orbit.amplitude, 1e-5),
         item=item,
     )
-    yield text("""
+    yield text(f"""
         A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again; a smaller one
         grows. That is the thesis's own argument on the describing function, and the multipliers of the exact
-        limit cycle agree. Disturbances decay slowly, with [[ decay | f0 ]]/s.
-    """).given(decay=-math.log(largest) / orbit.period)
+        limit cycle agree. Disturbances decay slowly, with {-math.log(largest) / orbit.period:.0f}/s.
+    """)
 
 
 @claim("txt-5.2.1-second-limit-cycle")
@@ -183,15 +177,14 @@ def two_limit_cycles(known: Evidence) -> Record:
     yield digits(label, "733.33", derived, "Hz", second=second, slip=slip, item=FREQUENCY)
     yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable, SECOND_AMPLITUDE)
     yield second_frequency("second: frequency", unstable)
-    yield text("""
-        With the coefficients of Listing A.9 the second limit cycle lies at
-        [[ unstable.listing.frequency | f2 ]] Hz, with exact ones at [[ unstable.exact.frequency | f2 ]] Hz;
-        the printed 533.22 Hz has one digit wrong, here and in the text. The other cells come out with the
-        rounded coefficients. For 733.33 Hz a number was cut off as well; the section's percent error has it
-        rounded, as 733.34 Hz.
+    yield text(f"""
+        With the coefficients of Listing A.9 the second limit cycle lies at {unstable.listing.frequency:.2f}
+        Hz, with exact ones at {unstable.exact.frequency:.2f} Hz; the printed 533.22 Hz has one digit wrong,
+        here and in the text. The other cells come out with the rounded coefficients. For 733.33 Hz a number
+        was cut off as well; the section's percent error has it rounded, as 733.34 Hz.
 
         None: the comparisons of the section rest on the first limit cycle.
-    """).given(unstable=unstable)
+    """)
 
 
 @claim("tab-5.2")

@@ -96,19 +96,18 @@ def no_crossing(known: Evidence) -> Record:
         "what follows for friction",
         "harmonic balance predicts no limit cycle from Coulomb friction",
         max(on_the_axis) < 0,
-        """
+        f"""
         with the right operator $G$ would have to cross the positive imaginary axis; where it is imaginary, at
-        [[ frequencies ]] frequencies, it lies on the negative one
+        {len(on_the_axis)} frequencies, it lies on the negative one
         """,
-        numbers={"frequencies": len(on_the_axis)},
         method="all roots of the real part, from exact coefficients",
         second=so(means, highest < math.pi / 2),
     )
-    yield text("""
-        $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The conclusion
-        stands, though for friction the axis to look at is another one. Friction
-        between parts that rub only takes energy, so it cannot keep anything moving.
-    """).given(crossings=len(crossings))
+    yield text(f"""
+        $G$ meets the real axis at {len(crossings)} frequencies, always on its positive side. The conclusion
+        stands, though for friction the axis to look at is another one. Friction between parts that rub only
+        takes energy, so it cannot keep anything moving.
+    """)
 
 
 def crossings_part(known: Evidence) -> Part:
@@ -159,11 +158,10 @@ def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) ->
         label,
         "an oscillation remains",
         last > DURATION / 2,
-        """
-        it turns for the last time within [[ last | f0 ]] µs, and then sticks or creeps one way for the rest
-        of [[ duration | f0 ]] ms
+        f"""
+        it turns for the last time within {1e6 * last:.0f} µs, and then sticks or creeps one way for the rest
+        of {1e3 * DURATION:.0f} ms
         """,
-        numbers={"last": 1e6 * last, "duration": 1e3 * DURATION},
         method="exact simulation with true stick, impulses over six decades",
         second=close(means, max(numbers.last_turn_in_steps), last, 0.02),
         item=item,
@@ -176,19 +174,16 @@ def candidates_part(
     """Return the part on periodic motions with all harmonics."""
     method = "Tsypkin's condition in closed form, which is exact for two switchings a period"
     derived = not all(candidates.in_phase)
+    frequencies = " and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies)
     return assertion(
         label,
         statement,
         derived,
-        """
-        from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave returns with zeros at its jumps at
-        [[ frequencies ]] Hz only, and there in phase with itself, so the relay would work against it
+        f"""
+        from {0.5 / HALF_PERIODS[-1]:g} Hz to {power_of(0.5 / HALF_PERIODS[0])} Hz a square wave returns with
+        zeros at its jumps at {frequencies} Hz only, and there in phase with itself, so the relay would work
+        against it
         """,
-        numbers={
-            "low": 0.5 / HALF_PERIODS[-1],
-            "high": 0.5 / HALF_PERIODS[0],
-            "frequencies": " and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies),
-        },
         method=method,
         second=second,
         item=item,
@@ -207,15 +202,15 @@ def high_frequency(known: Evidence) -> Record:
         by_harmonics(known.numbers.displacement_only, numbers.alone.frequencies),
     )
     yield friction_part(numbers, "friction, which acts on velocity")
-    yield text("""
+    yield text(f"""
         Near the origin $G$ is a double integrator with a little damping, on which a relay oscillates ever
         faster and smaller: the motion ends, and is no limit cycle. A simulation cannot follow that; one that
-        looks at the sign every [[ step | f0 ]] µs keeps up [[ frequency | f0 ]] Hz by its own delay, with
-        [[ amplitude | f2 ]] times the relay's size. The text offers harmonics as a possible explanation.
-        Tsypkin's condition, which holds them all, finds no periodic motion with two switchings.
+        looks at the sign every {1e6 * STEP:.0f} µs keeps up {frequency:.0f} Hz by its own delay, with
+        {amplitude:.2f} times the relay's size. The text offers harmonics as a possible explanation. Tsypkin's
+        condition, which holds them all, finds no periodic motion with two switchings.
 
         The small limit cycles for which the section neglects [friction](#txt-5.2.4-force-unit) do not exist.
-    """).given(step=1e6 * STEP, frequency=frequency, amplitude=amplitude)
+    """)
 
 
 @claim("txt-5.2.4-linear-in-fc")
@@ -263,17 +258,16 @@ def force_unit(known: Evidence) -> Record:
         "what the section concludes, read as said of the limit cycles of backlash",
         "friction below 1.0 N may be neglected when limit cycles are predicted",
         per_gap * SMALL_GAP > BOUND,
-        """
-        between cutter and guard [[ small | f3 ]] N end the limit cycle for a gap of 4 µm, [[ large | f2 ]] N
-        for 40 µm
+        f"""
+        between cutter and guard {per_gap * SMALL_GAP:.3f} N end the limit cycle for a gap of 4 µm,
+        {per_gap * LARGE_GAP:.2f} N for 40 µm
         """,
-        numbers={"small": per_gap * SMALL_GAP, "large": per_gap * LARGE_GAP},
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
         severity=Severity.CONCLUSION,
         certainty=Certainty.READING,
     )
-    yield text("""
+    yield text(f"""
         A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
         sections 5.2.4 and 5.2.5 write [-]. In a loop with $G$ as its linear part it is neither: the relay's
         output enters as a displacement of the pin, so 0.015 is 15 mm of its travel, ten times the
@@ -283,5 +277,5 @@ def force_unit(known: Evidence) -> Record:
         the limit cycle of a small gap.
 
         The force that ends a limit cycle is in proportion to the gap. The bound of 1.0 N ends it for gaps up
-        to [[ gap | f0 ]] µm; for a larger gap a limit cycle is left.
-    """).given(gap=1e6 * BOUND / per_gap)
+        to {1e6 * BOUND / per_gap:.0f} µm; for a larger gap a limit cycle is left.
+    """)

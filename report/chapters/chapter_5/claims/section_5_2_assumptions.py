@@ -63,12 +63,11 @@ def _single(known: Evidence) -> Record:
         "1: one nonlinearity, for backlash with friction",
         "both act at one place of the loop, so that one element stands for them",
         bool(np.abs(quotients - 1).max() < 1e-6),
-        """
-        a force between cutter and guard moves them [[ sizes[0] | f3 ]] times as far at
-        [[ pair.unstable.frequency | f0 ]] Hz and [[ sizes[1] | f3 ]] times as far at
-        [[ pair.stable.frequency | f0 ]] Hz as a force by the pin's spring does
+        f"""
+        a force between cutter and guard moves them {abs(quotients)[0]:.3f} times as far at
+        {pair.unstable.frequency:.0f} Hz and {abs(quotients)[1]:.3f} times as far at
+        {pair.stable.frequency:.0f} Hz as a force by the pin's spring does
         """,
-        numbers={"sizes": abs(quotients), "pair": pair},
         method="responses of $q_2 - q_4$ to both",
         second=close("the matrices of figure 2.1, solved at both frequencies", solved, quotients.sum()),
     )

@@ -46,11 +46,10 @@ def to_the_models(_: Evidence) -> Record:
         "where the models in open loop stand",
         "the models in open loop are those of section 3.1",
         place.number == named.number,
-        """
-        section 3.1 is “[[ named.title ]]”; the simulations in open loop, figures 3.6 to 3.8, stand in section
-        [[ place.number ]]
+        f"""
+        section 3.1 is “{named.title}”; the simulations in open loop, figures 3.6 to 3.8, stand in section
+        {place.number}
         """,
-        numbers={"named": named, "place": place},
         method="read in the headings of the sections and the places of their figures",
     )
     yield text("""

@@ -53,17 +53,18 @@ def input_frequency(known: Evidence) -> Record:
     yield what_the_listing_adds()
     yield contours_with_falling_frequency()
     yield range_of_frequencies(known, stable)
-    yield text("""
+    fall = 100 * (1 - known.cycles.inertia.stable.amplitude / largest)
+    yield text(f"""
         Two of the functions do not depend on frequency, as the text says. If performance means the predicted
         limit cycle, the drive's frequency indeed does not enter; if it means the vibration, it decides which
         harmonics meet a resonance. Read as a rule for reading off a found intersection, amplitude from $N$
         and frequency from $G$, the condition is right too; where the curves intersect depends on both. The
         contour of Listing A.6 passes by that of inertia because of its [wrong factor](#lst-A.6), and the
-        range of frequencies is narrow as stated, though the amplitude falls by [[ fall | f0 ]] % over it.
+        range of frequencies is narrow as stated, though the amplitude falls by {fall:.0f} % over it.
 
         With the drive of the experiment the fifth harmonic meets a resonance of Listing A.1, another
         trimmer's, which matters more for the vibration than anything in this answer.
-    """).given(fall=100 * (1 - known.cycles.inertia.stable.amplitude / largest))
+    """)
 
 
 def without_frequency() -> Part:
@@ -95,18 +96,11 @@ def output_of_the_driven_trimmer(known: Evidence) -> Part:
         "what follows for the output, read as that of the driven trimmer",
         "for friction-controlled backlash the input frequency changes nothing",
         abs(measured / fifth - 1) < 0.1,
-        """
-        with Listing A.1 and a gap of [[ gap | f0 ]] µm the fifth harmonic is [[ fifth | f0 ]] µm for a drive
-        of [[ drive | f0 ]] Hz and [[ measured | f0 ]] µm for the [[ measured_drive ]] Hz of the experiment,
-        whose trimmer is another one
+        f"""
+        with Listing A.1 and a gap of {1e6 * LARGE_GAP:.0f} µm the fifth harmonic is {1e6 * fifth:.0f} µm for
+        a drive of {DRIVE_FREQUENCY:.0f} Hz and {1e6 * measured:.0f} µm for the {MEASURED_DRIVE_FREQUENCY} Hz
+        of the experiment, whose trimmer is another one
         """,
-        numbers={
-            "gap": 1e6 * LARGE_GAP,
-            "fifth": 1e6 * fifth,
-            "drive": DRIVE_FREQUENCY,
-            "measured": 1e6 * measured,
-            "measured_drive": MEASURED_DRIVE_FREQUENCY,
-        },
         method=BY_RESPONSE,
         second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth, 1e-4),
         severity=Severity.RESULT,
@@ -126,11 +120,10 @@ def condition_as_a_whole(known: Evidence) -> Part:
         "condition of harmonic balance, read as a whole",
         "the frequency follows from the transfer function alone",
         abs(inertia / friction - 1) < 1e-6,
-        """
-        with the same $G$ it is [[ friction | f2 ]] Hz for friction- and [[ inertia | f2 ]] Hz for
-        inertia-controlled backlash
+        f"""
+        with the same $G$ it is {friction:.2f} Hz for friction- and {inertia:.2f} Hz for inertia-controlled
+        backlash
         """,
-        numbers={"friction": friction, "inertia": inertia},
         method="all solutions of harmonic balance for both elements",
         second=close(BY_ORBITS, exact_ratio(known), inertia / friction, 0.005),
         severity=Severity.SLIP,
@@ -165,20 +158,11 @@ def contours_with_falling_frequency() -> Part:
         "equivalent nonlinearity, with falling frequency",
         "the contour becomes similar to that of inertia-controlled backlash",
         low < high / 2,
-        """
-        with [[ force ]] N and [[ gap | f0 ]] mm, as in figure 5.21, the contour of Listing A.6 lies
-        [[ high | f2 ]] from it on average at high frequency, [[ drive | f2 ]] at [[ drive_frequency | f0 ]]
-        Hz and [[ low | f2 ]] at [[ low_frequency | f0 ]] Hz; below that it passes by, towards zero
+        f"""
+        with {RELAY_FORCE} N and {1e3 * GAP:.0f} mm, as in figure 5.21, the contour of Listing A.6 lies
+        {high:.2f} from it on average at high frequency, {drive:.2f} at {DRIVE_FREQUENCY:.0f} Hz and {low:.2f}
+        at {SLOW / TURN:.0f} Hz; below that it passes by, towards zero
         """,
-        numbers={
-            "force": RELAY_FORCE,
-            "gap": 1e3 * GAP,
-            "high": high,
-            "drive": drive,
-            "drive_frequency": DRIVE_FREQUENCY,
-            "low": low,
-            "low_frequency": SLOW / TURN,
-        },
         method="distances of both contours, point by point",
         second=close(
             "Listing A.4 and the formula of Listing A.6", mean_distance(-1 / gains, by_listing), low
