@@ -101,18 +101,14 @@ def _modes_table(known: Evidence) -> str:
 def _frequency_response(known: Evidence) -> Step:
     system = known.numbers.displacement_only
     peaks = ", ".join(f"{peak.omega / (2 * math.pi):.2f}" for peak in resonance_peaks(system))
-    text = filled(
-        r"""
+    text = filled(rf"""
         A pin that moves as $\sin\omega t$ moves the output by the complex factor $G(j\omega)$. Its modulus is
         largest at the resonances, zeros of the derivative of $|G|^2$, which is a polynomial in $\omega^2$
-        over another: they are at [[ peaks ]] Hz. At high frequency the two highest powers are left. The
-        denominator has two powers more than the numerator, so $|G|$ falls by [[ roll_off | f0 ]] dB per
-        decade. It is 3 dB below its value at rest from [[ cut_off | f1 ]] rad/s on.
-        """,
-        peaks=peaks,
-        roll_off=-asymptotic_roll_off(system),
-        cut_off=bandwidth(system),
-    )
+        over another: they are at {peaks} Hz. At high frequency the two highest powers are left. The
+        denominator has two powers more than the numerator, so $|G|$ falls by
+        {-asymptotic_roll_off(system):.0f} dB per decade. It is 3 dB below its value at rest from
+        {bandwidth(system):.1f} rad/s on.
+    """)
     return Step(
         "frequency-response",
         "Frequency response: resonances and roll-off",
@@ -130,15 +126,12 @@ def _nyquist(known: Evidence) -> Step:
     return Step(
         "nyquist",
         "Nyquist locus",
-        filled(
-            r"""
+        filled(f"""
             How often $1 + G$ turns round the origin, while $s$ runs up the imaginary axis and back at
             infinity, is the number of its zeros less that of its poles in the right half-plane: the sum of
             the residues of its logarithmic derivative. The open loop is stable, so $P = 0$. The locus turns
-            [[ turns ]] times round $-1$, so the closed loop without a nonlinearity is stable.
-            """,
-            turns=turns,
-        ),
+            {turns} times round $-1$, so the closed loop without a nonlinearity is stable.
+        """),
         (Formula(r"\frac{1}{2\pi j} \oint \frac{G'(s)}{1 + G(s)}\, ds = Z - P"),),
         code=(encirclements,),
     )

@@ -45,21 +45,14 @@ def _solution(known: Evidence) -> Step:
     )
     iterations = newton_by_hand(numerator, denominator)
     last = iterations[-1]
-    text = filled(
-        r"""
+    text = filled(f"""
         The equations above with numbers: friction-controlled backlash in the loop of the thesis, the pin's
         displacement alone. The first guess is ten gaps at 740 Hz. The residual falls from
-        [[ first | f2 ]] to rounding in [[ steps ]] iterations; the right digits double each time. At the end
-        $A/g = [[ ratio | f4 ]]$, so for a gap of 4 µm the amplitude is
-        [[ amplitude | f3 ]] µm, and the frequency is [[ omega | f2 ]] rad/s or [[ frequency | f2 ]] Hz.
-        """,
-        first=abs(iterations[0].residual),
-        steps=len(iterations) - 1,
-        ratio=last.amplitude,
-        amplitude=1e6 * SMALL_GAP * last.amplitude,
-        omega=last.omega,
-        frequency=last.frequency,
-    )
+        {abs(iterations[0].residual):.2f} to rounding in {len(iterations) - 1} iterations; the right digits
+        double each time. At the end $A/g = {last.amplitude:.4f}$, so for a gap of 4 µm the amplitude is
+        {1e6 * SMALL_GAP * last.amplitude:.3f} µm, and the frequency is {last.omega:.2f} rad/s or
+        {last.frequency:.2f} Hz.
+    """)
     return Step(
         "solution",
         "Amplitude and frequency with numbers: 733.63 Hz",
@@ -79,15 +72,12 @@ def _solution(known: Evidence) -> Step:
 def _left_out(known: Evidence) -> str:
     cycle = known.cycles.friction.stable
     third, *_ = harmonic_leakage(known.numbers.displacement_only, FrictionBacklash(1.0), cycle)
-    return filled(
-        """
+    return filled(f"""
         Newton's method finds what lies near its guess. That there are no others, besides the unstable one at
-        [[ other | f2 ]] Hz, is proven by a search that excludes the rest of the plane. What harmonic balance
-        leaves out is small here: of the third harmonic [[ third | percent2 ]] of the fundamental comes back.
-        """,
-        other=known.cycles.friction.unstable.frequency,
-        third=third,
-    )
+        {known.cycles.friction.unstable.frequency:.2f} Hz, is proven by a search that excludes the rest of the
+        plane. What harmonic balance leaves out is small here: of the third harmonic {third:.2%} of the
+        fundamental comes back.
+    """)
 
 
 def _table(iterations: Sequence[Iteration]) -> str:
@@ -130,24 +120,16 @@ def _exact_orbit(known: Evidence) -> Step:
         at $r$, where it was left.
         """
     )
-    numbers = filled(
-        r"""
-        There are as many equations as unknowns: the state $x_0$ at an impact and the two durations. For
-        given durations all of them are linear in the state. Solved by Newton's method, they give a contact
-        of [[ contact | f5 ]] ms, a flight of [[ flight | f5 ]] ms, a frequency of [[ exact | f2 ]] Hz and an
-        amplitude of [[ amplitude | f4 ]] gaps. Harmonic balance gives [[ balanced | f2 ]] Hz and
-        [[ predicted | f4 ]] gaps: its error is [[ by_frequency | percent3 ]] in frequency and
-        [[ by_amplitude | percent2 ]] in amplitude.
-        """,
-        contact=1e3 * contact,
-        flight=1e3 * flight,
-        exact=orbit.frequency,
-        amplitude=orbit.amplitude,
-        balanced=cycle.frequency,
-        predicted=cycle.amplitude,
-        by_frequency=abs(cycle.frequency / orbit.frequency - 1),
-        by_amplitude=abs(cycle.amplitude / orbit.amplitude - 1),
-    )
+    by_frequency = abs(cycle.frequency / orbit.frequency - 1)
+    by_amplitude = abs(cycle.amplitude / orbit.amplitude - 1)
+    numbers = filled(f"""
+        There are as many equations as unknowns: the state $x_0$ at an impact and the two durations. For given
+        durations all of them are linear in the state. Solved by Newton's method, they give a contact of
+        {1e3 * contact:.5f} ms, a flight of {1e3 * flight:.5f} ms, a frequency of {orbit.frequency:.2f} Hz and
+        an amplitude of {orbit.amplitude:.4f} gaps. Harmonic balance gives {cycle.frequency:.2f} Hz and
+        {cycle.amplitude:.4f} gaps: its error is {by_frequency:.3%} in frequency and {by_amplitude:.2%} in
+        amplitude.
+    """)
     return Step(
         "exact-orbit",
         "The exact orbit",

@@ -66,11 +66,10 @@ def waveform_pictures() -> dict[str, Figure]:
 
 
 def _picture(step: str, waveform: Waveform, values: Values) -> Figure:
-    words = filled(
-        """The output y over one period in [[ count ]] parts, the input A sin θ and the output's first
-        harmonic; the describing function is the ratio of the last two.""",
-        count=len(waveform.segments),
-    )
+    words = filled(f"""
+        The output y over one period in {len(waveform.segments)} parts, the input A sin θ and the output's
+        first harmonic; the describing function is the ratio of the last two.
+    """)
     svg = waveform_svg(f"waveform-{step}", TITLE, words, sampled(waveform, values))
     return Figure(f"waveform-{step}", TITLE, _caption(values), words, svg)
 

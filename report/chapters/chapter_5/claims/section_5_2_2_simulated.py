@@ -85,13 +85,10 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
         item=OPEN_LOOP_PEAK,
     )
     exact = known.orbits.inertia.stable.frequency
-    slip = filled(
-        """
-        [[ closed ]]; the bridge is the block of Listing A.8, a function of time; the record of 0.1 s begins
+    slip = filled(f"""
+        {LOOP_CLOSED}; the bridge is the block of Listing A.8, a function of time; the record of 0.1 s begins
         at rest; the digits after the point are cut off
-        """,
-        closed=LOOP_CLOSED,
-    )
+    """)
     of_limit_cycle = digits(
         "frequency of the limit cycle of inertia-controlled backlash",
         PEAK,
