@@ -33,6 +33,7 @@ from report.judging.record import ClaimRecord
 from report.numbers.evidence import Evidence, derive, solve
 from report.numbers.twin.kept_files import digest_of_files
 from report.numbers.twin_numbers import solve_twin
+from report.octave.contents import contents
 from report.octave.listings import corrected_programs
 from report.twin.cell_check import seed_of
 
@@ -87,9 +88,7 @@ def _tasks(
 
     Proofs, then the figures of motion and the last sections take longest.
     """
-    octave = [
-        (path.name, path.read_text(encoding="utf-8")) for path in sorted((templates() / "octave").iterdir())
-    ]
+    octave = [(path.name, path.read_text("utf-8")) for path in sorted((templates() / "octave").iterdir())]
     key = partial(_key, tree)
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
@@ -120,7 +119,7 @@ def _tasks(
         Task(
             "programs",
             "print",
-            key(["report.octave.listings", "report.numbers.evidence"], octave),
+            key(["report.octave.listings", "report.numbers.evidence"], octave, contents()),
             print_programs,
         ),
         *(

@@ -25,7 +25,7 @@ from report.numbers.thesis import (
     TIMED_GAP,
 )
 from report.octave import formulas
-from report.octave.contents import CONTENTS
+from report.octave.contents import contents
 from report.octave.printer import CodePrinter, comment
 from trimmer import TrimmerParameters
 from trimmer.thesis import parameter_table
@@ -120,7 +120,7 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
                 content=content, **shared, **particular.get(content.number, {})
             ),
         )
-        for content in CONTENTS
+        for content in contents()
     )
     runners = tuple(
         Program(
