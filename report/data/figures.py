@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
-from report.judging.text import RecordError, filled
+from report.judging.text import RecordError, one_line
 from report.pages.drawing.drawn import drawn
 from report.pages.drawing.style import style
 from report.pages.figure import Figure
@@ -36,7 +36,7 @@ class FigureWords:
 def figure_words() -> Mapping[str, FigureWords]:
     """Read the words of all figures, by id."""
     figures = tomllib.loads(PATH.read_text(encoding="utf-8")).items()
-    return {name: FigureWords(**{key: filled(each) for key, each in of.items()}) for name, of in figures}
+    return {name: FigureWords(**{key: one_line(each) for key, each in of.items()}) for name, of in figures}
 
 
 @final

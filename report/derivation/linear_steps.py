@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from derivations.step import Formula, Step
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import solve_linear
 from trimmer import modes, resonance_peaks, response_at, transfer_function
@@ -101,7 +101,7 @@ def _modes_table(known: Evidence) -> str:
 def _frequency_response(known: Evidence) -> Step:
     system = known.numbers.displacement_only
     peaks = ", ".join(f"{peak.omega / (2 * math.pi):.2f}" for peak in resonance_peaks(system))
-    text = filled(rf"""
+    text = one_line(rf"""
         A pin that moves as $\sin\omega t$ moves the output by the complex factor $G(j\omega)$. Its modulus is
         largest at the resonances, zeros of the derivative of $|G|^2$, which is a polynomial in $\omega^2$
         over another: they are at {peaks} Hz. At high frequency the two highest powers are left. The
@@ -126,7 +126,7 @@ def _nyquist(known: Evidence) -> Step:
     return Step(
         "nyquist",
         "Nyquist locus",
-        filled(f"""
+        one_line(f"""
             How often $1 + G$ turns round the origin, while $s$ runs up the imaginary axis and back at
             infinity, is the number of its zeros less that of its poles in the right half-plane: the sum of
             the residues of its logarithmic derivative. The open loop is stable, so $P = 0$. The locus turns

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from derivations.loop.narrative import loop_narrative
 from derivations.step import Formula, Step
 from report.derivation.linear_steps import array, linear_steps
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import orbit_by_durations
 from report.numbers.newton_by_hand import Iteration, newton_by_hand
@@ -45,7 +45,7 @@ def _solution(known: Evidence) -> Step:
     )
     iterations = newton_by_hand(numerator, denominator)
     last = iterations[-1]
-    text = filled(f"""
+    text = one_line(f"""
         The equations above with numbers: friction-controlled backlash in the loop of the thesis, the pin's
         displacement alone. The first guess is ten gaps at 740 Hz. The residual falls from
         {abs(iterations[0].residual):.2f} to rounding in {len(iterations) - 1} iterations; the right digits
@@ -72,7 +72,7 @@ def _solution(known: Evidence) -> Step:
 def _left_out(known: Evidence) -> str:
     cycle = known.cycles.friction.stable
     third, *_ = harmonic_leakage(known.numbers.displacement_only, FrictionBacklash(1.0), cycle)
-    return filled(f"""
+    return one_line(f"""
         Newton's method finds what lies near its guess. That there are no others, besides the unstable one at
         {known.cycles.friction.unstable.frequency:.2f} Hz, is proven by a search that excludes the rest of the
         plane. What harmonic balance leaves out is small here: of the third harmonic {third:.2%} of the
@@ -112,7 +112,7 @@ def _power(value: float) -> str:
 def _exact_orbit(known: Evidence) -> Step:
     orbit, cycle = known.orbits.friction.stable, known.cycles.friction.stable
     contact, flight = _durations(orbit.switching_times, orbit.period)
-    text = filled(
+    text = one_line(
         r"""
         Harmonic balance keeps one harmonic; the loop itself can be solved without leaving anything out.
         Between two events it is linear, so its motion is known in closed form. On the contact the element's
@@ -122,7 +122,7 @@ def _exact_orbit(known: Evidence) -> Step:
     )
     by_frequency = abs(cycle.frequency / orbit.frequency - 1)
     by_amplitude = abs(cycle.amplitude / orbit.amplitude - 1)
-    numbers = filled(f"""
+    numbers = one_line(f"""
         There are as many equations as unknowns: the state $x_0$ at an impact and the two durations. For given
         durations all of them are linear in the state. Solved by Newton's method, they give a contact of
         {1e3 * contact:.5f} ms, a flight of {1e3 * flight:.5f} ms, a frequency of {orbit.frequency:.2f} Hz and

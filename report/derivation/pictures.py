@@ -24,7 +24,7 @@ from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A, omega
 from report.derivation.waveform_svg import Piece, waveform_svg
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.pages.figure import Figure
 
 Values = dict[sympy.Expr, sympy.Expr]
@@ -66,7 +66,7 @@ def waveform_pictures() -> dict[str, Figure]:
 
 
 def _picture(step: str, waveform: Waveform, values: Values) -> Figure:
-    words = filled(f"""
+    words = one_line(f"""
         The output y over one period in {len(waveform.segments)} parts, the input A sin θ and the output's
         first harmonic; the describing function is the ratio of the last two.
     """)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from report.document.extras import Answer
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP
 
@@ -107,4 +107,4 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
 
 
 def _answer(question: str, thesis: str, now: str, claims: tuple[str, ...]) -> Answer:
-    return Answer(question, filled(thesis), filled(now), claims)
+    return Answer(question, one_line(thesis), one_line(now), claims)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from report.document.extras import Digits, EffectRow, Robustness, SurvivalRow
+from report.document.extras import Digits, EffectRow, Robustness
 from report.numbers.evidence import Evidence
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
-from report.robustness.findings import Survival, survivals
+from report.robustness.findings import survivals
 from report.robustness.picture import BARS, bars
 from report.robustness.printed_parameters import PRINTED, left_open, significant_digits
 from report.robustness.variation import SAMPLES, SHARE, Sensitivity, Variation, vary
@@ -24,7 +24,7 @@ def robustness(known: Evidence, samples: int = SAMPLES) -> Robustness:
         left_out=found.left_out,
         digits=tuple(_digits()),
         effects=tuple(_row(each) for each in found.sensitivities),
-        survivals=tuple(_survival(each, samples) for each in survivals(found.samples)),
+        survivals=tuple(survivals(found.samples, samples)),
         figure=_figure(found),
     )
 
@@ -56,13 +56,6 @@ def _row(sensitivity: Sensitivity) -> EffectRow:
         f"{shown(largest.lowered)} to {shown(largest.raised)}",
         f"{shown(sensitivity.band[0])} to {shown(sensitivity.band[1])}",
     )
-
-
-def _survival(survival: Survival, samples: int) -> SurvivalRow:
-    if survival.holds is None:
-        return SurvivalRow(survival.claim, survival.finding, "proven", survival.because)
-    share = {samples: "all", 0: "none"}.get(survival.holds, str(survival.holds))
-    return SurvivalRow(survival.claim, survival.finding, f"{share} of {samples}", survival.because)
 
 
 def _figure(found: Variation) -> Figure:

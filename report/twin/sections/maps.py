@@ -21,22 +21,18 @@ CALM = (146.0, 164.0)
 CALM_GAP = 180e-6
 
 
-def _all(shares: dict[str, float]) -> float:
-    return sum(shares.values())
-
-
 @observation("twin-shares", source=NUMBERS, title="Gap and friction.")
 def shares(known: Evidence) -> Observed:
     friction = known.twin.friction
     found = friction.shares
-    yield text("""
-        From rest at 110 Hz, over gaps up to 0.5 mm and frictions up to 4 N, [[ one | percent0 ]] of
-        [[ cells ]] cells repeat with the drive and [[ three | percent0 ]] after three drive periods;
-        [[ other | percent0 ]] repeat after other numbers, [[ torus | percent0 ]] are tori,
-        [[ chaotic | percent0 ]] are chaotic, and [[ open | percent0 ]] had not settled within [[ waited ]]
-        drive periods.
-    """).given(cells=friction.cells, waited=WAITED, **found)
-    yield close("the shares add up to the whole", _all(dict(found)), 1.0)
+    yield text(f"""
+        From rest at 110 Hz, over gaps up to 0.5 mm and frictions up to 4 N, {found["one"]:.0%} of
+        {friction.cells} cells repeat with the drive and {found["three"]:.0%} after three drive periods;
+        {found["other"]:.0%} repeat after other numbers, {found["torus"]:.0%} are tori,
+        {found["chaotic"]:.0%} are chaotic, and {found["open"]:.0%} had not settled within {WAITED} drive
+        periods.
+    """)
+    yield close("the shares add up to the whole", sum(found.values()), 1.0)
     yield so(
         "most cells are chaotic, and those with the drive's period come next",
         found["chaotic"] > found["one"] > max(found["three"], found["other"], found["torus"], found["open"]),

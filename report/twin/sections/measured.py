@@ -38,21 +38,16 @@ def with_play(known: Evidence) -> Observed:
     forces = friction.second[at_gap]
     most, gap, force = friction.largest_second
     orders = [len(cells) for cells in TABLE_2.values()]
-    yield text("""
+    share = float(friction.asymmetric.sum() / friction.single.sum())
+    yield text(f"""
         With 0.2 mm of play the measured spectra have the orders 1 to 5 in all three records (table 3.2),
         the even ones too. By parity alone, since the measured trimmer's parameters (table C.1) are not
         given: the thesis's model cannot have even orders, because it settles to one motion, which is
-        symmetric. The twin has them wherever its motion lost its symmetry: in [[ share | percent0 ]] of the
-        cells of the map over gap and friction that repeat with the drive, with up to [[ most | f0 ]] µm of
-        second harmonic (at [[ gap | f2 ]] mm and [[ force | f1 ]] N). At 0.2 mm it repeats with the drive
-        and has even harmonics from [[ from | f1 ]] N on.
-    """).given(
-        share=float(friction.asymmetric.sum() / friction.single.sum()),
-        most=1e6 * most,
-        gap=1e3 * gap,
-        force=force,
-        **{"from": float(forces.min())},
-    )
+        symmetric. The twin has them wherever its motion lost its symmetry: in {share:.0%} of the cells of the
+        map over gap and friction that repeat with the drive, with up to {1e6 * most:.0f} µm of second
+        harmonic (at {1e3 * gap:.2f} mm and {force:.1f} N). At 0.2 mm it repeats with the drive and has even
+        harmonics from {float(forces.min()):.1f} N on.
+    """)
     yield equal("orders that table 3.2 lists for each record", set(orders), {5})
     yield small("even harmonics of the thesis's model in three settled motions", even, 1e-9)
     yield so("cells with a second harmonic of more than a micrometre", most > SEEN and len(forces) > 0)

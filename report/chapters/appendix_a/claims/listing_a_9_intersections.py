@@ -43,15 +43,15 @@ def search(known: Evidence) -> Record:
         f"line {LINE_OF_SEARCH} uses `x0`, line {LINE_OF_START} defines it",
         method="read in the printed lines",
     )
-    yield text(r"""
+    yield text(rf"""
         Real and imaginary part of the condition are right here, unlike [equation 2.54](#eq-2.54), and the
-        search converges to the thesis's numbers: $3.3138\cdot 10^{-4}/(4\cdot 10^{-5}) = 8.2845$ at
-        [[ omega | f1 ]] rad/s. Run from an empty workspace it stops, because the start is defined after the
+        search converges to the thesis's numbers: $3.3138\cdot 10^{{-4}}/(4\cdot 10^{{-5}}) = 8.2845$ at
+        {omega:.1f} rad/s. Run from an empty workspace it stops, because the start is defined after the
         search. It finds one solution for each start, and nothing tells whether there are more.
 
         None once the lines are exchanged. Two starts give the two limit cycles of table 5.1; a search for all
         of them finds no third.
-    """).given(omega=omega)
+    """)
 
 
 @claim("txt-A.10-grid")
@@ -79,11 +79,10 @@ def grid(known: Evidence) -> Record:
         "for the smaller gaps of figures 5.6 and 5.8, if they are drawn with it",
         "it shows both as well",
         smallest < SMALL_GAP,
-        r"""
-        it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it only
-        for gaps above [[ smallest | power1 ]] m
+        rf"""
+        it starts at $b/2 + 10^{{-6}}$ m, so the second limit cycle, at ${unstable:.4f}\,b$, is on it only for
+        gaps above {power_of(smallest, 1)} m
         """,
-        numbers={"unstable": unstable, "smallest": smallest},
         method="arithmetic on the grid of line 9",
         second=close(at_the_start, smallest / 2 + PLOT_OFFSET, smallest * unstable),
         certainty=Certainty.READING,

@@ -88,11 +88,10 @@ def van_der_pol(_: Evidence) -> Record:
         r"$\alpha = 0$",
         "there is a limit cycle, to which other motions tend",
         gained.subs(alpha, 0) != 0,
-        r"""
-        with $v = \dot x$ the energy $(x^2 + v^2)/2$ changes at the rate $[[ gained | latex ]]$, for $\alpha =
-        0$ not at all: every motion keeps its amplitude
+        rf"""
+        with $v = \dot x$ the energy $(x^2 + v^2)/2$ changes at the rate ${sympy.latex(gained)}$, for $\alpha
+        = 0$ not at all: every motion keeps its amplitude
         """,
-        numbers={"gained": gained},
         method="balance of energy",
         certainty=Certainty.PROVEN,
         second=same(

@@ -211,14 +211,14 @@ def ratio_of_signals(_: Evidence) -> Record:
         printed_form=r"N(A, \omega) = \frac{y(t)}{u(t)} = \frac{M\sin(\omega t + \phi)}{A\sin(\omega t)}",
         derived_form=r"N(A, \omega) = \frac{M}{A} e^{j\phi}",
     )
-    yield text(r"""
-        Read as it stands, the ratio of two sines depends on time: for $\phi = [[ phase | latex ]]$ it is
-        [[ early | f2 ]] at $\omega t = [[ first | latex ]]$ and [[ late | f2 ]] at $\omega t =
-        [[ second | latex ]]$. The describing function is the ratio of the phasors, a complex constant. Read
-        as phasors, as the next line of the thesis does, the equation is right.
+    yield text(rf"""
+        Read as it stands, the ratio of two sines depends on time: for $\phi = {sympy.latex(values[angle])}$
+        it is {early:.2f} at $\omega t = {sympy.latex(instants[0])}$ and {late:.2f} at $\omega t =
+        {sympy.latex(instants[1])}$. The describing function is the ratio of the phasors, a complex constant.
+        Read as phasors, as the next line of the thesis does, the equation is right.
 
         None: [equation 2.35](#eq-2.35) takes the ratio of the phasors.
-    """).given(phase=values[angle], early=early, late=late, first=instants[0], second=instants[1])
+    """)
 
 
 @claim("eq-2.35")

@@ -14,7 +14,7 @@ from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, digits, equal, expression, made_here, part
 from report.judging.record import Record, claim, text
 from report.judging.shown import Words
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import decays, feedback_poles
@@ -34,7 +34,7 @@ REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real
 LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
 POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
 AT_POINT = complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
-REAL_FORM = filled(
+REAL_FORM = one_line(
     r"""
     \mathrm{Re}(N(A, \omega))\mathrm{Re}(G(j, \omega)) - \mathrm{Im}(N(A, \omega))\mathrm{Im}(G(j, \omega))
     """
@@ -109,11 +109,10 @@ def roles(known: Evidence) -> Record:
         "a complex $N$, as of backlash",
         "the imaginary equation alone gives the frequency",
         abs(left) < 1e-9,
-        r"""
-        at the predicted [[ cycle.frequency | f2 ]] Hz it is met at an amplitude of [[ cycle.amplitude | f2 ]]
-        gaps; at twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
+        rf"""
+        at the predicted {cycle.frequency:.2f} Hz it is met at an amplitude of {cycle.amplitude:.2f} gaps; at
+        twice that $\mathrm{{Im}}\,NG = {left:.4f}$
         """,
-        numbers={"cycle": cycle, "left": left},
         method="the imaginary part at two amplitudes",
         certainty=Certainty.READING,
         second=close("the formula of Listing A.3", by_listing, left),

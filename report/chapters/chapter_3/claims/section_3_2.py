@@ -89,17 +89,14 @@ def first_table(_: Evidence) -> Record:
     number = 2 * peaks.DRIVE_BIN
     for label in ("$f_3 - f_1$", "$f_5 - f_3$"):
         yield digits(label, DIFFERENCE, number * peaks.BIN, "Hz", second=by_numpy(number))
-    yield text("""
-        The peaks are the bins [[ bins ]] of [[ spacing | f4 ]] Hz, so $f_5$ is [[ fifth | f3 ]] Hz. In the
-        copy it is [[ printed ]] Hz, which is no bin, is not five times the first, and contradicts the
+    bins = ", ".join(str(order * peaks.DRIVE_BIN) for order in peaks.TABLE_1)
+    yield text(f"""
+        The peaks are the bins {bins} of {float(peaks.BIN):.4f} Hz, so $f_5$ is
+        {float(5 * peaks.DRIVE_BIN * peaks.BIN):.3f} Hz. In the copy it is {peaks.TABLE_1[5]} Hz, which is no
+        bin, is not five times the first, and contradicts the
         difference beside it. With that one digit put right the three are odd multiples of one frequency, as
         the text says. The difference is right, so the digit may have been misread in the copy.
-    """).given(
-        bins=", ".join(str(order * peaks.DRIVE_BIN) for order in peaks.TABLE_1),
-        spacing=float(peaks.BIN),
-        fifth=float(5 * peaks.DRIVE_BIN * peaks.BIN),
-        printed=peaks.TABLE_1[5],
-    )
+    """)
 
 
 def by_numpy(number: int) -> Confirmation:

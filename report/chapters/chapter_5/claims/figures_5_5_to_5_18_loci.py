@@ -100,14 +100,15 @@ def tiny_gaps(known: Evidence) -> Record:
         method="all solutions of harmonic balance for that gap",
         second=equal("the coefficients of Listing A.9", len(listed), len(found)),
     )
-    yield text(r"""
+    start = 1e9 * EDGE * known.cycles.friction_listing.stable.amplitude
+    yield text(rf"""
         All three gaps have two intersections, at the same two points of the locus: the whole curve is the
         same, only the amplitudes along it change. What the figure shows depends on where the plotted
-        amplitudes begin. A curve that begins at [[ start | f0 ]] nm touches for $2\times10^{-8}$ m and shows
+        amplitudes begin. A curve that begins at {start:.0f} nm touches for $2\times10^{{-8}}$ m and shows
         what the text describes; one that begins as in Listing A.9 shows none of the three.
 
-        The threshold of $2\times10^{-8}$ m in section 5.2.1 and chapter 6 is read from this figure.
-    """).given(start=1e9 * EDGE * known.cycles.friction_listing.stable.amplitude)
+        The threshold of $2\times10^{{-8}}$ m in section 5.2.1 and chapter 6 is read from this figure.
+    """)
 
 
 @claim("fig-5.8")

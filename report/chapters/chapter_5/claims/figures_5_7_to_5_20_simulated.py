@@ -153,11 +153,10 @@ def relay(known: Evidence) -> Record:
         "in open loop, as the caption has it",
         "an oscillation besides the drive's harmonics goes on",
         decay >= 0,
-        r"""
+        rf"""
         a relay turns a sine into a square wave of the same period, and behind it free motions decay as
-        $e^{[[ decay | f0 ]]\,t}$ or faster
+        $e^{{{decay:.0f}\,t}}$ or faster
         """,
-        numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=so(means, difference < REPEATS),
         item=section_5_2_4.OSCILLATION,

@@ -33,12 +33,12 @@ def transfer_function(known: Evidence) -> Record:
     wrong_output = numbers.combined_numerator({CUTTER: 1, GUARD: 1})
     converted = np.trim_zeros(np.round(control.ss2tf(model[0, 0]).num[0][0], 0), "f")
     highest = len(PRINTED_NUMERATOR) - 1
-    of_the_sum = "coefficients of s^3 to s^0 above the bar in equation 5.1"
+    judged_together = "coefficients of s^3 to s^0 above the bar in equation 5.1"
     above = zip(PRINTED_NUMERATOR, numbers.numerator, wrong_output, converted[-highest - 1 :], strict=True)
     for place, (printed, derived, wrong, other) in enumerate(above):
         second = close("conversion of the state space", other, float(derived), 1e-6)
         slip = repeated("the output is q2 + q4 instead of q2 - q4", wrong)
-        item = "" if derived == wrong else of_the_sum
+        item = "" if derived == wrong else judged_together
         label = f"above the bar, $s^{{{highest - place}}}$"
         form = _as_in_the_copy(printed)
         yield digits(label, printed, derived, second=second, slip=slip, item=item, printed_form=form)
@@ -60,18 +60,17 @@ def transfer_function(known: Evidence) -> Record:
         second=close("ten factors in exact fractions", in_fractions, as_printed),
         copy_fault=lost_in_the_copy(name, PrintedDigits("1.233e10", float(numbers.numerator[1]))),
     )
-    yield text("""
+    static = numbers.denominator[-1]
+    of_the_sum, right = float(wrong_output[-1] / static), float(numbers.numerator[-1] / static)
+    yield text(f"""
         The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - q_4$ of
         equation 2.14; the first three are the same for both. In the copy the powers of ten stand as powers of
         the digits before them, and once, in 7.0767, as a further digit. The machine that read the page may
         have done that; the page would decide it.
 
-        The printed function has a static gain of [[ printed | f4 ]] instead of [[ right | f4 ]]. Listing A.9,
-        which computes the limit cycles, has the right coefficients, so no prediction changes.
-    """).given(
-        printed=float(wrong_output[-1] / numbers.denominator[-1]),
-        right=float(numbers.numerator[-1] / numbers.denominator[-1]),
-    )
+        The printed function has a static gain of {of_the_sum:.4f} instead of {right:.4f}. Listing A.9, which
+        computes the limit cycles, has the right coefficients, so no prediction changes.
+    """)
 
 
 def _as_in_the_copy(printed: str) -> str:

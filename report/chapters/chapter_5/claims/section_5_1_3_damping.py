@@ -61,14 +61,15 @@ def output_matrix(known: Evidence) -> Record:
     highest = known.numbers.undamped[-1].omega
     beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
-    yield text("""
+    decibels = 20 * math.log10(spike.magnitude / float(beside.max()))
+    yield text(f"""
         Tracking four positions, as the text means to, takes four rows. Read as one output in which every body
         takes part, the printed row is right: it is the sum $x_1 + x_2 + x_3 + x_4$, in which motions of
         opposite sign cancel.
 
         Figure 5.4 shows the sum, and its four peaks are those of the modes. With a thousandth of the damping
-        $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
-    """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
+        $x_2 - x_4$ shows the highest too, but only as a narrow spike of {decibels:.0f} dB.
+    """)
 
 
 @claim("txt-5.1.3-damping")

@@ -45,19 +45,15 @@ def proportionality(_: Evidence) -> Record:
     function = describing_function(friction_waveform(), A)
     at_one, at_ten = (complex((function * A / GAP).subs({GAP: 1, A: ratio})) for ratio in (1, 10))
     by_library = 10 * LIBRARY.describing_function(10.0)
+    limit = sympy.limit(function.subs(GAP, 1), A, sympy.oo)
     yield assertion(
         "",
         "$N$ is proportional to $b/A$, so $-1/N$ is proportional to $-A/b$",
         abs(at_one - at_ten) < 1e-9,
-        r"""
-        $NA/b$ is [[ at_one | f2 ]] in size at $A = b$ and [[ at_ten | f2 ]] at $A = 10b$; for large
-        amplitudes $N \to [[ limit | latex ]]$
+        rf"""
+        $NA/b$ is {abs(at_one):.2f} in size at $A = b$ and {abs(at_ten):.2f} at $A = 10b$; for large
+        amplitudes $N \to {sympy.latex(limit)}$
         """,
-        numbers={
-            "at_one": abs(at_one),
-            "at_ten": abs(at_ten),
-            "limit": sympy.limit(function.subs(GAP, 1), A, sympy.oo),
-        },
         method="the derived describing function at two amplitudes, and its limit",
         second=close("python-control's describing function at $A = 10b$", by_library, at_ten),
     )

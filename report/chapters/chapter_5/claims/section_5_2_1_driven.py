@@ -97,19 +97,12 @@ def line_part(known: Evidence, label: str) -> Part:
         label,
         "the open loop has a line at the frequency of the limit cycle",
         decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
-        r"""
-        backlash repeats with the drive, and behind it every free motion decays as $e^{[[ decay | f0 ]]\,t}$
-        or faster: what stays are multiples of 100 Hz, the nearest at [[ nearest | f0 ]] Hz with
-        [[ size | f1 ]] µm. With the drive as reference there is one at [[ frequency | f2 ]] Hz with
-        [[ line | f0 ]] µm
+        rf"""
+        backlash repeats with the drive, and behind it every free motion decays as $e^{{{decay:.0f}\,t}}$ or
+        faster: what stays are multiples of 100 Hz, the nearest at {nearest:.0f} Hz with
+        {1e6 * opened.harmonics[order]:.1f} µm. With the drive as reference there is one at
+        {closed.frequency:.2f} Hz with {1e6 * closed.line:.0f} µm
         """,
-        numbers={
-            "decay": decay,
-            "nearest": nearest,
-            "size": 1e6 * opened.harmonics[order],
-            "frequency": closed.frequency,
-            "line": 1e6 * closed.line,
-        },
         method="periodic input of a stable linear system; exact simulation",
         second=harmonic_in_open_loop(known, order),
         slip=made_here(LOOP_CLOSED, abs(closed.frequency - cycle.frequency) < NEAR),

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
 from report.judging.claim import Confirmation, Part
-from report.judging.comparisons.printed import power
+from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, made_here, repeated
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
@@ -154,15 +154,16 @@ def second_limit_cycle(known: Evidence) -> Record:
         severity=Severity.RESULT,
         certainty=Certainty.PROVEN,
     )
-    yield text(r"""
+    yield text(rf"""
         Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles exist
         for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$.
-        Listing A.9 plots the curve from $b/2 + 10^{-6}$ m on, and so shows it only for gaps above
-        [[ seen_from | power1 ]] m: for $4\times10^{-5}$ m, but not for $4\times10^{-6}$ m.
+        Listing A.9 plots the curve from $b/2 + 10^{{-6}}$ m on, and so shows it only for gaps above
+        {power_of(PLOT_OFFSET / (right.amplitude - 0.5), 1)} m: for $4\times10^{{-5}}$ m, but not for
+        $4\times10^{{-6}}$ m.
 
         A trimmer with a small gap has the same two limit cycles as one with a large gap, in proportion. The
         unstable one is a threshold: what starts below it decays.
-    """).given(seen_from=PLOT_OFFSET / (right.amplitude - 0.5))
+    """)
 
 
 @claim("tab-5.1")
@@ -193,15 +194,15 @@ def ten_gaps(known: Evidence) -> Record:
     for gap, printed in TABLE_5_2.items():
         item = f"{printed} m, amplitude for b = {gap} m in table 5.2"
         yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"), item)
-    yield text(r"""
-        Every amplitude is [[ exact.amplitude | f4 ]] times the gap and every frequency
-        [[ exact.frequency | f2 ]] Hz, in any row. With the rounded coefficients of Listing A.9 they are
-        [[ listing.amplitude | f4 ]] gaps and [[ listing.frequency | f2 ]] Hz, which gives all printed cells.
-        With exact ones the amplitudes for $5\times10^{-4}$ m and $8\times10^{-4}$ m and the frequencies round
-        to another last digit.
+    yield text(rf"""
+        Every amplitude is {stable.exact.amplitude:.4f} times the gap and every frequency
+        {stable.exact.frequency:.2f} Hz, in any row. With the rounded coefficients of Listing A.9 they are
+        {stable.listing.amplitude:.4f} gaps and {stable.listing.frequency:.2f} Hz, which gives all printed
+        cells. With exact ones the amplitudes for $5\times10^{{-4}}$ m and $8\times10^{{-4}}$ m and the
+        frequencies round to another last digit.
 
         None beyond the last digit. The ten rows hold one result, since only the scale changes.
-    """).given(exact=stable.exact, listing=stable.listing)
+    """)
 
 
 def at_the_tiny_gap(known: Evidence, cycle: LimitCycle) -> Confirmation:

@@ -14,7 +14,7 @@ from report.judging.claim import Part
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, made_here
 from report.judging.record import Record, claim, text
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, TIMED_GAP, TURN
@@ -85,7 +85,7 @@ def peak_parts(known: Evidence) -> tuple[Part, ...]:
         item=OPEN_LOOP_PEAK,
     )
     exact = known.orbits.inertia.stable.frequency
-    slip = filled(f"""
+    slip = one_line(f"""
         {LOOP_CLOSED}; the bridge is the block of Listing A.8, a function of time; the record of 0.1 s begins
         at rest; the digits after the point are cut off
     """)

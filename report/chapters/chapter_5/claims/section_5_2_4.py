@@ -133,17 +133,11 @@ def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Pa
         label,
         "an oscillation of high frequency remains",
         min(growth) < STEADY,
-        r"""
-        the swings become smaller and faster without end: after impulses of [[ weakest | power0 ]] to
-        [[ strongest | g ]] s per unit of the relay the frequency grows as $e^{[[ growth | f2 ]]\,t}$ and the
-        swings fall as $e^{[[ fall | f1 ]]\,t}$
+        rf"""
+        the swings become smaller and faster without end: after impulses of
+        {power_of(numbers.runs[0].impulse)} to {numbers.runs[-1].impulse:g} s per unit of the relay the
+        frequency grows as $e^{{{growth[0]:.2f}\,t}}$ and the swings fall as $e^{{{-2 * growth[0]:.1f}\,t}}$
         """,
-        numbers={
-            "weakest": numbers.runs[0].impulse,
-            "strongest": numbers.runs[-1].impulse,
-            "growth": growth[0],
-            "fall": -2 * growth[0],
-        },
         method="exact simulation of the loop with an ideal relay",
         second=close(means, numbers.damping / 3, growth[0], 1e-3),
         item=item,

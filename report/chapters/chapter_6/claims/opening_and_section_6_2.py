@@ -34,7 +34,6 @@ HIGH_OMEGA = 1e8
 def every_case(known: Evidence) -> Record:
     system, cycles = known.numbers.displacement_only, known.cycles
     counts = [len(found) for found in cycles.viscous]
-    limits = (cycles.friction, cycles.inertia)
     yield assertion(
         "kinds of backlash",
         "each has one limit cycle or two",
@@ -48,13 +47,11 @@ def every_case(known: Evidence) -> Record:
         "the second one, with friction or inertia alone",
         "it is there only under strict conditions",
         len(narrow) < 2,
-        """
+        f"""
         it is there for every gap, since $N$ depends on $b/A$ alone: friction-controlled backlash has it at
-        [[ friction | f4 ]] gaps, inertia-controlled at [[ inertia | f4 ]]
+        {cycles.friction.unstable.amplitude:.4f} gaps, inertia-controlled at
+        {cycles.inertia.unstable.amplitude:.4f}
         """,
-        numbers={
-            name: pair.unstable.amplitude for name, pair in zip(("friction", "inertia"), limits, strict=True)
-        },
         method=f"all solutions of harmonic balance, for a gap of {power_of(NARROW)} m",
         second=by_matching_real_parts(system, 0.0, len(narrow)),
         item="a single limit cycle for 4e-6 m, a second one for a larger gap",

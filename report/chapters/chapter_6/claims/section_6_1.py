@@ -82,11 +82,10 @@ def hard_nonlinearities(_: Evidence) -> Record:
         "",
         "a describing function can be derived only for hard nonlinearities",
         abs(predicted / exact - 1) > WELL_PREDICTED,
-        r"""
-        the smooth $y = x^3$ has $N = [[ gain | latex ]]$; for $\ddot x + x^3 = 0$ it predicts
-        [[ predicted | f4 ]] rad/s at $A = 1$, where [[ exact | f4 ]] rad/s is exact
+        rf"""
+        the smooth $y = x^3$ has $N = {sympy.latex(gain)}$; for $\ddot x + x^3 = 0$ it predicts
+        {predicted:.4f} rad/s at $A = 1$, where {exact:.4f} rad/s is exact
         """,
-        numbers={"gain": gain, "predicted": predicted, "exact": exact},
         method="Fourier integral of a smooth odd nonlinearity",
         second=close("quadrature", examples.cubic_gain(), at_one),
     )

@@ -36,11 +36,10 @@ def input_amplitude(known: Evidence) -> Record:
         "what oscillates in open loop",
         "besides the drive and its harmonics a limit cycle goes on",
         decay >= 0,
-        r"""
+        rf"""
         the backlash repeats with the drive's period, and behind it every free motion of the linear part
-        decays as $e^{[[ decay | f1 ]]\,t}$ or faster
+        decays as $e^{{{decay:.1f}\,t}}$ or faster
         """,
-        numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=open_loop_repeats(known),
         item="the open loop shows the limit cycle of the closed loop",

@@ -58,10 +58,7 @@ def play_and_stability(known: Evidence) -> Record:
         "stability, read as that of rest",
         "play does not alter it: a small disturbance dies out",
         slowest < 0 and decay < 0,
-        r"""
-        within its play the pin does not act, and every motion decays as $e^{[[ decay | f1 ]]\,t}$ or faster
-        """,
-        numbers={"decay": decay},
+        rf"within its play the pin does not act, and every motion decays as $e^{{{decay:.1f}\,t}}$ or faster",
         method="eigenvalues of the trimmer",
         second=close("the roots of the transfer function's denominator", roots, decay, 1e-6),
         item=OVERALL,
@@ -70,11 +67,10 @@ def play_and_stability(known: Evidence) -> Record:
         "stability, read as coming to rest from every start",
         "play does not alter it",
         (slowest < 0) == (not stable.stable),
-        r"""
-        without play every motion decays, as $e^{[[ slowest | f1 ]]\,t}$ or faster; with play there is a
-        stable limit cycle of [[ amplitude | f4 ]] gaps
+        rf"""
+        without play every motion decays, as $e^{{{slowest:.1f}\,t}}$ or faster; with play there is a stable
+        limit cycle of {stable.amplitude:.4f} gaps
         """,
-        numbers={"slowest": slowest, "amplitude": stable.amplitude},
         method="eigenvalues of the closed linear loop; Floquet multipliers of the exact orbit",
         second=close(from_outside, outside, stable.amplitude, 1e-5),
         item=OVERALL,

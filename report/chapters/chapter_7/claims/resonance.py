@@ -72,20 +72,18 @@ def resonance(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     peaks = resonance_peaks(numbers.displacement_only)
     highest = max(peaks, key=lambda peak: peak.magnitude).omega
-    away = {
-        name: min(abs(cycle.omega - peak.omega) for peak in peaks) / TURN
-        for name, cycle in (("stable", pair.stable), ("unstable", pair.unstable))
-    }
+    stable, unstable = (
+        min(abs(cycle.omega - peak.omega) for peak in peaks) / TURN for cycle in (pair.stable, pair.unstable)
+    )
     height = float(gain(numbers, pair.unstable.omega) / gain(numbers, highest))
     yield assertion(
         "where the limit cycles lie",
         "that one lies precisely at a resonance is very unlikely",
-        min(away.values()) > PRECISELY,
-        """
-        the stable one is [[ stable | f0 ]] Hz from the nearest peak of the gain, the unstable one
-        [[ unstable | f1 ]] Hz from the highest
+        min(stable, unstable) > PRECISELY,
+        f"""
+        the stable one is {stable:.0f} Hz from the nearest peak of the gain, the unstable one {unstable:.1f}
+        Hz from the highest
         """,
-        numbers=away,
         method="all solutions of harmonic balance; peaks of the gain",
         second=so(f"the exact gain at the unstable one, {100 * height:.0f} % of the peak's", height < 1),
         item="no limit cycle at a resonance, very unlikely",
