@@ -70,8 +70,7 @@ def no_branches(design: Design) -> str:
     if not motion.repeats:
         return (
             "The motion does not repeat, so it is no orbit that could be followed over a number. The maps "
-            "say where "
-            "motions that repeat are found."
+            "say where motions that repeat are found."
         )
     if motion.neutral:
         return "A shift of the motion stays as it is, so no single orbit goes on when a number changes."
@@ -169,8 +168,7 @@ def unsmooth(design: Design) -> str:
     if rough:
         told += (
             f"For the {places_listed(rough)} the two differ by more than a tenth, because an impact or a "
-            f"phase of stick "
-            "comes or goes nearby: these slopes say little."
+            "phase of stick comes or goes nearby: these slopes say little."
         )
     if found.failed:
         told += f" For the {places_listed(found.failed)} no orbit was found beside this one."
@@ -186,7 +184,6 @@ def no_sensitivities(design: Design) -> str:
     if not design.motion.repeats:
         return (
             "The motion does not repeat, so it has no slopes: a small change of a number changes every "
-            "detail of it. "
-            "The maps say where calmer motions are."
+            "detail of it. The maps say where calmer motions are."
         )
     return "No number of the file changes a measure of the motion."
