@@ -193,14 +193,3 @@ def exposure_sentences(design: Design) -> Markdown:
         "{} The weighted values sum {} lines up to {}; what lies above adds at most {}.",
         *(told, each.lines, shown(each.highest, "Hz"), shown(largest, "m/s²", 2)),
     )
-
-
-def rests_sentences(design: Design) -> str:
-    """Say how the numbers were computed, and what was not looked at."""
-    return (
-        "Motions are computed exactly between events, and events to rounding; nothing is stepped in time "
-        "with an error of its own. What the report says holds for the mechanism of the file: rigid bodies "
-        "on one line, contacts with the law that is given, dry friction with constant forces. Tolerances, "
-        "heat, wear over time, bending, and movements across the line are not modelled. The numbers of the "
-        "file are taken as exact, except those that it leaves open."
-    )
