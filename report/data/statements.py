@@ -44,7 +44,7 @@ def read_follows(inventory: Mapping[str, Statement]) -> tuple[Follows, ...]:
 
 
 @dataclass(frozen=True)
-class Section:
+class ThesisSection:
     """A section of the thesis: number, title, and the ids of the figures in it."""
 
     number: str
@@ -52,10 +52,10 @@ class Section:
     figures: tuple[str, ...] = ()
 
 
-def read_sections(path: Path = SECTIONS) -> tuple[Section, ...]:
+def read_sections(path: Path = SECTIONS) -> tuple[ThesisSection, ...]:
     """Read the sections in thesis order; a figure stands with the section that discusses it."""
     with path.open(encoding="utf-8", newline="") as file:
         return tuple(
-            Section(row["number"], row["title"], tuple(row["figures"].split()))
+            ThesisSection(row["number"], row["title"], tuple(row["figures"].split()))
             for row in csv.DictReader(file)
         )

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import solve_linear
@@ -14,7 +14,7 @@ from trimmer import modes, resonance_peaks, response_at, transfer_function
 from trimmer.linear import asymptotic_roll_off, bandwidth, encirclements, time_response
 
 
-def linear_steps(known: Evidence) -> tuple[Step, ...]:
+def linear_steps(known: Evidence) -> tuple[NarrativeStep, ...]:
     """Return the steps with numbers of the linear trimmer."""
     return (
         _coefficients(known),
@@ -25,8 +25,8 @@ def linear_steps(known: Evidence) -> tuple[Step, ...]:
     )
 
 
-def _coefficients(known: Evidence) -> Step:
-    return Step(
+def _coefficients(known: Evidence) -> NarrativeStep:
+    return NarrativeStep(
         "numbers",
         "The transfer function with numbers",
         "The parameters of the thesis put into the coefficients. They are computed as fractions, and are "
@@ -60,8 +60,8 @@ def _digits(value: float) -> str:
     return digits if int(exponent) == 0 else rf"{digits} \cdot 10^{{{int(exponent)}}}"
 
 
-def _modes(known: Evidence) -> Step:
-    return Step(
+def _modes(known: Evidence) -> NarrativeStep:
+    return NarrativeStep(
         "modes",
         "Modes",
         "Without the pin the trimmer swings in its modes. Each is a solution $\\psi\\, e^{\\lambda t}$ of "
@@ -98,7 +98,7 @@ def _modes_table(known: Evidence) -> str:
     return array((head, *rows))
 
 
-def _frequency_response(known: Evidence) -> Step:
+def _frequency_response(known: Evidence) -> NarrativeStep:
     system = known.numbers.displacement_only
     peaks = ", ".join(f"{peak.omega / (2 * math.pi):.2f}" for peak in resonance_peaks(system))
     text = one_line(rf"""
@@ -109,7 +109,7 @@ def _frequency_response(known: Evidence) -> Step:
         {-asymptotic_roll_off(system):.0f} dB per decade. It is 3 dB below its value at rest from
         {bandwidth(system):.1f} rad/s on.
     """)
-    return Step(
+    return NarrativeStep(
         "frequency-response",
         "Frequency response: resonances and roll-off",
         text,
@@ -121,9 +121,9 @@ def _frequency_response(known: Evidence) -> Step:
     )
 
 
-def _nyquist(known: Evidence) -> Step:
+def _nyquist(known: Evidence) -> NarrativeStep:
     turns = encirclements(known.numbers.displacement_only)
-    return Step(
+    return NarrativeStep(
         "nyquist",
         "Nyquist locus",
         one_line(f"""
@@ -137,8 +137,8 @@ def _nyquist(known: Evidence) -> Step:
     )
 
 
-def _time_response() -> Step:
-    return Step(
+def _time_response() -> NarrativeStep:
+    return NarrativeStep(
         "time-response",
         "Motion of the linear trimmer in time",
         "The state at the end of a time step is a matrix exponential times that at its start, plus what the "

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from derivations.loop.narrative import loop_narrative
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from report.derivation.linear_steps import array, linear_steps
 from report.judging.text import one_line
 from report.numbers.evidence import Evidence
@@ -18,7 +18,7 @@ from trimmer.arrays import Reals
 from trimmer.loops.simulation import simulate_loop
 
 
-def number_steps(known: Evidence) -> tuple[Step, ...]:
+def number_steps(known: Evidence) -> tuple[NarrativeStep, ...]:
     """Return the steps, from the linear trimmer's numbers to what is only read in the text.
 
     Raises:
@@ -39,7 +39,7 @@ def number_steps(known: Evidence) -> tuple[Step, ...]:
     )
 
 
-def _solution(known: Evidence) -> Step:
+def _solution(known: Evidence) -> NarrativeStep:
     numerator, denominator = (
         [float(each) for each in row] for row in (known.numbers.numerator, known.numbers.denominator)
     )
@@ -53,7 +53,7 @@ def _solution(known: Evidence) -> Step:
         {1e6 * SMALL_GAP * last.amplitude:.3f} µm, and the frequency is {last.omega:.2f} rad/s or
         {last.frequency:.2f} Hz.
     """)
-    return Step(
+    return NarrativeStep(
         "solution",
         "Amplitude and frequency with numbers: 733.63 Hz",
         f"{text}\n\n{_left_out(known)}",
@@ -109,7 +109,7 @@ def _power(value: float) -> str:
     return rf"{digits} \cdot 10^{{{int(exponent)}}}"
 
 
-def _exact_orbit(known: Evidence) -> Step:
+def _exact_orbit(known: Evidence) -> NarrativeStep:
     orbit, cycle = known.orbits.friction.stable, known.cycles.friction.stable
     contact, flight = _durations(orbit.switching_times, orbit.period)
     text = one_line(
@@ -130,7 +130,7 @@ def _exact_orbit(known: Evidence) -> Step:
         {cycle.amplitude:.4f} gaps: its error is {by_frequency:.3%} in frequency and {by_amplitude:.2%} in
         amplitude.
     """)
-    return Step(
+    return NarrativeStep(
         "exact-orbit",
         "The exact orbit",
         text,
@@ -171,8 +171,8 @@ def _durations(switches: Reals, period: float) -> tuple[float, float]:
     return period / 2 - (meet - leave), meet - leave
 
 
-def _motion() -> Step:
-    return Step(
+def _motion() -> NarrativeStep:
+    return NarrativeStep(
         "motion-in-time",
         "Exact motion in time",
         "A motion from any start is put together in the same way. Within a segment the loop is linear, and "
@@ -188,8 +188,8 @@ def _motion() -> Step:
     )
 
 
-def _spectrum() -> Step:
-    return Step(
+def _spectrum() -> NarrativeStep:
+    return NarrativeStep(
         "spectrum",
         "What a spectrum of a record can tell",
         "A record of $n$ samples over the time $T$, both of whose ends belong to it, has the sample rate "
@@ -205,8 +205,8 @@ def _spectrum() -> Step:
     )
 
 
-def _reading() -> Step:
-    return Step(
+def _reading() -> NarrativeStep:
+    return NarrativeStep(
         "reading",
         "What is only read",
         "Some statements compare places of the thesis with each other: a name, a caption, a reference, a "

@@ -14,7 +14,7 @@ from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.judging.claim import Check, Comparison, Confirmation, CopyFault, Part, Slip, Uncheckable
+from report.judging.claim import Check, ClaimPart, Comparison, Confirmation, CopyFault, Slip, Uncheckable
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.judging.comparisons.expression import SameExpression, SameMatrix
@@ -48,7 +48,9 @@ class More(TypedDict, total=False):
     certainty: Certainty | None
 
 
-def digits(label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]) -> Part:
+def digits(
+    label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]
+) -> ClaimPart:
     """Hold printed digits against a number; half a unit of the last printed place is the tolerance.
 
     Raises:
@@ -68,7 +70,7 @@ def assertion(
     method: str,
     asserted: bool = True,
     **more: Unpack[More],
-) -> Part:
+) -> ClaimPart:
     """Hold what the thesis asserts, in our words, against what was found.
 
     Args:
@@ -92,7 +94,7 @@ def expression(
     *,
     assume: sympy.Basic = sympy.true,
     **more: Unpack[More],
-) -> Part:
+) -> ClaimPart:
     """Hold a printed expression against a derived one; for ``left`` and ``assume`` see ``SameExpression``."""
     return part(label, SameExpression(printed, derived, left, assume), **more)
 
@@ -103,17 +105,17 @@ def matrix(
     derived: sympy.ImmutableMatrix,
     left: sympy.Basic | str | None = None,
     **more: Unpack[More],
-) -> Part:
+) -> ClaimPart:
     """Hold a printed matrix against a derived one, entry by entry."""
     return part(label, SameMatrix(printed, derived, left), **more)
 
 
-def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
+def part(label: str, comparison: Comparison, **more: Unpack[More]) -> ClaimPart:
     """Return a part that makes a comparison."""
     both = more.get("form")
     shown = (more.get("printed_form", both), more.get("derived_form", both))
     printed, derived = (Mathematics(form) if isinstance(form, str) else form for form in shown)
-    return Part(
+    return ClaimPart(
         one_line(label),
         comparison,
         more.get("second"),

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, final
 
-from report.judging.claim import Claim, Part, Uncheckable
+from report.judging.claim import Claim, ClaimPart, Uncheckable
 from report.judging.text import RecordError, one_line
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
@@ -46,7 +46,7 @@ class Text:
         return found
 
 
-Item = Part | Uncheckable | Text
+Item = ClaimPart | Uncheckable | Text
 Record = Iterator[Item]
 """What the function of a claim yields: its parts in the order of the thesis, and one text."""
 

@@ -93,7 +93,7 @@ def _end(orbit: PeriodicOrbit, factor: float) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class _Loop:
+class _ScaledLoop:
     """x' = A x + B u, y = C x, with a gap of one and the orbit's period as unit of time."""
 
     A: Reals
@@ -139,7 +139,7 @@ def orbit_by_durations(near: PeriodicOrbit, inertia: bool) -> tuple[float, float
     states = near.motion.state(np.append(np.linspace(0, period, 101), meet))
     sizes = np.abs(states).max(axis=1)
     rates = period / sizes
-    loop = _Loop(model.A * sizes * rates[:, None], model.B[:, 0] * rates, model.C[0] * sizes, inertia)
+    loop = _ScaledLoop(model.A * sizes * rates[:, None], model.B[:, 0] * rates, model.C[0] * sizes, inertia)
 
     def residual(unknowns: Reals) -> Reals:
         begin, (contact, flight) = unknowns[:-2], unknowns[-2:]

@@ -110,15 +110,15 @@ def largest_force(
 
 def _loop(
     parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
-) -> _Loop:
-    return _Loop(
+) -> _FrictionLoop:
+    return _FrictionLoop(
         pin=_PartialFractions.of(pin_model(parameters, channels=channels)),
         force=_PartialFractions.of(force_response(parameters)),
         omegas=((1 - BEYOND) * unstable.omega, (1 + BEYOND) * stable.omega),
     )
 
 
-def _merger(loop: _Loop, ratio: float) -> Merger:
+def _merger(loop: _FrictionLoop, ratio: float) -> Merger:
     (merger,) = zip(*_columns(loop.balances(np.array([ratio]))), strict=True)
     return Merger(*map(float, merger))
 
@@ -145,7 +145,7 @@ class _PartialFractions:
 
 
 @dataclass(frozen=True)
-class _Loop:
+class _FrictionLoop:
     """Responses of y to pin and friction, and the angular frequencies between which solutions lie."""
 
     pin: _PartialFractions
@@ -171,7 +171,7 @@ class _Loop:
         return np.asarray(-loop / (4j / math.pi * ratios * self.force.response(omegas)))
 
 
-def _ratio_of_largest_force(loop: _Loop, first: float, last: float, points: int = POINTS) -> float:
+def _ratio_of_largest_force(loop: _FrictionLoop, first: float, last: float, points: int = POINTS) -> float:
     """Return the ratio gap/amplitude at the largest force, by ever finer grids and a last parabola."""
     for _ in range(ZOOMS):
         grid = np.linspace(first, last, points)

@@ -56,7 +56,7 @@ RUNNERS = (
 
 
 @dataclass(frozen=True)
-class Example:
+class ExampleNumbers:
     """Where ``main_numbers`` evaluates the listings, in SI units.
 
     ``gap`` is that of Listing A.9, ``time_constant`` the M/D of section 4.2.3, ``force`` that of figure 5.18;
@@ -75,7 +75,7 @@ class Example:
 
 
 @dataclass(frozen=True)
-class Grid:
+class SearchGrid:
     """Number of gap/amplitude and of frequencies on which Listing A.9 looks for limit cycles."""
 
     ratios: int = 100
@@ -124,7 +124,11 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
     )
     runners = tuple(
         Program(
-            name, "", title, (), environment.get_template(f"{name}.j2").render(example=Example(), **shared)
+            name,
+            "",
+            title,
+            (),
+            environment.get_template(f"{name}.j2").render(example=ExampleNumbers(), **shared),
         )
         for name, title in RUNNERS
     )
@@ -145,7 +149,7 @@ def _contexts(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[
         "A.6": {"friction": formulas.friction_term()},
         "A.7": {"step": formulas.friction_step()},
         "A.8": {"motion": formulas.inertia_motion()},
-        "A.9": {"grid": Grid()},
+        "A.9": {"grid": SearchGrid()},
     }
 
 

@@ -12,7 +12,7 @@ from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
 from report.robustness.findings import survivals
 from report.robustness.picture import BARS, bars
-from report.robustness.variation import SAMPLES, SHARE, Sensitivity, Variation, vary
+from report.robustness.variation import SAMPLES, SHARE, PredictionSensitivity, Variation, vary
 
 PRINTED: Final = MappingProxyType(
     {
@@ -71,7 +71,7 @@ def left_open(printed: str) -> float:
     return float(Decimal(5).scaleb(last - 1) / value)
 
 
-def _row(sensitivity: Sensitivity) -> EffectRow:
+def _row(sensitivity: PredictionSensitivity) -> EffectRow:
     def shown(value: float) -> str:
         return f"{value:.{sensitivity.quantity.decimals}f}"
 

@@ -103,7 +103,7 @@ _CHANNELS: Final = (InputChannels.DISPLACEMENT_ONLY, InputChannels.DISPLACEMENT_
 
 @final
 @dataclass(frozen=True)
-class Quantity:
+class Predicted:
     """A predicted quantity: its name, its unit, decimals to show, and what it is of the predictions."""
 
     name: str
@@ -121,21 +121,21 @@ def _amplitude(cycle: LimitCycle | None) -> float:
 
 
 QUANTITIES: Final = (
-    Quantity("frequency, stable", "Hz", 1, lambda found: found.friction.stable.frequency),
-    Quantity("amplitude per gap, stable", "", 2, lambda found: found.friction.stable.amplitude),
-    Quantity("frequency, unstable", "Hz", 1, lambda found: _frequency(found.friction.unstable)),
-    Quantity("amplitude per gap, unstable", "", 3, lambda found: _amplitude(found.friction.unstable)),
-    Quantity("frequency with the pin's velocity", "Hz", 1, lambda found: found.velocity.stable.frequency),
-    Quantity(
+    Predicted("frequency, stable", "Hz", 1, lambda found: found.friction.stable.frequency),
+    Predicted("amplitude per gap, stable", "", 2, lambda found: found.friction.stable.amplitude),
+    Predicted("frequency, unstable", "Hz", 1, lambda found: _frequency(found.friction.unstable)),
+    Predicted("amplitude per gap, unstable", "", 3, lambda found: _amplitude(found.friction.unstable)),
+    Predicted("frequency with the pin's velocity", "Hz", 1, lambda found: found.velocity.stable.frequency),
+    Predicted(
         "amplitude per gap with the pin's velocity", "", 2, lambda found: found.velocity.stable.amplitude
     ),
-    Quantity("frequency, inertia-controlled", "Hz", 1, lambda found: found.inertia.stable.frequency),
-    Quantity("amplitude per gap, inertia-controlled", "", 2, lambda found: found.inertia.stable.amplitude),
-    Quantity(
+    Predicted("frequency, inertia-controlled", "Hz", 1, lambda found: found.inertia.stable.frequency),
+    Predicted("amplitude per gap, inertia-controlled", "", 2, lambda found: found.inertia.stable.amplitude),
+    Predicted(
         "frequency, inertia-controlled, unstable", "Hz", 1, lambda found: _frequency(found.inertia.unstable)
     ),
-    Quantity("width of the band of frequencies", "Hz", 1, lambda found: found.band),
-    Quantity(
+    Predicted("width of the band of frequencies", "Hz", 1, lambda found: found.band),
+    Predicted(
         "friction that ends the limit cycle, gap 0.2 mm",
         "N",
         2,

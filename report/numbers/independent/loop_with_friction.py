@@ -38,7 +38,7 @@ class LoopCycle:
 
 def largest_friction(parameters: TrimmerParameters, lowest: float, highest: float) -> LoopCycle:
     """Return the limit cycle with the largest friction, of those with frequencies in a range, Hz."""
-    loop = _Loop.of(parameters)
+    loop = _HalfPeriods.of(parameters)
     found = minimize_scalar(
         lambda frequency: -loop.cycle(frequency).force_per_gap,
         bounds=(lowest, highest),
@@ -49,7 +49,7 @@ def largest_friction(parameters: TrimmerParameters, lowest: float, highest: floa
 
 
 @dataclass(frozen=True, eq=False)
-class _Loop:
+class _HalfPeriods:
     """x' = A x + B u + F f, y = C x; the friction f acts on the cutter and the other way on the guard."""
 
     A: Reals
@@ -58,7 +58,7 @@ class _Loop:
     F: Reals
 
     @classmethod
-    def of(cls, parameters: TrimmerParameters) -> _Loop:
+    def of(cls, parameters: TrimmerParameters) -> _HalfPeriods:
         system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
         return cls(system.A, system.B[:, 0], system.C[0], force_response(parameters).B[:, 0])
 

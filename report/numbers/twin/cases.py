@@ -37,7 +37,7 @@ MOST_WAITED: Final = 600
 
 
 @dataclass(frozen=True, eq=False)
-class Stretch:
+class MotionStretch:
     """``SHOWN`` drive periods of a motion, sampled ``PHASES`` times each from where the pin passes 0 upwards.
 
     Attributes:
@@ -96,7 +96,7 @@ class TwinCase:
     contact_share: float
     wear: float
     bridge: Reals
-    stretch: Stretch
+    stretch: MotionStretch
     spectrum: Reals
 
     @property
@@ -241,13 +241,13 @@ def _bridge(found: Followed) -> Reals:
     return place
 
 
-def _stretch(found: Followed) -> Stretch:
+def _stretch(found: Followed) -> MotionStretch:
     """Return ``SHOWN`` drive periods, repeated if the motion is shorter."""
     motion = MechanismMotion(found.flow, found.course)
     taken = min(found.periods, SHOWN)
     times = found.flow.period * np.arange(taken * PHASES) / PHASES
     signals = (motion.output(STROKE, times), motion.contact_force(BRIDGE, times))
-    return Stretch(*(np.resize(each, SHOWN * PHASES) for each in signals))
+    return MotionStretch(*(np.resize(each, SHOWN * PHASES) for each in signals))
 
 
 def _spectrum(found: Followed) -> Reals:

@@ -26,7 +26,7 @@ AROUND: Final = (690.0, 715.0)
 
 
 @dataclass(frozen=True, eq=False)
-class LoopNumbers:
+class FrictionLoopNumbers:
     """Limit cycles of the thesis's loop with friction between cutter and guard.
 
     Attributes:
@@ -60,7 +60,7 @@ class LoopNumbers:
         return fold
 
 
-def solve_loop() -> LoopNumbers:
+def solve_loop() -> FrictionLoopNumbers:
     """Read the branches, and simulate some of their orbits.
 
     Raises:
@@ -70,7 +70,7 @@ def solve_loop() -> LoopNumbers:
     chosen = [(each, at) for each in branches for at in range(0, len(each.values), SIMULATED)]
     found = [_period(*each) for each in chosen]
     (fold,) = over_force.special_of("fold")
-    return LoopNumbers(
+    return FrictionLoopNumbers(
         over_force=over_force,
         over_gap=tuple(over_gap),
         miss=max(miss for _, miss in found),

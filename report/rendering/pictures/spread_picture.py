@@ -24,7 +24,7 @@ LINE, LINES_OF_TITLE = 52, 3
 
 
 @dataclass(frozen=True)
-class Place:
+class PlacedStatement:
     """A statement in the picture.
 
     Attributes:
@@ -64,19 +64,19 @@ class Place:
         return self.grade is Grade.REPRODUCED
 
 
-def spread(document: Document) -> tuple[Place, ...]:
+def spread(document: Document) -> tuple[PlacedStatement, ...]:
     """Return the statements of the graph, each below what it follows from."""
     findings = {finding.id: finding for finding in document.findings}
     edges = document.spread
     followers = {edge.claim for edge in edges}
-    places: dict[str, Place] = {}
+    places: dict[str, PlacedStatement] = {}
     for root in dict.fromkeys(edge.source for edge in edges if edge.source not in followers):
         _add(places, root, "", edges, findings)
     return tuple(places.values())
 
 
 def _add(
-    places: dict[str, Place],
+    places: dict[str, PlacedStatement],
     claim: str,
     how: str,
     edges: tuple[Follows, ...],
@@ -90,7 +90,7 @@ def _add(
     depth = 1 + max((place.depth for place in above), default=-1)
     rows = tuple(place.row for place in above)
     top = max((place.top + place.height + GAP for place in places.values()), default=2.0)
-    places[claim] = Place(findings[claim], depth, len(places), top, how, rows)
+    places[claim] = PlacedStatement(findings[claim], depth, len(places), top, how, rows)
     for edge in edges:
         if edge.source == claim:
             _add(places, edge.claim, edge.how, edges, findings)
@@ -130,11 +130,11 @@ def description(document: Document) -> str:
     return "; ".join(said) + "."
 
 
-def _left(place: Place) -> float:
+def _left(place: PlacedStatement) -> float:
     return INDENT * place.depth + 1
 
 
-def _line(place: Place, above: Place) -> str:
+def _line(place: PlacedStatement, above: PlacedStatement) -> str:
     start, end = _left(above) + EDGE, _left(place)
     level = place.top + place.height / 2
     return (
@@ -143,7 +143,7 @@ def _line(place: Place, above: Place) -> str:
     )
 
 
-def _box(place: Place) -> Iterator[str]:
+def _box(place: PlacedStatement) -> Iterator[str]:
     left, top, colour = _left(place), place.top, COLOURS[place.grade]
     width = WIDTH - left - 2
     yield (
@@ -163,7 +163,7 @@ def _box(place: Place) -> Iterator[str]:
         )
 
 
-def _outcome(place: Place) -> str:
+def _outcome(place: PlacedStatement) -> str:
     if not place.above:
         return "the slip is made"
     return "holds: the slip stops" if place.holds else GRADES[place.grade]

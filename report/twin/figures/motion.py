@@ -9,7 +9,7 @@ import numpy as np
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.twin.cases import HIGHEST_ORDER, PHASES, SHOWN
-from report.numbers.twin_numbers import Comparison
+from report.numbers.twin_numbers import BothModels
 from report.pages.drawing.style import FAINT, LINES, panels
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ SMALLEST = 0.03
 NAMES = ("40 µm, 0.5 N", "0.2 mm, 0.5 N", "0.2 mm, 2 N")
 
 
-def _cases(known: Evidence) -> tuple[Comparison, ...]:
+def _cases(known: Evidence) -> tuple[BothModels, ...]:
     return known.twin.small, known.twin.experiment, known.twin.main
 
 
@@ -73,7 +73,7 @@ def _highest(spectrum: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return highest[:, 0], highest[:, 1]
 
 
-def _lines(axes: Axes, case: Comparison) -> None:
+def _lines(axes: Axes, case: BothModels) -> None:
     orders, amplitudes = case.twin.lines.T
     seen = (1e6 * amplitudes > SMALLEST) & (orders <= HIGHEST_ORDER)
     axes.set_yscale("log")

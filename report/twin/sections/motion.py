@@ -6,7 +6,7 @@ from report.judging.parts import close, equal, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP
-from report.numbers.twin_numbers import Comparison
+from report.numbers.twin_numbers import BothModels
 from report.twin.figures.motion import motions, spectra
 from report.twin.observation import Observed, SectionRecord, observation
 from trimmer import MotionKind
@@ -24,7 +24,7 @@ MODERATE = (0.2, 0.8)
 """Frictions between which the thesis's three lie, N; the grid of the map has both."""
 
 
-def _micrometres(case: Comparison, order: int) -> tuple[float, float]:
+def _micrometres(case: BothModels, order: int) -> tuple[float, float]:
     """Return the amplitude of a harmonic in the thesis's model and in the twin, µm."""
     return 1e6 * float(case.frozen.harmonics[order]), 1e6 * case.twin.line(order)
 

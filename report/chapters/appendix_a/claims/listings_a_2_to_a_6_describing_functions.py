@@ -22,7 +22,7 @@ from derivations.latex import latex
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
 from report.chapters.second_ways import REPEATED, by_quadrature
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, expression, made_here, repeated, same
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -54,7 +54,7 @@ def friction_expression() -> sympy.Expr:
     return real - sympy.I * (1 - ratio**2) / sympy.pi
 
 
-def formula_part() -> Part:
+def formula_part() -> ClaimPart:
     """Return the part on the formula of friction-controlled backlash."""
     waveform, values = friction_waveform(), {A: sympy.Rational(17, 10), GAP: sympy.Rational(6, 7)}
     derived = simplified_describing_function(waveform, A)
@@ -70,7 +70,7 @@ def formula_part() -> Part:
     )
 
 
-def guard_part() -> Part:
+def guard_part() -> ClaimPart:
     """Return the part on lines 5 and 6, which set N to zero where the amplitude is small."""
     inside = friction_listing(0.25, 1.0)
     return assertion(
@@ -117,7 +117,7 @@ def second_version(_: Evidence) -> Record:
     """)
 
 
-def inertia_parts() -> tuple[Part, Part]:
+def inertia_parts() -> tuple[ClaimPart, ClaimPart]:
     """Return the parts on the listing of inertia-controlled backlash, which is printed twice."""
     ratio = inertia_contact_ratio()
     nested = sympy.sin(CONTACT) + ratio

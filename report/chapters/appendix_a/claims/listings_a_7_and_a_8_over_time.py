@@ -12,7 +12,7 @@ from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import (
@@ -76,7 +76,7 @@ CLOSE = 0.01
 """Share of the gap by which the block may differ from the waveform that it stands for."""
 
 
-def friction_parts(place: str = "") -> tuple[Part, ...]:
+def friction_parts(place: str = "") -> tuple[ClaimPart, ...]:
     """Return a part for each branch of Listing A.7, held against a load that walls push and never pull.
 
     ``place`` stands before the lines' numbers in the labels.

@@ -10,7 +10,7 @@ from derivations.equations_of_motion import euler_lagrange
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import digits, equal, expression, made_here, matrix, same
 from report.judging.record import Record, claim, text
@@ -174,7 +174,7 @@ def rayleigh_function(known: Evidence) -> Record:
     """)
 
 
-def velocity_part() -> Part:
+def velocity_part() -> ClaimPart:
     """Return the part on the printed velocity of the pin."""
     derived = PIN_MOTION.diff(t)
     return expression(

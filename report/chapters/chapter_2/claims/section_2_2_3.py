@@ -6,7 +6,7 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations.algebra import stability
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import PrintedDigits
 from report.judging.parts import assertion, close, digits, equal, expression, lost_in_the_copy
 from report.judging.record import Record, claim, text
@@ -72,7 +72,7 @@ def argument_principle(_: Evidence) -> Record:
     """)
 
 
-def closed_loop_part() -> Part:
+def closed_loop_part() -> ClaimPart:
     """Return the part on the closed loop, which equation 2.24 and figure 2.4 share."""
     linear, nonlinear = stability.LINEAR_PART, stability.NONLINEAR_PART
     in_feedback = stability.closed_loop(feedback=nonlinear, forward=linear)

@@ -7,7 +7,7 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.printed import total
 from report.judging.parts import assertion, close, expression, made_here, same
@@ -86,7 +86,7 @@ def describing_function_block(_: Evidence) -> Record:
     """)
 
 
-def sinusoid_part() -> Part:
+def sinusoid_part() -> ClaimPart:
     """Return the part on the sine written as an exponential, which two claims share."""
     exponential, sine = A * sympy.exp(sympy.I * omega * t), A * sympy.sin(omega * t)
     return expression(

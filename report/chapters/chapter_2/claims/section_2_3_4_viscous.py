@@ -21,7 +21,7 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.second_ways import by_quadrature
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.expression import SameExpression
 from report.judging.comparisons.printed import product, total
@@ -200,7 +200,7 @@ def complex_form(_: Evidence) -> Record:
     """)
 
 
-def in_phase_part(label: str, derived: sympy.Expr) -> Part:
+def in_phase_part(label: str, derived: sympy.Expr) -> ClaimPart:
     """Return the part on n_p, which equation B.3 and Listing A.5 print alike."""
     bracket = total(
         (1 + GAMMA**2) / (2 * GAMMA**2) * (separation_angle() - CONTACT + sympy.pi + SINE * COSINE),
@@ -228,7 +228,7 @@ def quadrature_terms() -> tuple[sympy.Expr, sympy.Expr, sympy.Expr]:
     return factor, behind, left_out
 
 
-def quadrature_part(label: str, derived: sympy.Expr) -> Part:
+def quadrature_part(label: str, derived: sympy.Expr) -> ClaimPart:
     """Return the part on n_q as Listing A.5 has it, with the factor before all terms."""
     factor, behind, left_out = quadrature_terms()
     imaginary = sympy.im(derived)

@@ -8,7 +8,7 @@ import control
 import numpy as np
 import sympy
 
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, digits, equal, expression, made_here, part
@@ -128,7 +128,7 @@ def roles(known: Evidence) -> Record:
     """)
 
 
-def solved_for_plant(arguments: str) -> Part:
+def solved_for_plant(arguments: str) -> ClaimPart:
     """Return the part on the condition of harmonic balance solved for G, with the arguments of N."""
     linear, nonlinear = sympy.symbols("G N")
     form = rf"G(j\omega) = -\frac{{1}}{{N({arguments})}}"
@@ -241,7 +241,7 @@ def stability_rule(_: Evidence) -> Record:
     """)
 
 
-def side_of_the_crossing() -> Part:
+def side_of_the_crossing() -> ClaimPart:
     """Return the part that proves the rule: Loeb's determinant tells the side to which -1/N crosses G.
 
     N and G and their slopes by amplitude and by frequency are any complex numbers with N G = -1.

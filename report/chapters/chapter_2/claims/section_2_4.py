@@ -14,7 +14,7 @@ from derivations.elements.waveform import THETA, describing_function, simplified
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_coefficients import BRACKET, printed_sine_terms
 from report.chapters.second_ways import by_quadrature
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, equal, expression, made_here, part, so
@@ -65,7 +65,7 @@ def equivalent(_: Evidence) -> Record:
     """)
 
 
-def printed_backlash_part(label: str) -> Part:
+def printed_backlash_part(label: str) -> ClaimPart:
     """Return the part on N_r, whose slip equations 2.59 and 5.14 share."""
     right = rf"\frac{{A}}{{\pi}} \left({BRACKET}\right)"
     wave = friction_waveform(2 * b)

@@ -9,7 +9,7 @@ import numpy as np
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
-from report.judging.claim import Part, Uncheckable
+from report.judging.claim import ClaimPart, Uncheckable
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, so, uncheckable
 from report.judging.record import Record, claim, text
@@ -180,7 +180,7 @@ def smallest_gap(known: Evidence) -> Record:
     """)
 
 
-def following_the_drive(known: Evidence) -> Part:
+def following_the_drive(known: Evidence) -> ClaimPart:
     """Return the part on the largest gap, which the pin does not cross."""
     output = max(float(np.abs(run.output).max()) for run in driven.runs_with(known, LARGEST_GAP))
     element = FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE)

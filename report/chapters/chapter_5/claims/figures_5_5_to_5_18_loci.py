@@ -10,7 +10,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
 from report.chapters.second_ways import LOEB, NEWTON, by_waveform
-from report.judging.claim import Part, Slip
+from report.judging.claim import ClaimPart, Slip
 from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.judging.record import Record, claim, text
@@ -69,7 +69,7 @@ def second_implementation(known: Evidence) -> Record:
 
 def intersections_part(
     known: Evidence, gap: str, printed: str, item: str, slip: Slip | None = None, what: str = "intersections"
-) -> Part:
+) -> ClaimPart:
     """Return the part on how often the locus for a gap meets G."""
     element = FrictionBacklash(float(gap))
     found = limit_cycles(known.cycles.listing, element)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, digits
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -17,7 +17,7 @@ from trimmer.linear import steady_state
 SMALL_DEVIATION = 0.01
 
 
-def amplitude_part(numbers: LinearNumbers) -> Part:
+def amplitude_part(numbers: LinearNumbers) -> ClaimPart:
     settled = steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude
     simulated = numbers.start.settled_amplitude
     second = close("half of peak to peak of a simulation", simulated, settled, 1e-5)

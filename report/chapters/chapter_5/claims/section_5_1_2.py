@@ -8,7 +8,7 @@ import control
 import numpy as np
 
 from report.chapters.second_ways import EXACTLY
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -36,7 +36,7 @@ ROLL_OFF_FROM = 4700.0
 HIGH_OMEGA = 1e8
 
 
-def no_encirclement_part(numbers: LinearNumbers) -> Part:
+def no_encirclement_part(numbers: LinearNumbers) -> ClaimPart:
     system = numbers.displacement_only
     turns = encirclements(system, -1.0)
     second = equal("python-control's Nyquist count", control.nyquist_response(system).count, turns)

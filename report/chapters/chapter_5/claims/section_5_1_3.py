@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from report.chapters.second_ways import EXACTLY
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.parts import assertion, close, digits, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -48,7 +48,7 @@ def printed_eigenvalues(known: Evidence) -> Record:
 
 def peak_part(
     index: str, printed: str, omega: float, second: Confirmation, certainty: Certainty | None = None
-) -> Part:
+) -> ClaimPart:
     """Hold the frequency of a peak against an eigenvalue's imaginary part, as well as a plot can be read."""
     distance = omega / float(printed) - 1
     return assertion(

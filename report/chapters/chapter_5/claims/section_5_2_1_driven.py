@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.parts import assertion, close, made_here, small, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -64,7 +64,7 @@ def open_loop_repeats(known: Evidence) -> Confirmation:
     )
 
 
-def size_part(known: Evidence, label: str) -> Part:
+def size_part(known: Evidence, label: str) -> ClaimPart:
     """Return the part on the size of the output, which the open loop exceeds and the closed one has."""
     opened, base = 1e3 * float(np.abs(open_loop(known).output).max()), 1e3 * open_loop(known).harmonics[1]
     closed = 1e3 * known.motion.closed.reference.from_rest.largest
@@ -86,7 +86,7 @@ def size_part(known: Evidence, label: str) -> Part:
     )
 
 
-def line_part(known: Evidence, label: str) -> Part:
+def line_part(known: Evidence, label: str) -> ClaimPart:
     """Return the part on the line at the limit cycle's frequency, which only the closed loop has."""
     opened, closed = open_loop(known), known.motion.closed.reference.from_rest
     cycle = known.orbits.friction.stable

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, equal
 from report.judging.record import Record, claim, text
@@ -58,7 +58,7 @@ def touching(known: Evidence) -> Record:
     """)
 
 
-def one_impulse_part(known: Evidence) -> Part:
+def one_impulse_part(known: Evidence) -> ClaimPart:
     """Return the part on one impulse for several gaps."""
     numbers = known.motion.closed.impulses
     means = f"events in the first {1e3 * CHECKED:.0f} ms after {ABOVE} thresholds, by SciPy's DOP853"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, made_here, repeated
 from report.judging.record import Record, claim, text
@@ -54,7 +54,7 @@ def predicted(known: Evidence) -> tuple[Predicted, Predicted]:
     return unstable, stable
 
 
-def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: str) -> Part:
+def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: str) -> ClaimPart:
     derived = gap * of.exact.amplitude
     second, slip = close(NEWTON, gap * of.ratio, derived), repeated(ROUNDED, gap * of.listing.amplitude)
     return digits(label, printed, derived, "m", second=second, slip=slip, item=item)
@@ -62,7 +62,7 @@ def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: st
 
 def all_parts(
     prefix: str, gap: float, of: Predicted, printed: tuple[str, str, str], item: str
-) -> Iterator[Part]:
+) -> Iterator[ClaimPart]:
     """Yield the parts on amplitude (m), angular frequency and frequency, which are printed in this order.
 
     ``item`` is that of the amplitude; the two frequencies are one printed thing wherever they stand.
@@ -77,7 +77,7 @@ def all_parts(
     yield digits(label, frequency, exact.frequency, "Hz", second=second, slip=slip, item=FREQUENCY)
 
 
-def second_frequency(label: str, unstable: Predicted) -> Part:
+def second_frequency(label: str, unstable: Predicted) -> ClaimPart:
     """Return the part on the frequency of the second limit cycle, printed with one digit wrong."""
     exact, listed = unstable.exact, f"{unstable.listing.frequency:.2f}"
     name = f"{ROUNDED}, and the second digit is written 3 instead of 5"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import SCALING, TINY_GAP, at_the_tiny_gap
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits
 from report.judging.record import Record, claim, text
@@ -26,7 +26,7 @@ def stable_at_the_tiny_gap(cycles: LimitCycleNumbers) -> float:
     return cycle.amplitude / TINY_GAP
 
 
-def proportional_part(known: Evidence) -> Part:
+def proportional_part(known: Evidence) -> ClaimPart:
     """Return the part on proportion, which section 5.2.1 and chapter 7 share."""
     cycles, cycle = known.cycles, known.cycles.friction.stable
     listed = cycles.friction_listing.stable.amplitude
@@ -60,7 +60,7 @@ def proportional_in_chapter_7(known: Evidence) -> Record:
     """)
 
 
-def smallest_gap_part(known: Evidence) -> Part:
+def smallest_gap_part(known: Evidence) -> ClaimPart:
     """Return the part on the smallest gap, which section 5.2.1 and chapter 6 share."""
     listed = known.cycles.friction_listing.stable.amplitude
     means = "the scaling law, at a gap of a thousandth of that"

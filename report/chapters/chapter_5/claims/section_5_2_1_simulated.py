@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from report.chapters.second_ways import TWO_DURATIONS
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, made_here, repeated, so
 from report.judging.record import Record, claim, text
@@ -28,7 +28,7 @@ SIMULATED_AMPLITUDE = "3.2995e-5 m, simulated amplitude for 4e-6 m"
 """Thing that is printed for two gaps."""
 
 
-def peak_part(orbits: ExactOrbits, label: str) -> Part:
+def peak_part(orbits: ExactOrbits, label: str) -> ClaimPart:
     """Return the part on the peak of figure 5.9b."""
     exact = orbits.friction.stable.frequency
     second = close(TWO_DURATIONS, orbits.friction_by_durations[1], exact)
@@ -37,7 +37,7 @@ def peak_part(orbits: ExactOrbits, label: str) -> Part:
     return digits(label, PEAK, exact, "Hz", second=second, slip=slip, item=item)
 
 
-def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> Part:
+def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> ClaimPart:
     """Return the part on a simulated amplitude."""
     exact = gap * orbits.friction.stable.amplitude
     second = close(TWO_DURATIONS, gap * orbits.friction_by_durations[0], exact)

@@ -8,7 +8,7 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import LOEB, NEWTON, by_division_back, by_floquet
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import total
 from report.judging.parts import assertion, close, digits, expression, so
 from report.judging.record import Record, claim, text
@@ -32,7 +32,7 @@ THICK_BAND = (4.6e3, 5.38e3)
 HARMONICS = range(3, 40, 2)
 
 
-def balance_part(printed_form: str) -> Part:
+def balance_part(printed_form: str) -> ClaimPart:
     """Return the part on the condition for harmonic balance, which equation 5.11 repeats."""
     element, linear = sympy.symbols("N G")
     return expression(
@@ -54,7 +54,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-def thickness_part(known: Evidence) -> Part:
+def thickness_part(known: Evidence) -> ClaimPart:
     """Return the part on the thickness that harmonics give the curve, of which figure 5.15 is an example."""
     system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
     element = InertiaBacklash(1.0)
@@ -79,7 +79,7 @@ def thickness_part(known: Evidence) -> Part:
     )
 
 
-def converted(label: str, printed: str, omega: float, item: str = "") -> Part:
+def converted(label: str, printed: str, omega: float, item: str = "") -> ClaimPart:
     """Return the part on a conversion from rad/s."""
     frequency = omega / TURN
     second = by_division_back(omega, frequency)

@@ -10,7 +10,7 @@ import numpy as np
 from report.chapters.chapter_5.claims.section_5_2_1_driven import LOOP_CLOSED
 from report.chapters.chapter_5.claims.section_5_2_2 import BY_DURATIONS
 from report.chapters.second_ways import TWO_DURATIONS
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, made_here
 from report.judging.record import Record, claim, text
@@ -62,7 +62,7 @@ def error(known: Evidence) -> Record:
     """)
 
 
-def peak_parts(known: Evidence) -> tuple[Part, ...]:
+def peak_parts(known: Evidence) -> tuple[ClaimPart, ...]:
     """Return the parts on the peak at 659 Hz and its reading."""
     block, peak = known.motion.closed.timed_block, float(PEAK)
     nearest = min((mode.frequency for mode in known.numbers.modes), key=lambda each: abs(each - peak))

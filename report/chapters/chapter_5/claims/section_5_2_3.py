@@ -12,7 +12,7 @@ from derivations.elements.steps.limits import step as limits_step
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
 from report.chapters.chapter_5.claims.section_5_2_2 import balance_part
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.assertion import Assertion
 from report.judging.parts import assertion, close, digits, expression, repeated
 from report.judging.record import Record, claim, text
@@ -29,7 +29,7 @@ UPPER_END = "815"
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 
-def band_parts(known: Evidence) -> tuple[Part, Part]:
+def band_parts(known: Evidence) -> tuple[ClaimPart, ClaimPart]:
     """Return the parts on the two ends of the band, which equation 5.10 and figure 5.17 share."""
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)

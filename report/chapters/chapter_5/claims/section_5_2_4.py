@@ -12,7 +12,7 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, expression, made_here, so
 from report.judging.record import Record, claim, text
@@ -110,7 +110,7 @@ def no_crossing(known: Evidence) -> Record:
     """)
 
 
-def crossings_part(known: Evidence) -> Part:
+def crossings_part(known: Evidence) -> ClaimPart:
     """Return the part on crossings of the negative real axis, which figure 5.18 and the text share."""
     system = known.numbers.displacement_only
     negative = sum(crossing.value < 0 for crossing in real_axis_crossings(system))
@@ -125,7 +125,7 @@ def at_the_merger(known: Evidence) -> Confirmation:
     return close("both responses at the last solution, where the loop closes", loop, -1.0, 1e-6)
 
 
-def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Part:
+def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> ClaimPart:
     """Return the part on the oscillation of the loop with an ideal relay."""
     growth = [run.growth for run in numbers.runs]
     means = "a third of the damping that G has at high frequency"
@@ -144,7 +144,7 @@ def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Pa
     )
 
 
-def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Part:
+def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> ClaimPart:
     """Return the part on the loop with friction and viscous friction of the output's velocity."""
     last = max(run.last_turn for run in numbers.friction)
     means = f"Moreau's steps of {1e9 * FINE_STEP:.0f} ns, in which a velocity of zero needs no event"
@@ -164,7 +164,7 @@ def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) ->
 
 def candidates_part(
     candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation, item: str = ""
-) -> Part:
+) -> ClaimPart:
     """Return the part on periodic motions with all harmonics."""
     method = "Tsypkin's condition in closed form, which is exact for two switchings a period"
     derived = not all(candidates.in_phase)

@@ -7,12 +7,12 @@ from fractions import Fraction
 
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.second_ways import NEWTON
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Severity
-from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point
+from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, NewtonSolution
 from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles
 from report.numbers.listed_functions import equivalent_listing
@@ -42,7 +42,7 @@ def difference(_: Evidence) -> Record:
     """)
 
 
-def intersections_part(numbers: EquivalentNumbers) -> Part:
+def intersections_part(numbers: EquivalentNumbers) -> ClaimPart:
     """Return the part on the number of limit cycles, which the figure and the text share."""
     found, in_place = len(numbers.over_stiffness), numbers.in_place.limit_cycles(FORCE / SMALL_GAP)
     return digits(
@@ -55,7 +55,7 @@ def intersections_part(numbers: EquivalentNumbers) -> Part:
     )
 
 
-def frequency_part(numbers: EquivalentNumbers) -> Part:
+def frequency_part(numbers: EquivalentNumbers) -> ClaimPart:
     """Return the part on the frequency as the listings give it, which the figure and the text share."""
     (cycle,), (less_force,) = numbers.rounded, numbers.rounded_less_force
     _, by_newton = limit_cycles.equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
@@ -72,7 +72,7 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
     )
 
 
-def by_listing_a6(solution: LimitCycle | Point, turning: float) -> complex:
+def by_listing_a6(solution: LimitCycle | NewtonSolution, turning: float) -> complex:
     """Return N of Listing A.6 at a solution, with an angular frequency (rad/s) in its friction term."""
     return equivalent_listing(solution.amplitude, FORCE, SMALL_GAP, turning)
 
@@ -143,7 +143,7 @@ def amplitude(known: Evidence) -> Record:
     """)
 
 
-def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
+def peak_parts(known: Evidence, prefix: str = "") -> tuple[ClaimPart, ...]:
     """Return a part for each peak, and one on what the highest of them is."""
     numbers, branch = known.motion.closed.released_bodies, known.cycles.equivalent.in_place
     read = [RECORD.frequency(number) for number in numbers.runs[0].peaks]

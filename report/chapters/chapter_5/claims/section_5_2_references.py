@@ -8,7 +8,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
 from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
 from report.data.statements import read_inventory, read_sections
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import PrintedDigits
 from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, repeated
@@ -23,7 +23,7 @@ QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 an
 """The frequency predicted for b = 4e-6 m, Hz, each place it is quoted."""
 
 
-def refers(label: str, named: str, meant: str, what: str) -> Part:
+def refers(label: str, named: str, meant: str, what: str) -> ClaimPart:
     """Return the part on a reference to a figure or a listing: whether it is the one that is described."""
     entries = read_inventory()
     places = {figure: section.number for section in read_sections() for figure in section.figures}

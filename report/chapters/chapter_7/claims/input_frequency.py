@@ -14,7 +14,7 @@ from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LIS
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop, open_loop_harmonic
 from report.chapters.chapter_7.claims.input import BY_RESPONSE, FIFTH, SIMULATED
 from report.chapters.second_ways import ALL_LOADS
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, expression, small, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
@@ -67,7 +67,7 @@ def input_frequency(known: Evidence) -> Record:
     """)
 
 
-def without_frequency() -> Part:
+def without_frequency() -> ClaimPart:
     """Return the part on the describing functions of the two limits."""
     friction = describing_function(backlash.friction_waveform(), A)
     inertia = describing_function(backlash.inertia_waveform(), A).subs(
@@ -87,7 +87,7 @@ def without_frequency() -> Part:
     )
 
 
-def output_of_the_driven_trimmer(known: Evidence) -> Part:
+def output_of_the_driven_trimmer(known: Evidence) -> ClaimPart:
     """Return the part on the fifth harmonic behind friction-controlled backlash, for two drives."""
     fifth, measured = (
         open_loop_harmonic(known, FIFTH, omega=each) for each in (DRIVE_OMEGA, MEASURED_DRIVE_OMEGA)
@@ -113,7 +113,7 @@ def exact_ratio(known: Evidence) -> float:
     return known.orbits.inertia.stable.frequency / known.orbits.friction.stable.frequency
 
 
-def condition_as_a_whole(known: Evidence) -> Part:
+def condition_as_a_whole(known: Evidence) -> ClaimPart:
     """Return the part on what the frequency of a limit cycle follows from."""
     friction, inertia = (pair.stable.frequency for pair in (known.cycles.friction, known.cycles.inertia))
     return assertion(
@@ -131,7 +131,7 @@ def condition_as_a_whole(known: Evidence) -> Part:
     )
 
 
-def what_the_listing_adds() -> Part:
+def what_the_listing_adds() -> ClaimPart:
     """Return the part on the equivalent nonlinearity at high frequency."""
     added = LISTING - friction_expression()
     far_up = abs(complex(added.subs({FORCE: 1, A: 1, omega: 10**12})))
@@ -144,7 +144,7 @@ def what_the_listing_adds() -> Part:
     )
 
 
-def contours_with_falling_frequency() -> Part:
+def contours_with_falling_frequency() -> ClaimPart:
     """Return the part on the contour of the equivalent nonlinearity as frequency falls."""
     inertia = inertia_contour(GAP)
     high, drive, low = (
@@ -170,7 +170,7 @@ def contours_with_falling_frequency() -> Part:
     )
 
 
-def range_of_frequencies(known: Evidence, stable: list[LimitCycle]) -> Part:
+def range_of_frequencies(known: Evidence, stable: list[LimitCycle]) -> ClaimPart:
     """Return the part on the frequencies of the stable limit cycles over all loads."""
     lowest, highest = (limit(cycle.frequency for cycle in stable) for limit in (min, max))
     return assertion(
