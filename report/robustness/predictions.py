@@ -103,7 +103,7 @@ _CHANNELS: Final = (InputChannels.DISPLACEMENT_ONLY, InputChannels.DISPLACEMENT_
 
 @final
 @dataclass(frozen=True)
-class Predicted:
+class PredictedValue:
     """A predicted quantity: its name, its unit, decimals to show, and what it is of the predictions."""
 
     name: str
@@ -121,21 +121,25 @@ def _amplitude(cycle: LimitCycle | None) -> float:
 
 
 QUANTITIES: Final = (
-    Predicted("frequency, stable", "Hz", 1, lambda found: found.friction.stable.frequency),
-    Predicted("amplitude per gap, stable", "", 2, lambda found: found.friction.stable.amplitude),
-    Predicted("frequency, unstable", "Hz", 1, lambda found: _frequency(found.friction.unstable)),
-    Predicted("amplitude per gap, unstable", "", 3, lambda found: _amplitude(found.friction.unstable)),
-    Predicted("frequency with the pin's velocity", "Hz", 1, lambda found: found.velocity.stable.frequency),
-    Predicted(
+    PredictedValue("frequency, stable", "Hz", 1, lambda found: found.friction.stable.frequency),
+    PredictedValue("amplitude per gap, stable", "", 2, lambda found: found.friction.stable.amplitude),
+    PredictedValue("frequency, unstable", "Hz", 1, lambda found: _frequency(found.friction.unstable)),
+    PredictedValue("amplitude per gap, unstable", "", 3, lambda found: _amplitude(found.friction.unstable)),
+    PredictedValue(
+        "frequency with the pin's velocity", "Hz", 1, lambda found: found.velocity.stable.frequency
+    ),
+    PredictedValue(
         "amplitude per gap with the pin's velocity", "", 2, lambda found: found.velocity.stable.amplitude
     ),
-    Predicted("frequency, inertia-controlled", "Hz", 1, lambda found: found.inertia.stable.frequency),
-    Predicted("amplitude per gap, inertia-controlled", "", 2, lambda found: found.inertia.stable.amplitude),
-    Predicted(
+    PredictedValue("frequency, inertia-controlled", "Hz", 1, lambda found: found.inertia.stable.frequency),
+    PredictedValue(
+        "amplitude per gap, inertia-controlled", "", 2, lambda found: found.inertia.stable.amplitude
+    ),
+    PredictedValue(
         "frequency, inertia-controlled, unstable", "Hz", 1, lambda found: _frequency(found.inertia.unstable)
     ),
-    Predicted("width of the band of frequencies", "Hz", 1, lambda found: found.band),
-    Predicted(
+    PredictedValue("width of the band of frequencies", "Hz", 1, lambda found: found.band),
+    PredictedValue(
         "friction that ends the limit cycle, gap 0.2 mm",
         "N",
         2,

@@ -11,7 +11,7 @@ from typing import Final, final
 
 import numpy as np
 
-from report.robustness.predictions import QUANTITIES, Predicted, Predictions, predict
+from report.robustness.predictions import QUANTITIES, PredictedValue, Predictions, predict
 from trimmer import TrimmerParameters
 from trimmer.parameters import parameter_table
 from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
@@ -43,7 +43,7 @@ class Effect:
 class PredictionSensitivity:
     """A quantity at the thesis's parameters, its effects, the largest first, and nine tenths of samples."""
 
-    quantity: Predicted
+    quantity: PredictedValue
     nominal: float
     effects: tuple[Effect, ...]
     band: tuple[float, float]
@@ -111,7 +111,7 @@ def _predicted(parameters: TrimmerParameters) -> Predictions:
 
 
 def _sensitivity(
-    quantity: Predicted,
+    quantity: PredictedValue,
     nominal: Predictions,
     ends: dict[str, tuple[Predictions, ...]],
     samples: tuple[Predictions, ...],
