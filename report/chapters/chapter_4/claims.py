@@ -170,7 +170,6 @@ def zero_gap(_: Evidence) -> Record:
         method="the derived contact equation and its slope",
         second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
         item=NO_GAP,
-        certainty=Certainty.PROVEN,
     )
     at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     hardly = "the element's waveform for a gap of a millionth of the amplitude"
@@ -207,7 +206,6 @@ def roles(_: Evidence) -> Record:
         f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
         method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
         second=so(means, lighter < usual < heavier),
-        certainty=Certainty.PROVEN,
     )
     ratio = r"\frac{v}{v_0}"
     flies_on = "$D = 0$ is inertia-controlled: the load flies on with the speed it has"
@@ -230,7 +228,7 @@ def gamma(_: Evidence) -> Record:
     by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     second = close(decay, by_decay, right)
-    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip, severity=Severity.SLIP)
+    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
     unit = dimension_of(LOAD_MASS / LOAD_DAMPING * omega, units)
     milliseconds = "its value in milliseconds, which is that in seconds"
@@ -241,7 +239,6 @@ def gamma(_: Evidence) -> Record:
         rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
         method="dimension check of equation 2.45",
         second=close(milliseconds, (1000 * TIME_CONSTANT) * (DRIVE_OMEGA / 1000), right),
-        severity=Severity.SLIP,
         certainty=Certainty.PROVEN,
     )
     yield text(rf"""

@@ -10,7 +10,6 @@ from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import PrintedDigits
 from report.judging.parts import assertion, close, digits, equal, expression, lost_in_the_copy
 from report.judging.record import Record, claim, text
-from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
@@ -49,7 +48,6 @@ def corollary(_: Evidence) -> Record:
         $\gamma > 0$
         """,
         method="counterexample with its matrix exponential in closed form",
-        certainty=Certainty.PROVEN,
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
     yield text(r"""

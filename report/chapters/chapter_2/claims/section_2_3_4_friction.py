@@ -237,7 +237,6 @@ def frequency_independent(_: Evidence) -> Record:
         omega not in free and free == {A, b},
         "contact angle and output depend on the phase alone, so amplitude and gap are all that is left",
         method="symbols of the derived coefficients",
-        certainty=Certainty.PROVEN,
         second=so(means, change < nearly_without_inertia * fast),
     )
     yield text("""

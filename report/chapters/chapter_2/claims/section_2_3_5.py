@@ -83,7 +83,6 @@ def friction_as_relay(_: Evidence) -> Record:
         {angles}$; in a period it takes the work ${sympy.latex(work)}$
         """,
         method="levels and limits of the derived waveform",
-        certainty=Certainty.PROVEN,
         second=close(means, overlap, float(phases.size)),
     )
     yield text("""

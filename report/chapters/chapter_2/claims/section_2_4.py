@@ -159,7 +159,6 @@ def units(_: Evidence) -> Record:
         first == second,
         f"the backlash term is a number, the friction term of equation 5.14 is in {written(second)}",
         method="dimension check of both terms",
-        certainty=Certainty.PROVEN,
         second=so(
             "seconds changed to milliseconds, which leaves the first term and alters the second",
             altered and backlash.subs(in_milliseconds) == backlash,

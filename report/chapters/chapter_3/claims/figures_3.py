@@ -170,7 +170,6 @@ def smallest_gap(known: Evidence) -> Record:
         f"even harmonics up to {even} m, which is rounding and what is left of the start",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
-        certainty=Certainty.PROVEN,
     )
     yield simulated()
     yield text("""

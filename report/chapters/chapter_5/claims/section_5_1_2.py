@@ -169,7 +169,6 @@ def cutoff(known: Evidence) -> Record:
             second=second,
             slip=wrong,
             item=item,
-            certainty=Certainty.READING,
         )
     yield text(f"""
         The printed number is the highest frequency at which $|G| = 1$; above it the output is smaller than

@@ -55,7 +55,6 @@ def output_matrix(known: Evidence) -> Record:
         left=sympy.Symbol("C"),
         second=small("the numeric model with each displacement as an output", float(difference)),
         slip=made_here("the four rows are added up into one", added),
-        certainty=Certainty.READING,
     )
     system = lightly_damped_response(parameters)
     highest = known.numbers.undamped[-1].omega
