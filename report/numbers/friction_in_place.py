@@ -45,8 +45,11 @@ class Balances:
 
 
 @dataclass(frozen=True)
-class Merger:
-    """The largest force with a limit cycle, where the stable and the unstable one become one."""
+class FrictionCycle:
+    """A limit cycle, such as that with the largest force, where the stable and the unstable one become one.
+
+    Amplitude in gaps, frequency in Hz, force over gap in N/m.
+    """
 
     amplitude: float
     frequency: float
@@ -62,7 +65,7 @@ class FrictionBranch:
 
     stable: Balances
     unstable: Balances
-    merger: Merger
+    merger: FrictionCycle
 
     def limit_cycles(self, force_per_gap: float) -> int:
         """Return how many limit cycles there are with a force per gap in N/m."""
@@ -101,7 +104,7 @@ def friction_branch(
 
 def largest_force(
     parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
-) -> Merger:
+) -> FrictionCycle:
     """Return where the two limit cycles of a loop become one; see ``friction_branch``."""
     loop = _loop(parameters, channels, unstable, stable)
     ratio = _ratio_of_largest_force(loop, 1 / stable.amplitude, 1 / unstable.amplitude, FEW_POINTS)
@@ -118,13 +121,9 @@ def _loop(
     )
 
 
-def _merger(loop: _FrictionLoop, ratio: float) -> Merger:
-    (merger,) = zip(*_columns(loop.balances(np.array([ratio]))), strict=True)
-    return Merger(*map(float, merger))
-
-
-def _columns(balances: Balances) -> tuple[Reals, Reals, Reals]:
-    return balances.amplitude, balances.frequency, balances.force_per_gap
+def _merger(loop: _FrictionLoop, ratio: float) -> FrictionCycle:
+    found = loop.balances(np.array([ratio]))
+    return FrictionCycle(found.amplitude.item(), found.frequency.item(), found.force_per_gap.item())
 
 
 @dataclass(frozen=True)

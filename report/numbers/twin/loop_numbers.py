@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from report.numbers.independent.loop_with_friction import LoopCycle, largest_friction
+from report.numbers.friction_in_place import FrictionCycle
+from report.numbers.independent.loop_with_friction import largest_friction
 from report.numbers.thesis import LARGE_GAP
 from report.numbers.twin.closed_loop import FILE, LOOP_COURSES, thesis_loop
 from report.numbers.twin.kept_branch import KeptBranch, read_branches
@@ -44,7 +45,7 @@ class FrictionLoopNumbers:
     over_gap: tuple[KeptBranch, ...]
     miss: float
     events: frozenset[tuple[tuple[str, int], ...]]
-    largest: LoopCycle
+    largest: FrictionCycle
     left_below: float
     left_above: float
 
