@@ -52,9 +52,9 @@ class ThesisSection:
     figures: tuple[str, ...] = ()
 
 
-def read_sections(path: Path = SECTIONS) -> tuple[ThesisSection, ...]:
+def read_sections() -> tuple[ThesisSection, ...]:
     """Read the sections in thesis order; a figure stands with the section that discusses it."""
-    with path.open(encoding="utf-8", newline="") as file:
+    with SECTIONS.open(encoding="utf-8", newline="") as file:
         return tuple(
             ThesisSection(row["number"], row["title"], tuple(row["figures"].split()))
             for row in csv.DictReader(file)

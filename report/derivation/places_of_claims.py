@@ -21,9 +21,9 @@ class UnknownStepError(TrimmerError, ValueError):
     """A claim or a source is said to rest on a step that the derivation does not have."""
 
 
-def named_steps(path: Path = PATH) -> Mapping[str, str]:
+def named_steps() -> Mapping[str, str]:
     """Return the steps that are named for claims and for source files, by id and by path."""
-    with path.open(encoding="utf-8", newline="") as file:
+    with PATH.open(encoding="utf-8", newline="") as file:
         return {row["of"]: row["step"] for row in csv.DictReader(file)}
 
 

@@ -150,9 +150,9 @@ def same(means: str, first: Any, second: Any) -> Confirmation:
     return Confirmation(one_line(means), alike(first, second))
 
 
-def lost_in_the_copy(name: str, restored: Check, decided_by: str = THE_PAGE) -> CopyFault:
+def lost_in_the_copy(name: str, restored: Check) -> CopyFault:
     """Name what the machine that read the page may have lost; what is restored has to agree."""
-    return CopyFault(one_line(name), restored, one_line(decided_by))
+    return CopyFault(one_line(name), restored, THE_PAGE)
 
 
 def close(means: str, first: complex, second: complex, relative: float = 1e-9) -> Confirmation:

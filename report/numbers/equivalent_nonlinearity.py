@@ -83,13 +83,11 @@ def right_element(force: float, stiffness: float, gap: float = SMALL_GAP) -> Ele
     return FrictionBacklash(gap) + CoulombFriction(force / stiffness)
 
 
-def printed_function(
-    amplitude: float, force: float, gap: float = SMALL_GAP, omega: float = DRIVE_OMEGA
-) -> complex:
+def printed_function(amplitude: float, force: float, gap: float = SMALL_GAP) -> complex:
     """Evaluate equation 5.14 as it is printed, with the gap put in for its b."""
     c = 2 * gap / amplitude - 1
     real = math.pi / 2 - math.asin(c) - c * math.sqrt(1 - c**2)
-    imaginary = 4 * gap / math.pi * (gap / amplitude - 1) - 4 * force / (omega * amplitude * math.pi)
+    imaginary = 4 * gap / math.pi * (gap / amplitude - 1) - 4 * force / (DRIVE_OMEGA * amplitude * math.pi)
     return complex(real, imaginary) / amplitude
 
 

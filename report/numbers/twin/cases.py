@@ -197,20 +197,20 @@ def twin_case(gap: float, force: float, frequency: float = FREQUENCY) -> TwinCas
     )
 
 
-def independent(gap: float, force: float, frequency: float = FREQUENCY) -> Independent:
+def independent(gap: float, force: float) -> Independent:
     """Integrate the periodic motion that the twin settles to by the Runge-Kutta method, from its first state.
 
     Raises:
         OrbitNotFoundError: if the twin does not settle to a periodic motion.
         ArithmeticError: if the integration fails.
     """
-    found = followed(twin(gap, force, frequency))
+    found = followed(twin(gap, force))
     orbit = found.motion.orbit
     if orbit is None:
         raise OrbitNotFoundError("what does not repeat cannot be held against itself a period later")
     count = found.period_count
-    times = np.arange(PHASES * count + 1) / (PHASES * frequency)
-    trimmer = PlayedTrimmer(TrimmerParameters.thesis(), gap, force, DRIVE_AMPLITUDE, TURN * frequency)
+    times = np.arange(PHASES * count + 1) / (PHASES * FREQUENCY)
+    trimmer = PlayedTrimmer(TrimmerParameters.thesis(), gap, force, DRIVE_AMPLITUDE, TURN * FREQUENCY)
     states = integrated(trimmer, orbit.instant.state, times)
     stroke = states[1] - states[3]
     return Independent(

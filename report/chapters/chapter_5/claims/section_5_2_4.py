@@ -125,7 +125,7 @@ def at_the_merger(known: Evidence) -> Confirmation:
     return close("both responses at the last solution, where the loop closes", loop, -1.0, 1e-6)
 
 
-def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> ClaimPart:
+def relay_part(numbers: RelayNumbers, label: str) -> ClaimPart:
     """Return the part on the oscillation of the loop with an ideal relay."""
     growth = [run.growth for run in numbers.runs]
     means = "a third of the damping that G has at high frequency"
@@ -140,7 +140,7 @@ def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Cl
         """,
         method="exact simulation of the loop with an ideal relay",
         second=close(means, numbers.damping / 3, growth[0], 1e-3),
-        item=item,
+        item=OSCILLATION,
     )
 
 
