@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from report.pages.formats import Format, Paper
+from report.pages.formats import Format, Paper, add_form_options
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
@@ -50,20 +50,7 @@ def add_report_options(parser: ArgumentParser) -> None:
         "done for the next run; it may be deleted, and steps that were not used for 30 days go by themselves "
         "(default: %(default)s)",
     )
-    parser.add_argument(
-        "--format",
-        action="extend",
-        nargs="+",
-        choices=[form.word for form in KINDS],
-        default=[],
-        help="forms to write (default: both)",
-    )
-    parser.add_argument(
-        "--paper",
-        choices=[paper.word for paper in Paper],
-        default=Paper.A4.word,
-        help="size of the pages of the PDF (default: %(default)s)",
-    )
+    add_form_options(parser, KINDS, "both")
     add_runner_options(parser)
     add_overwrite_option(parser)
 
