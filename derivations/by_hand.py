@@ -10,7 +10,7 @@ from derivations.energies import HALF
 from derivations.equations_of_motion import euler_lagrange
 from derivations.latex import latex
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.symbols import c2, k2, k5, m2, q1, q2, q3, t, u
 
 BRIDGE = total(q2, -q1, -u)
@@ -21,7 +21,7 @@ RATE = total(q2.diff(t), -q1.diff(t), -u.diff(t))
 """Rate at which the driving bridge grows longer, m/s."""
 
 
-def worked_equation(derivation: LinearTrimmer) -> Step:
+def worked_equation(derivation: LinearTrimmer) -> NarrativeStep:
     """Return the cutter's equation of motion worked by hand, each line held against SymPy's derivative.
 
     Raises:
@@ -47,7 +47,7 @@ def worked_equation(derivation: LinearTrimmer) -> Step:
         ("power that the damper loses", lost.diff(q2.diff(t)), by_rate),
     ):
         require_equal(name, _flat(written), _flat(derived))
-    return Step(
+    return NarrativeStep(
         "by-hand",
         "One equation by hand: the cutter",
         "The Lagrangian is $L = T - U$. To derive it by $q_2$ only the terms with $q_2$ are needed: the "

@@ -14,7 +14,7 @@ from derivations.latex import latex, latex_number, latex_prose, latex_text
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.loop.narrative import loop_narrative
 from derivations.narrative import narrative
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.symbols import QUANTITIES, Quantity
 
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
@@ -48,7 +48,7 @@ SI units throughout; the last section lists all symbols with their values.
 END = "\\end{document}\n"
 
 
-def latex_document(derivation: LinearTrimmer, elements: tuple[Step, ...]) -> str:
+def latex_document(derivation: LinearTrimmer, elements: tuple[NarrativeStep, ...]) -> str:
     """Return the derivation of the linear trimmer, of its elements and of their loop as a LaTeX document.
 
     Added is the nomenclature.
@@ -121,7 +121,7 @@ def _table_of_values(quantities: tuple[ValuedQuantity, ...]) -> str:
     return "\n".join((*head, *rows, "\\end{longtable}\n"))
 
 
-def _section(step: Step, displayed: Callable[[Formula], str] | None = None) -> str:
+def _section(step: NarrativeStep, displayed: Callable[[Formula], str] | None = None) -> str:
     head = (f"\\section{{{latex_text(step.title)}}}", latex_prose(step.text))
     return "\n".join((*head, *map(displayed or _displayed, step.formulas)))
 

@@ -17,7 +17,7 @@ from derivations.state_space import StateSpace, state_space
 
 
 @dataclass(frozen=True)
-class LinearMotion:
+class SymbolicMotion:
     """Energies and linear equations of motion of a mechanism, checked by Newton's law and by its power.
 
     Attributes:
@@ -45,7 +45,7 @@ class LinearMotion:
     power: PowerBalance
 
 
-def linear_motion(mechanism: Mechanism) -> LinearMotion:
+def linear_motion(mechanism: Mechanism) -> SymbolicMotion:
     """Derive energies and equations of motion, contacts and dry frictions being forces, and check them.
 
     Raises:
@@ -57,7 +57,7 @@ def linear_motion(mechanism: Mechanism) -> LinearMotion:
     power = power_balance(mechanism)
     if not power.holds:
         raise UnprovenError(f"the power balance of the mechanism does not close: {power.residual}")
-    return LinearMotion(
+    return SymbolicMotion(
         mechanism=mechanism,
         kinetic_energy=kinetic_energy(mechanism),
         potential_energy=potential_energy(mechanism),

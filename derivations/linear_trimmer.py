@@ -8,14 +8,14 @@ from functools import lru_cache
 import sympy
 
 from derivations.equations_of_motion import KEPT, accelerations
-from derivations.linear_motion import LinearMotion, linear_motion
+from derivations.linear_motion import SymbolicMotion, linear_motion
 from derivations.mechanism import Mechanism, trimmer
 from derivations.newton_euler import newton_accelerations
 from derivations.transfer_function import TransferFunctions, transfer_functions
 
 
 @dataclass(frozen=True)
-class LinearTrimmer(LinearMotion):
+class LinearTrimmer(SymbolicMotion):
     """All that follows from the declared mechanism of n bodies and one pin: its motion, and besides these.
 
     Attributes:

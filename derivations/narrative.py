@@ -12,17 +12,17 @@ from derivations.dimension_checks import dimension_checks, require_consistent
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import MotionMatrices, accelerations, motion_matrices
 from derivations.latex import latex, latex_equation
-from derivations.linear_motion import LinearMotion
+from derivations.linear_motion import SymbolicMotion
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.mechanism import Mechanism, elongation, trimmer
 from derivations.newton_euler import newton_accelerations
 from derivations.power_balance import power_balance
 from derivations.state_space import output_row, state_space
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.transfer_steps import CUTTER, GUARD, coefficients_step, transfer_function_step
 
 
-def narrative(derivation: LinearTrimmer) -> tuple[Step, ...]:
+def narrative(derivation: LinearTrimmer) -> tuple[NarrativeStep, ...]:
     """Return the steps of the derivation, from the mechanism to the checks.
 
     Raises:
@@ -51,7 +51,7 @@ def elongations(mechanism: Mechanism) -> tuple[Formula, ...]:
     )
 
 
-def energies(motion: LinearMotion, thesis: tuple[str, str, str] = ("", "", "")) -> tuple[Formula, ...]:
+def energies(motion: SymbolicMotion, thesis: tuple[str, str, str] = ("", "", "")) -> tuple[Formula, ...]:
     """Return kinetic and potential energy and Rayleigh's function, with their numbers in the thesis."""
     of_motion = (motion.kinetic_energy, motion.potential_energy, motion.rayleigh_function)
     return tuple(
@@ -75,8 +75,8 @@ def symmetric_matrices(matrices: MotionMatrices) -> tuple[Formula, ...]:
     return tuple(Formula(latex_equation(sympy.Symbol(name), matrix)) for name, matrix in named)
 
 
-def _elongations(derivation: LinearTrimmer) -> Step:
-    return Step(
+def _elongations(derivation: LinearTrimmer) -> NarrativeStep:
+    return NarrativeStep(
         "mechanism",
         "Bodies, springs and dampers",
         "Four bodies move along one line: motor, cutter, guard housing and guard, with displacements $q_1$ "
@@ -89,8 +89,8 @@ def _elongations(derivation: LinearTrimmer) -> Step:
     )
 
 
-def _energies(derivation: LinearTrimmer) -> Step:
-    return Step(
+def _energies(derivation: LinearTrimmer) -> NarrativeStep:
+    return NarrativeStep(
         "energies",
         "Energies and dissipation",
         "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
@@ -100,7 +100,7 @@ def _energies(derivation: LinearTrimmer) -> Step:
     )
 
 
-def _motion(derivation: LinearTrimmer) -> Step:
+def _motion(derivation: LinearTrimmer) -> NarrativeStep:
     bodies = derivation.mechanism.bodies
     lines = tuple(
         Formula(f"{latex(body.mass)} {_accelerated(index)} = {latex(sympy.numer(acceleration))}", "2.9")
@@ -108,7 +108,7 @@ def _motion(derivation: LinearTrimmer) -> Step:
             zip(bodies, derivation.accelerations, strict=True), start=1
         )
     )
-    return Step(
+    return NarrativeStep(
         "motion",
         "Equations of motion",
         "The Euler-Lagrange equation of each body, with no force besides those of springs and dampers. The "
@@ -122,9 +122,9 @@ def _accelerated(index: int) -> str:
     return rf"\ddot{{q}}_{{{index}}}"
 
 
-def _matrices(derivation: LinearTrimmer) -> Step:
+def _matrices(derivation: LinearTrimmer) -> NarrativeStep:
     matrices = derivation.matrices
-    return Step(
+    return NarrativeStep(
         "matrices",
         "Matrices",
         "The equations of motion are linear, $M\\ddot q + C\\dot q + Kq = f_u u + f_v \\dot u$, with "
@@ -139,11 +139,11 @@ def _matrices(derivation: LinearTrimmer) -> Step:
     )
 
 
-def _power(derivation: LinearTrimmer) -> Step:
+def _power(derivation: LinearTrimmer) -> NarrativeStep:
     balance = derivation.power
     if not balance.holds:
         raise ValueError(f"the power balance of the mechanism does not close: {balance.residual}")
-    return Step(
+    return NarrativeStep(
         "power",
         "Power balance",
         "Along every motion the energy changes by the power of the pin less what the dampers take. The "
@@ -158,10 +158,10 @@ def _power(derivation: LinearTrimmer) -> Step:
     )
 
 
-def _state_space(derivation: LinearTrimmer) -> Step:
+def _state_space(derivation: LinearTrimmer) -> NarrativeStep:
     space = derivation.space
     row = output_row(CUTTER, GUARD, len(derivation.mechanism.bodies))
-    return Step(
+    return NarrativeStep(
         "state-space",
         "State space",
         "Four equations of second order become eight of first order. The state $x$ holds the displacements "
@@ -190,10 +190,10 @@ def _state_space(derivation: LinearTrimmer) -> Step:
     )
 
 
-def _checks(derivation: LinearTrimmer) -> Step:
+def _checks(derivation: LinearTrimmer) -> NarrativeStep:
     checks = dimension_checks(derivation)
     require_consistent(checks)
-    return Step(
+    return NarrativeStep(
         "checks",
         "Checks",
         f"All {len(checks)} derived expressions pass a dimension check that knows only the units of the "

@@ -27,7 +27,7 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Step:
+class NarrativeStep:
     """A step of a derivation.
 
     Attributes:

@@ -6,16 +6,16 @@ import sympy
 
 from derivations.latex import latex
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.transfer_function import transfer_functions
 
 CUTTER, GUARD = 1, 3
 
 
-def transfer_function_step(derivation: LinearTrimmer) -> Step:
+def transfer_function_step(derivation: LinearTrimmer) -> NarrativeStep:
     """Return the step from the matrices to the transfer functions of both inputs."""
     size = len(derivation.mechanism.bodies)
-    return Step(
+    return NarrativeStep(
         "transfer-function",
         "Transfer function",
         "With $\\dot q = s q$ the equations of motion become algebraic. Cramer's rule solves them: the "
@@ -46,9 +46,9 @@ def transfer_function_step(derivation: LinearTrimmer) -> Step:
     )
 
 
-def coefficients_step(derivation: LinearTrimmer) -> Step:
+def coefficients_step(derivation: LinearTrimmer) -> NarrativeStep:
     """Return the step with every coefficient of the transfer function from the pin to q2 − q4."""
-    return Step(
+    return NarrativeStep(
         "coefficients",
         "All coefficients of the transfer function",
         "Each coefficient is a sum of products of as many parameters as its unit asks for, over the product "

@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from report.pages.formats import Format, Paper
+from report.pages.formats import Format, Paper, add_form_options
 from report.rendering.request import Request
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
@@ -46,20 +46,7 @@ def _configure(parser: ArgumentParser) -> None:
         help="chapters to show, such as ch5 or appA (default: all); the files then hold this part alone; may "
         "be given several times",
     )
-    parser.add_argument(
-        "--format",
-        action="extend",
-        nargs="+",
-        choices=[form.word for form in Format],
-        default=[],
-        help="forms to write (default: all); may be given several times",
-    )
-    parser.add_argument(
-        "--paper",
-        choices=[paper.word for paper in Paper],
-        default=Paper.A4.word,
-        help="size of the pages of the PDF (default: %(default)s)",
-    )
+    add_form_options(parser, Format, "all", "; may be given several times")
     parser.add_argument(
         "--thesis",
         type=file_to_read,

@@ -9,7 +9,7 @@ import sympy
 from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.dimension_checks import DimensionCheck
 from derivations.dimensions import ENERGY, FORCE, LENGTH, POWER, TIME, Dimension
-from derivations.linear_motion import LinearMotion
+from derivations.linear_motion import SymbolicMotion
 from derivations.mechanism import Mechanism
 from derivations.symbols import Quantity, t
 
@@ -37,7 +37,7 @@ def mechanism_checks(
     )
 
 
-def _of_motion(motion: LinearMotion) -> Expected:
+def _of_motion(motion: SymbolicMotion) -> Expected:
     yield "kinetic energy", motion.kinetic_energy, ENERGY
     yield "potential energy", motion.potential_energy, ENERGY
     yield "dissipation function", motion.rayleigh_function, POWER

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from derivations.any_mechanism.contact_law import ContactStatement, contact_statement
 from derivations.any_mechanism.friction_law import FrictionStatement, friction_statement
-from derivations.linear_motion import LinearMotion, linear_motion
+from derivations.linear_motion import SymbolicMotion, linear_motion
 from derivations.mechanism import Mechanism, closed
 
 
@@ -21,8 +21,8 @@ class MechanismDerivation:
         frictions: The law of each friction.
     """
 
-    motion: LinearMotion
-    closed: LinearMotion
+    motion: SymbolicMotion
+    closed: SymbolicMotion
     contacts: tuple[ContactStatement, ...]
     frictions: tuple[FrictionStatement, ...]
 

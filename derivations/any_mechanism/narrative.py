@@ -12,7 +12,7 @@ from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.friction_law import FrictionStatement
 from derivations.equations_of_motion import MotionMatrices, inputs
 from derivations.latex import escaped, latex, latex_equation
-from derivations.linear_motion import LinearMotion
+from derivations.linear_motion import SymbolicMotion
 from derivations.mechanism import elongation, position
 from derivations.narrative import (
     elongations,
@@ -21,7 +21,7 @@ from derivations.narrative import (
     symmetric_matrices,
 )
 from derivations.parts import ContactLaw, End, Play
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.symbols import t
 
 ENDING = {
@@ -32,7 +32,7 @@ ENDING = {
 }
 
 
-def mechanism_narrative(derivation: MechanismDerivation) -> tuple[Step, ...]:
+def mechanism_narrative(derivation: MechanismDerivation) -> tuple[NarrativeStep, ...]:
     """Return the steps of a derivation, from the parts to the laws of contact and friction."""
     mechanism = derivation.mechanism
     return (
@@ -50,7 +50,7 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[Step, ...]:
     )
 
 
-def _parts(derivation: MechanismDerivation) -> Step:
+def _parts(derivation: MechanismDerivation) -> NarrativeStep:
     mechanism = derivation.mechanism
     bodies = (f"{escaped(body.name)} (${latex(body.coordinate)}$)" for body in mechanism.bodies)
     pins = (
@@ -68,7 +68,7 @@ def _parts(derivation: MechanismDerivation) -> Step:
     distances = (
         Formula(latex_equation(each.contact.distance, each.distance)) for each in derivation.contacts
     )
-    return Step(
+    return NarrativeStep(
         "parts",
         "Bodies and what joins them",
         f"Bodies that move along one line, with their displacements in the fixed frame: {', '.join(bodies)}. "
@@ -79,8 +79,8 @@ def _parts(derivation: MechanismDerivation) -> Step:
     )
 
 
-def _energies(motion: LinearMotion) -> Step:
-    return Step(
+def _energies(motion: SymbolicMotion) -> NarrativeStep:
+    return NarrativeStep(
         "energies",
         "Energies and dissipation",
         "Kinetic energy belongs to the bodies, potential energy to the springs, and Rayleigh's function, "
@@ -89,9 +89,9 @@ def _energies(motion: LinearMotion) -> Step:
     )
 
 
-def _virtual_work(motion: LinearMotion) -> Step:
+def _virtual_work(motion: SymbolicMotion) -> NarrativeStep:
     forces = zip(motion.mechanism.bodies, motion.generalised_forces, strict=True)
-    return Step(
+    return NarrativeStep(
         "virtual-work",
         "Generalised forces",
         "Contacts, dry frictions and given forces enter by their virtual work. A contact with the tension "
@@ -101,8 +101,8 @@ def _virtual_work(motion: LinearMotion) -> Step:
     )
 
 
-def _motion(motion: LinearMotion) -> Step:
-    return Step(
+def _motion(motion: SymbolicMotion) -> NarrativeStep:
+    return NarrativeStep(
         "motion",
         "Equations of motion",
         "The Euler-Lagrange equation of each body. The sum of forces by Newton's law gives the same lines.",
@@ -110,12 +110,12 @@ def _motion(motion: LinearMotion) -> Step:
     )
 
 
-def _balances(motion: LinearMotion) -> Iterator[Formula]:
+def _balances(motion: SymbolicMotion) -> Iterator[Formula]:
     for body, force in zip(motion.mechanism.bodies, motion.resultant_forces, strict=True):
         yield Formula(f"{latex(body.mass)} {latex(body.coordinate.diff(t, 2))} = {latex(force)}")
 
 
-def _matrices(motion: LinearMotion) -> Step:
+def _matrices(motion: SymbolicMotion) -> NarrativeStep:
     kinds = zip(_columns(motion.matrices), inputs(motion.mechanism), strict=True)
     driving = [
         (name, matrix, f"{name} {latex(sympy.Matrix(names))}")
@@ -123,7 +123,7 @@ def _matrices(motion: LinearMotion) -> Step:
         if any(matrix)
     ]
     sum_of_inputs = " + ".join(term for _, _, term in driving) or "0"
-    return Step(
+    return NarrativeStep(
         "matrices",
         "Matrices",
         "The equations of motion are linear in displacements and inputs, with symmetric matrices.",
@@ -145,9 +145,9 @@ def _columns(matrices: MotionMatrices) -> tuple[tuple[str, sympy.ImmutableMatrix
     )
 
 
-def _closed_contact(motion: LinearMotion) -> Step:
+def _closed_contact(motion: SymbolicMotion) -> NarrativeStep:
     constant = motion.matrices.constant_force
-    return Step(
+    return NarrativeStep(
         "closed-contact",
         "Closed contact",
         "While contacts are closed, their springs and dampers act as any others do, with the distance less "
@@ -165,17 +165,17 @@ def _closed_contact(motion: LinearMotion) -> Step:
     )
 
 
-def _state_space(derivation: MechanismDerivation) -> Step:
+def _state_space(derivation: MechanismDerivation) -> NarrativeStep:
     motion, closed = derivation.motion, derivation.closed
     text = "With the state $x = (q, \\dot q)$ and all inputs $w$."
     formulas = [Formula(r"\dot{x} = A x + B w"), *_space(motion)]
     if closed is not motion:
         text += " First with the tensions of contacts as inputs, then with every contact closed."
         formulas += _space(closed)
-    return Step("state-space", "State space", text, tuple(formulas))
+    return NarrativeStep("state-space", "State space", text, tuple(formulas))
 
 
-def _space(motion: LinearMotion) -> list[Formula]:
+def _space(motion: SymbolicMotion) -> list[Formula]:
     driving = [each for kind in inputs(motion.mechanism) for each in kind]
     if not motion.matrices.constant_force.is_zero_matrix:
         driving.append(sympy.S.One)
@@ -186,8 +186,8 @@ def _space(motion: LinearMotion) -> list[Formula]:
     return formulas
 
 
-def _outputs(derivation: MechanismDerivation) -> Step:
-    return Step(
+def _outputs(derivation: MechanismDerivation) -> NarrativeStep:
+    return NarrativeStep(
         "outputs",
         "Outputs",
         "The displacements that are asked for, in those of bodies and pins.",
@@ -207,7 +207,7 @@ def _terms(end: End) -> tuple[sympy.Expr, ...]:
     return sympy.Add.make_args(position(end))
 
 
-def _contact_law(statement: ContactStatement) -> Step:
+def _contact_law(statement: ContactStatement) -> NarrativeStep:
     contact = statement.contact
     kind = "play" if isinstance(contact, Play) else "stop"
     without = "" if contact.damping != 0 else " Without damping all laws of contact are this one."
@@ -217,7 +217,7 @@ def _contact_law(statement: ContactStatement) -> Step:
     if statement.stretch_rate is not None:
         formulas.append(Formula(latex_equation(contact.stretch.diff(t), statement.stretch_rate)))
     formulas.append(Formula(latex_equation(contact.tension, statement.tension)))
-    return Step(
+    return NarrativeStep(
         f"contact-{contact.tension.func.__name__}",
         f"Contact: {contact.name}",
         f"The {kind} pulls its ends together with $T = {latex(contact.tension)}$. "
@@ -226,7 +226,7 @@ def _contact_law(statement: ContactStatement) -> Step:
     )
 
 
-def _friction_law(statement: FrictionStatement) -> Step:
+def _friction_law(statement: FrictionStatement) -> NarrativeStep:
     friction = statement.friction
     v, force = latex(friction.rate), latex(friction.force)
     size = latex(sympy.Abs(friction.force))
@@ -238,7 +238,7 @@ def _friction_law(statement: FrictionStatement) -> Step:
     if statement.held is not None:
         formulas.append(Formula(f"{force} = {latex(statement.held)}"))
     viscous = " Its viscous share is a damper, which the equations of motion hold already."
-    return Step(
+    return NarrativeStep(
         f"friction-{friction.force.func.__name__}",
         f"Friction: {friction.name}",
         "In sliding the dry force has its kinetic size and opposes the motion. In stick it is what keeps the "
@@ -248,11 +248,11 @@ def _friction_law(statement: FrictionStatement) -> Step:
     )
 
 
-def _checks(derivation: MechanismDerivation) -> Step:
+def _checks(derivation: MechanismDerivation) -> NarrativeStep:
     power = derivation.motion.power
     both = (sympy.Add.make_args(power.dissipated_power), sympy.Add.make_args(power.contact_power))
     taken = total(*(term for terms in both for term in terms))
-    return Step(
+    return NarrativeStep(
         "checks",
         "Checks",
         "Along every motion the energy changes by the power $P_g$ of pins and given forces, less the power "

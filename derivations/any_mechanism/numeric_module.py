@@ -9,7 +9,7 @@ import sympy
 from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.python_source import NumericFunction, function_source
 from derivations.equations_of_motion import MotionMatrices
-from derivations.linear_motion import LinearMotion
+from derivations.linear_motion import SymbolicMotion
 from derivations.mechanism import Mechanism
 from derivations.transfer_function import transfer_functions
 
@@ -76,14 +76,14 @@ def _matrix(name: str, letter: str, unit: str, matrix: sympy.MatrixBase) -> Nume
     return NumericFunction(name, f"Return {letter} ({size}), {unit}.", _rows(matrix))
 
 
-def _state_matrix(name: str, motion: LinearMotion, names: str) -> NumericFunction:
+def _state_matrix(name: str, motion: SymbolicMotion, names: str) -> NumericFunction:
     matrix = motion.space.a
     size = f"{matrix.rows} × {matrix.cols}"
     velocities = "their velocities" if matrix.rows > 2 else "its velocity"
     return NumericFunction(name, f"Return A ({size}) for the state ({names}, {velocities}).", _rows(matrix))
 
 
-def _input_matrix(name: str, motion: LinearMotion) -> Iterator[NumericFunction]:
+def _input_matrix(name: str, motion: SymbolicMotion) -> Iterator[NumericFunction]:
     mechanism, matrix = motion.mechanism, motion.space.b
     pins = len(mechanism.pins)
     kinds = {
@@ -124,7 +124,7 @@ def _directions(matrices: MotionMatrices) -> Iterator[NumericFunction]:
             yield _matrix(name, letter, "1", matrix)
 
 
-def _closed(motion: LinearMotion, names: str) -> Iterator[NumericFunction]:
+def _closed(motion: SymbolicMotion, names: str) -> Iterator[NumericFunction]:
     matrices = motion.matrices
     yield _matrix("closed_damping_matrix", "C of closed contact", "N s/m", matrices.damping)
     yield _matrix("closed_stiffness_matrix", "K of closed contact", "N/m", matrices.stiffness)

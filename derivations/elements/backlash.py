@@ -130,7 +130,7 @@ def inertia_contact_ratio() -> sympy.Expr:
 
 
 @dataclass(frozen=True)
-class Limits:
+class LoadLimit:
     """Limits of the general element for M/D → 0 or M/D → ∞.
 
     Attributes:
@@ -145,7 +145,7 @@ class Limits:
 
 
 @cache
-def limits(towards: sympy.Expr) -> Limits:
+def limits(towards: sympy.Expr) -> LoadLimit:
     """Return the limits of the general element.
 
     Args:
@@ -157,7 +157,7 @@ def limits(towards: sympy.Expr) -> Limits:
         expression.subs(phase, SEPARATION + delay).subs(SEPARATION, angle)
         for expression, phase in ((contact_ratio(), CONTACT), (free_flight(), THETA))
     )
-    return Limits(_limit(angle, towards), _limit(ratio, towards), _limit(flight, towards))
+    return LoadLimit(_limit(angle, towards), _limit(ratio, towards), _limit(flight, towards))
 
 
 def _limit(expression: sympy.Expr, towards: sympy.Expr) -> sympy.Expr:

@@ -16,7 +16,7 @@ from derivations.elements.steps import (
     slopes,
     textbook,
 )
-from derivations.step import Step
+from derivations.step import NarrativeStep
 
 
 def proven_steps() -> tuple[ProvenStep, ...]:
@@ -43,7 +43,7 @@ def proven_steps() -> tuple[ProvenStep, ...]:
 
 
 @cache
-def textbook_narrative() -> tuple[Step, ...]:
+def textbook_narrative() -> tuple[NarrativeStep, ...]:
     """Prove every equation on the elements that the thesis does not have, and return the steps.
 
     Raises:
@@ -53,7 +53,7 @@ def textbook_narrative() -> tuple[Step, ...]:
 
 
 @cache
-def element_narrative() -> tuple[Step, ...]:
+def element_narrative() -> tuple[NarrativeStep, ...]:
     """Prove every equation and return the steps for report and LaTeX; some seconds, so the result is kept.
 
     Raises:

@@ -14,7 +14,7 @@ from derivations.algebra.unevaluated import total
 from derivations.elements.harmonics import antiderivative, evaluated, harmonic_integral
 from derivations.elements.waveform import THETA, Segment
 from derivations.latex import latex
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 
 Substitutions = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
@@ -127,7 +127,7 @@ class ProvenStep:
         """The lines that are to be proven."""
         return tuple(line for line in self.lines if isinstance(line, Equality))
 
-    def proven(self) -> Step:
+    def proven(self) -> NarrativeStep:
         """Prove every equality and return the step, with the methods of its proofs in the text.
 
         Raises:
@@ -140,4 +140,4 @@ class ProvenStep:
         )
         text = f"{self.text}\n\nProven equations: {means.total()}. The difference of both sides {proofs}."
         formulas = (line.formula if isinstance(line, Equality) else line for line in self.lines)
-        return Step(self.id, self.title, text, tuple(formulas), self.code)
+        return NarrativeStep(self.id, self.title, text, tuple(formulas), self.code)

@@ -8,10 +8,10 @@ from derivations.algebra.identity import UnprovenError
 from derivations.elements.incremental_dissipation import incremental_dissipation
 from derivations.latex import latex
 from derivations.linear_trimmer import LinearTrimmer
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 
 
-def dissipation_step(trimmer: LinearTrimmer) -> Step:
+def dissipation_step(trimmer: LinearTrimmer) -> NarrativeStep:
     """Return the proof.
 
     Raises:
@@ -22,7 +22,7 @@ def dissipation_step(trimmer: LinearTrimmer) -> Step:
         raise UnprovenError("two motions of the trimmer with the same pin are not proven to come together")
     size = trimmer.matrices.mass.rows
     damping, stiffness = proof.leading_minors[size : 2 * size], proof.leading_minors[2 * size :]
-    return Step("dissipation", _TITLE, _TEXT, (*_balance(), *_minors(damping, stiffness)), _CODE)
+    return NarrativeStep("dissipation", _TITLE, _TEXT, (*_balance(), *_minors(damping, stiffness)), _CODE)
 
 
 def _balance() -> tuple[Formula, ...]:

@@ -6,10 +6,10 @@ from derivations.linear_trimmer import LinearTrimmer
 from derivations.loop.dissipation import dissipation_step
 from derivations.loop.harmonic_balance import balance_step, solution_step
 from derivations.loop.loeb import loeb_step
-from derivations.step import Step
+from derivations.step import NarrativeStep
 
 
-def loop_narrative(trimmer: LinearTrimmer) -> tuple[Step, ...]:
+def loop_narrative(trimmer: LinearTrimmer) -> tuple[NarrativeStep, ...]:
     """Return harmonic balance, its solution, Loeb's rule and the proof of dissipation.
 
     Raises:

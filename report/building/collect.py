@@ -8,8 +8,9 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 from report import chapters
+from report.data.figures import FigureRecord
 from report.judging.claim import Statement
-from report.judging.record import ClaimRecord, FigureRecord
+from report.judging.record import ClaimRecord
 from report.judging.text import RecordError
 
 

@@ -15,10 +15,11 @@ from report.building.background import begun
 from report.building.collect import Records, collect
 from report.building.extras import EXTRAS
 from report.building.progress import Progress
-from report.building.tasks import Task, done
+from report.building.tasks import BuildTask, done
 from report.cache.libraries import libraries
 from report.cache.source_closure import SourceTree
 from report.cache.stage_store import StageStore
+from report.data.figures import figure_words
 from report.data.statements import read_inventory
 from report.derivation.code_lines import with_lines
 from report.derivation.number_steps import number_steps
@@ -32,6 +33,7 @@ from report.judging.record import ClaimRecord
 from report.numbers.evidence import Evidence, derive, solve
 from report.numbers.twin.kept_files import digest_of_files
 from report.numbers.twin_numbers import solve_twin
+from report.octave.contents import contents
 from report.octave.listings import corrected_programs
 from report.twin.cell_check import seed_of
 
@@ -81,58 +83,56 @@ def _evidence(progress: Progress, store: StageStore, tree: SourceTree) -> Eviden
 
 def _tasks(
     evidence: Evidence, inventory: Mapping[str, Statement], records: Records, tree: SourceTree
-) -> list[Task]:
+) -> list[BuildTask]:
     """List what is made from the evidence; long tasks first, so that the processes end together.
 
     Proofs, then the figures of motion and the last sections take longest.
     """
-    octave = [
-        (path.name, path.read_text(encoding="utf-8")) for path in sorted((templates() / "octave").iterdir())
-    ]
+    octave = [(path.name, path.read_text("utf-8")) for path in sorted((templates() / "octave").iterdir())]
     key = partial(_key, tree)
     print_programs = partial(corrected_programs, evidence.derivation, evidence.numbers.parameters)
     return [
-        Task(
+        BuildTask(
             "element-steps",
             "prove",
             key(["derivations.elements.narrative"]),
             partial(with_lines, element_narrative),
         ),
-        Task(
+        BuildTask(
             "trimmer-steps",
             "prove",
             key(["derivations.narrative", "report.numbers.evidence"]),
             partial(with_lines, narrative, evidence.derivation),
         ),
         *(
-            Task(extra.name, "extras", digest, partial(extra.make, evidence, seed_of(digest)))
+            BuildTask(extra.name, "extras", digest, partial(extra.make, evidence, seed_of(digest)))
             for extra in EXTRAS
-            for digest in [key([extra.module, "report.numbers.evidence"])]
+            for digest in [key([extra.module, "report.numbers.evidence"], figure_words())]
         ),
-        Task(
+        BuildTask(
             "number-steps",
             "prove",
             key(["report.derivation.number_steps"]),
             partial(with_lines, number_steps, evidence),
         ),
-        Task("waveforms", "draw", key(["report.derivation.pictures"]), waveform_pictures),
-        Task(
+        BuildTask("waveforms", "draw", key(["report.derivation.pictures"]), waveform_pictures),
+        BuildTask(
             "programs",
             "print",
-            key(["report.octave.listings", "report.numbers.evidence"], octave),
+            key(["report.octave.listings", "report.numbers.evidence"], octave, contents()),
             print_programs,
         ),
         *(
-            Task(
+            BuildTask(
                 f"figure-{figure.id}",
                 "draw",
-                key([figure.draw.__module__, "report.numbers.evidence", "report.judging.record"]),
+                key([figure.draw.__module__, "report.numbers.evidence"], figure.words),
                 partial(figure.finished, evidence),
             )
             for figure in reversed(records.figures)
         ),
         *(
-            Task(
+            BuildTask(
                 f"claims-{module}",
                 "judge",
                 key([module, "report.numbers.evidence"], statements),

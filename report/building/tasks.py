@@ -12,7 +12,7 @@ from report.cache.stage_store import StageStore
 
 
 @dataclass(frozen=True)
-class Task:
+class BuildTask:
     """Work whose result is kept.
 
     Attributes:
@@ -28,7 +28,7 @@ class Task:
     work: Callable[[], Any]
 
 
-def done(tasks: Sequence[Task], store: StageStore, progress: Progress) -> dict[str, Any]:
+def done(tasks: Sequence[BuildTask], store: StageStore, progress: Progress) -> dict[str, Any]:
     """Return the result of each task by its name.
 
     Tasks whose results are not kept under their key are done, in several processes, and their results kept

@@ -28,12 +28,10 @@ ALL_LOADS = "all solutions of harmonic balance, $M/D$ from 1 µs to 1 s"
 """Names of ways that several claims go."""
 
 
-def by_quadrature(
-    derived: sympy.Expr, numeric: complex, values: Values, means: str = "quadrature"
-) -> Confirmation:
+def by_quadrature(derived: sympy.Expr, numeric: complex, values: Values) -> Confirmation:
     """Confirm a derived expression, which may be zero, at one point by a numeric integral in many digits."""
     symbolic = complex(sympy.sympify(derived).subs(values).evalf(waveforms.DIGITS))
-    return small(means, abs(numeric - symbolic), RELATIVE * max(1.0, abs(symbolic)))
+    return small("quadrature", abs(numeric - symbolic), RELATIVE * max(1.0, abs(symbolic)))
 
 
 def by_division_back(omega: float, frequency: float) -> Confirmation:

@@ -8,17 +8,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from report.judging.claim import Statement
-from report.judging.inventory import filed, read_statements, titled
+from report.judging.inventory import filed, read_statements
 from report.judging.spread import Follows, read_edges
 
 PATH = Path(__file__).parent / "inventory.csv"
 """The statements that were handed over with the thesis."""
 FURTHER = PATH.with_name("further_statements.csv")
 """Statements that the inventory lacks, found by reading the thesis again; same columns."""
-TITLES = PATH.with_name("titles.csv")
-"""What the report calls statements whose subject there has abbreviations or ASCII mathematics."""
 CLAIMS = PATH.with_name("claims.csv")
-"""What derives each statement, where it stands in the text that was read, and how much it matters."""
+"""What derives each statement, where it stands in the text that was read, how much it matters, and what the
+report calls it where its subject has abbreviations or ASCII mathematics."""
 FOLLOWS_FROM = PATH.with_name("follows_from.csv")
 """Which statement follows from which, where a slip spreads from one to the next."""
 SECTIONS = PATH.with_name("sections.csv")
@@ -31,7 +30,7 @@ def read_inventory() -> Mapping[str, Statement]:
     Raises:
         InventoryError: naming file, line and value, if a file says what cannot be used.
     """
-    return filed(titled(read_statements(PATH, FURTHER), TITLES), CLAIMS)
+    return filed(read_statements(PATH, FURTHER), CLAIMS)
 
 
 def read_follows(inventory: Mapping[str, Statement]) -> tuple[Follows, ...]:
@@ -44,7 +43,7 @@ def read_follows(inventory: Mapping[str, Statement]) -> tuple[Follows, ...]:
 
 
 @dataclass(frozen=True)
-class Section:
+class ThesisSection:
     """A section of the thesis: number, title, and the ids of the figures in it."""
 
     number: str
@@ -52,10 +51,10 @@ class Section:
     figures: tuple[str, ...] = ()
 
 
-def read_sections(path: Path = SECTIONS) -> tuple[Section, ...]:
+def read_sections() -> tuple[ThesisSection, ...]:
     """Read the sections in thesis order; a figure stands with the section that discusses it."""
-    with path.open(encoding="utf-8", newline="") as file:
+    with SECTIONS.open(encoding="utf-8", newline="") as file:
         return tuple(
-            Section(row["number"], row["title"], tuple(row["figures"].split()))
+            ThesisSection(row["number"], row["title"], tuple(row["figures"].split()))
             for row in csv.DictReader(file)
         )

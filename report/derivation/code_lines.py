@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from derivations.step import Step
+from derivations.step import NarrativeStep
 from report.cache.source_closure import ROOT
 from report.pages.figure import CodeLines
 
@@ -22,11 +22,11 @@ class StepWithLines:
         lines: Those of its functions, in their order.
     """
 
-    step: Step
+    step: NarrativeStep
     lines: tuple[CodeLines, ...]
 
 
-def with_lines(derived: Callable[..., Iterable[Step]], *arguments: Any) -> tuple[StepWithLines, ...]:
+def with_lines(derived: Callable[..., Iterable[NarrativeStep]], *arguments: Any) -> tuple[StepWithLines, ...]:
     """Return the steps that a function derives, with the lines of their functions."""
     steps = derived(*arguments)
     return tuple(StepWithLines(replace(each, code=()), tuple(map(code_lines, each.code))) for each in steps)

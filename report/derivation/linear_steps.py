@@ -6,15 +6,15 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from derivations.step import Formula, Step
-from report.judging.text import filled
+from derivations.step import Formula, NarrativeStep
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import solve_linear
 from trimmer import modes, resonance_peaks, response_at, transfer_function
 from trimmer.linear import asymptotic_roll_off, bandwidth, encirclements, time_response
 
 
-def linear_steps(known: Evidence) -> tuple[Step, ...]:
+def linear_steps(known: Evidence) -> tuple[NarrativeStep, ...]:
     """Return the steps with numbers of the linear trimmer."""
     return (
         _coefficients(known),
@@ -25,8 +25,8 @@ def linear_steps(known: Evidence) -> tuple[Step, ...]:
     )
 
 
-def _coefficients(known: Evidence) -> Step:
-    return Step(
+def _coefficients(known: Evidence) -> NarrativeStep:
+    return NarrativeStep(
         "numbers",
         "The transfer function with numbers",
         "The parameters of the thesis put into the coefficients. They are computed as fractions, and are "
@@ -60,8 +60,8 @@ def _digits(value: float) -> str:
     return digits if int(exponent) == 0 else rf"{digits} \cdot 10^{{{int(exponent)}}}"
 
 
-def _modes(known: Evidence) -> Step:
-    return Step(
+def _modes(known: Evidence) -> NarrativeStep:
+    return NarrativeStep(
         "modes",
         "Modes",
         "Without the pin the trimmer swings in its modes. Each is a solution $\\psi\\, e^{\\lambda t}$ of "
@@ -98,22 +98,18 @@ def _modes_table(known: Evidence) -> str:
     return array((head, *rows))
 
 
-def _frequency_response(known: Evidence) -> Step:
+def _frequency_response(known: Evidence) -> NarrativeStep:
     system = known.numbers.displacement_only
     peaks = ", ".join(f"{peak.omega / (2 * math.pi):.2f}" for peak in resonance_peaks(system))
-    text = filled(
-        r"""
+    text = one_line(rf"""
         A pin that moves as $\sin\omega t$ moves the output by the complex factor $G(j\omega)$. Its modulus is
         largest at the resonances, zeros of the derivative of $|G|^2$, which is a polynomial in $\omega^2$
-        over another: they are at [[ peaks ]] Hz. At high frequency the two highest powers are left. The
-        denominator has two powers more than the numerator, so $|G|$ falls by [[ roll_off | f0 ]] dB per
-        decade. It is 3 dB below its value at rest from [[ cut_off | f1 ]] rad/s on.
-        """,
-        peaks=peaks,
-        roll_off=-asymptotic_roll_off(system),
-        cut_off=bandwidth(system),
-    )
-    return Step(
+        over another: they are at {peaks} Hz. At high frequency the two highest powers are left. The
+        denominator has two powers more than the numerator, so $|G|$ falls by
+        {-asymptotic_roll_off(system):.0f} dB per decade. It is 3 dB below its value at rest from
+        {bandwidth(system):.1f} rad/s on.
+    """)
+    return NarrativeStep(
         "frequency-response",
         "Frequency response: resonances and roll-off",
         text,
@@ -125,27 +121,24 @@ def _frequency_response(known: Evidence) -> Step:
     )
 
 
-def _nyquist(known: Evidence) -> Step:
+def _nyquist(known: Evidence) -> NarrativeStep:
     turns = encirclements(known.numbers.displacement_only)
-    return Step(
+    return NarrativeStep(
         "nyquist",
         "Nyquist locus",
-        filled(
-            r"""
+        one_line(f"""
             How often $1 + G$ turns round the origin, while $s$ runs up the imaginary axis and back at
             infinity, is the number of its zeros less that of its poles in the right half-plane: the sum of
             the residues of its logarithmic derivative. The open loop is stable, so $P = 0$. The locus turns
-            [[ turns ]] times round $-1$, so the closed loop without a nonlinearity is stable.
-            """,
-            turns=turns,
-        ),
+            {turns} times round $-1$, so the closed loop without a nonlinearity is stable.
+        """),
         (Formula(r"\frac{1}{2\pi j} \oint \frac{G'(s)}{1 + G(s)}\, ds = Z - P"),),
         code=(encirclements,),
     )
 
 
-def _time_response() -> Step:
-    return Step(
+def _time_response() -> NarrativeStep:
+    return NarrativeStep(
         "time-response",
         "Motion of the linear trimmer in time",
         "The state at the end of a time step is a matrix exponential times that at its start, plus what the "

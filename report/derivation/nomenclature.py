@@ -14,7 +14,7 @@ from pathlib import Path
 
 from derivations.elements.quantities import ELEMENT_QUANTITIES
 from derivations.latex import latex
-from derivations.step import Step
+from derivations.step import NarrativeStep
 from derivations.symbols import QUANTITIES
 from report.judging.finding import Finding
 from report.pages.derivation import NomenclatureRow
@@ -102,7 +102,7 @@ def entries(path: Path = PATH) -> tuple[Entry, ...]:
     return (*declared, *further)
 
 
-def symbols_of_step(step: Step) -> frozenset[str]:
+def symbols_of_step(step: NarrativeStep) -> frozenset[str]:
     """Return all symbols in the prose and the formulas of a step."""
     prose = (step.text, *(each.words for each in step.formulas))
     inline = (formula for text in prose for formula in formulas(text))
@@ -117,7 +117,7 @@ def symbols_of_finding(finding: Finding) -> frozenset[str]:
     return frozenset().union(*map(symbols, (*inline, *sides)))
 
 
-def nomenclature(steps: Iterable[Step], findings: Iterable[Finding]) -> tuple[NomenclatureRow, ...]:
+def nomenclature(steps: Iterable[NarrativeStep], findings: Iterable[Finding]) -> tuple[NomenclatureRow, ...]:
     """Return the rows with their places, in the order of the alphabet, Greek letters last.
 
     A symbol that stands in no step and on no card is left out.

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from derivations.loop.narrative import loop_narrative
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from report.derivation.linear_steps import array, linear_steps
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import orbit_by_durations
 from report.numbers.newton_by_hand import Iteration, newton_by_hand
@@ -18,7 +18,7 @@ from trimmer.arrays import Reals
 from trimmer.loops.simulation import simulate_loop
 
 
-def number_steps(known: Evidence) -> tuple[Step, ...]:
+def number_steps(known: Evidence) -> tuple[NarrativeStep, ...]:
     """Return the steps, from the linear trimmer's numbers to what is only read in the text.
 
     Raises:
@@ -39,28 +39,21 @@ def number_steps(known: Evidence) -> tuple[Step, ...]:
     )
 
 
-def _solution(known: Evidence) -> Step:
+def _solution(known: Evidence) -> NarrativeStep:
     numerator, denominator = (
         [float(each) for each in row] for row in (known.numbers.numerator, known.numbers.denominator)
     )
     iterations = newton_by_hand(numerator, denominator)
     last = iterations[-1]
-    text = filled(
-        r"""
+    text = one_line(f"""
         The equations above with numbers: friction-controlled backlash in the loop of the thesis, the pin's
         displacement alone. The first guess is ten gaps at 740 Hz. The residual falls from
-        [[ first | f2 ]] to rounding in [[ steps ]] iterations; the right digits double each time. At the end
-        $A/g = [[ ratio | f4 ]]$, so for a gap of 4 µm the amplitude is
-        [[ amplitude | f3 ]] µm, and the frequency is [[ omega | f2 ]] rad/s or [[ frequency | f2 ]] Hz.
-        """,
-        first=abs(iterations[0].residual),
-        steps=len(iterations) - 1,
-        ratio=last.amplitude,
-        amplitude=1e6 * SMALL_GAP * last.amplitude,
-        omega=last.omega,
-        frequency=last.frequency,
-    )
-    return Step(
+        {abs(iterations[0].residual):.2f} to rounding in {len(iterations) - 1} iterations; the right digits
+        double each time. At the end $A/g = {last.amplitude:.4f}$, so for a gap of 4 µm the amplitude is
+        {1e6 * SMALL_GAP * last.amplitude:.3f} µm, and the frequency is {last.omega:.2f} rad/s or
+        {last.frequency:.2f} Hz.
+    """)
+    return NarrativeStep(
         "solution",
         "Amplitude and frequency with numbers: 733.63 Hz",
         f"{text}\n\n{_left_out(known)}",
@@ -79,15 +72,12 @@ def _solution(known: Evidence) -> Step:
 def _left_out(known: Evidence) -> str:
     cycle = known.cycles.friction.stable
     third, *_ = harmonic_leakage(known.numbers.displacement_only, FrictionBacklash(1.0), cycle)
-    return filled(
-        """
+    return one_line(f"""
         Newton's method finds what lies near its guess. That there are no others, besides the unstable one at
-        [[ other | f2 ]] Hz, is proven by a search that excludes the rest of the plane. What harmonic balance
-        leaves out is small here: of the third harmonic [[ third | percent2 ]] of the fundamental comes back.
-        """,
-        other=known.cycles.friction.unstable.frequency,
-        third=third,
-    )
+        {known.cycles.friction.unstable.frequency:.2f} Hz, is proven by a search that excludes the rest of the
+        plane. What harmonic balance leaves out is small here: of the third harmonic {third:.2%} of the
+        fundamental comes back.
+    """)
 
 
 def _table(iterations: Sequence[Iteration]) -> str:
@@ -119,10 +109,10 @@ def _power(value: float) -> str:
     return rf"{digits} \cdot 10^{{{int(exponent)}}}"
 
 
-def _exact_orbit(known: Evidence) -> Step:
+def _exact_orbit(known: Evidence) -> NarrativeStep:
     orbit, cycle = known.orbits.friction.stable, known.cycles.friction.stable
     contact, flight = _durations(orbit.switching_times, orbit.period)
-    text = filled(
+    text = one_line(
         r"""
         Harmonic balance keeps one harmonic; the loop itself can be solved without leaving anything out.
         Between two events it is linear, so its motion is known in closed form. On the contact the element's
@@ -130,25 +120,17 @@ def _exact_orbit(known: Evidence) -> Step:
         at $r$, where it was left.
         """
     )
-    numbers = filled(
-        r"""
-        There are as many equations as unknowns: the state $x_0$ at an impact and the two durations. For
-        given durations all of them are linear in the state. Solved by Newton's method, they give a contact
-        of [[ contact | f5 ]] ms, a flight of [[ flight | f5 ]] ms, a frequency of [[ exact | f2 ]] Hz and an
-        amplitude of [[ amplitude | f4 ]] gaps. Harmonic balance gives [[ balanced | f2 ]] Hz and
-        [[ predicted | f4 ]] gaps: its error is [[ by_frequency | percent3 ]] in frequency and
-        [[ by_amplitude | percent2 ]] in amplitude.
-        """,
-        contact=1e3 * contact,
-        flight=1e3 * flight,
-        exact=orbit.frequency,
-        amplitude=orbit.amplitude,
-        balanced=cycle.frequency,
-        predicted=cycle.amplitude,
-        by_frequency=abs(cycle.frequency / orbit.frequency - 1),
-        by_amplitude=abs(cycle.amplitude / orbit.amplitude - 1),
-    )
-    return Step(
+    by_frequency = abs(cycle.frequency / orbit.frequency - 1)
+    by_amplitude = abs(cycle.amplitude / orbit.amplitude - 1)
+    numbers = one_line(f"""
+        There are as many equations as unknowns: the state $x_0$ at an impact and the two durations. For given
+        durations all of them are linear in the state. Solved by Newton's method, they give a contact of
+        {1e3 * contact:.5f} ms, a flight of {1e3 * flight:.5f} ms, a frequency of {orbit.frequency:.2f} Hz and
+        an amplitude of {orbit.amplitude:.4f} gaps. Harmonic balance gives {cycle.frequency:.2f} Hz and
+        {cycle.amplitude:.4f} gaps: its error is {by_frequency:.3%} in frequency and {by_amplitude:.2%} in
+        amplitude.
+    """)
+    return NarrativeStep(
         "exact-orbit",
         "The exact orbit",
         text,
@@ -189,8 +171,8 @@ def _durations(switches: Reals, period: float) -> tuple[float, float]:
     return period / 2 - (meet - leave), meet - leave
 
 
-def _motion() -> Step:
-    return Step(
+def _motion() -> NarrativeStep:
+    return NarrativeStep(
         "motion-in-time",
         "Exact motion in time",
         "A motion from any start is put together in the same way. Within a segment the loop is linear, and "
@@ -206,8 +188,8 @@ def _motion() -> Step:
     )
 
 
-def _spectrum() -> Step:
-    return Step(
+def _spectrum() -> NarrativeStep:
+    return NarrativeStep(
         "spectrum",
         "What a spectrum of a record can tell",
         "A record of $n$ samples over the time $T$, both of whose ends belong to it, has the sample rate "
@@ -223,8 +205,8 @@ def _spectrum() -> Step:
     )
 
 
-def _reading() -> Step:
-    return Step(
+def _reading() -> NarrativeStep:
+    return NarrativeStep(
         "reading",
         "What is only read",
         "Some statements compare places of the thesis with each other: a name, a caption, a reference, a "

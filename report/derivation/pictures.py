@@ -23,8 +23,8 @@ from derivations.elements.friction import DAMPING, FORCE, LEVEL, relay_waveform,
 from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import THETA, Waveform
 from derivations.symbols import A, omega
-from report.derivation.waveform_svg import Piece, waveform_svg
-from report.judging.text import filled
+from report.derivation.waveform_svg import WaveformPiece, waveform_svg
+from report.judging.text import one_line
 from report.pages.figure import Figure
 
 Values = dict[sympy.Expr, sympy.Expr]
@@ -66,11 +66,10 @@ def waveform_pictures() -> dict[str, Figure]:
 
 
 def _picture(step: str, waveform: Waveform, values: Values) -> Figure:
-    words = filled(
-        """The output y over one period in [[ count ]] parts, the input A sin θ and the output's first
-        harmonic; the describing function is the ratio of the last two.""",
-        count=len(waveform.segments),
-    )
+    words = one_line(f"""
+        The output y over one period in {len(waveform.segments)} parts, the input A sin θ and the output's
+        first harmonic; the describing function is the ratio of the last two.
+    """)
     svg = waveform_svg(f"waveform-{step}", TITLE, words, sampled(waveform, values))
     return Figure(f"waveform-{step}", TITLE, _caption(values), words, svg)
 
@@ -82,12 +81,12 @@ def _caption(values: Values) -> str:
     return f"{upright} Drawn for {given}." if given else upright
 
 
-def sampled(waveform: Waveform, values: Values) -> tuple[Piece, ...]:
+def sampled(waveform: Waveform, values: Values) -> tuple[WaveformPiece, ...]:
     """Return the phases (rad) and the output of each segment of one period."""
     pieces = []
     for segment in waveform.segments:
         start, end = (float(each.subs(values)) for each in (segment.start, segment.end))
         inside = np.linspace(start, end, POINTS)
         output = sympy.lambdify(THETA, segment.value.subs(values), "numpy")
-        pieces.append(Piece(inside, np.broadcast_to(output(inside), inside.shape)))
+        pieces.append(WaveformPiece(inside, np.broadcast_to(output(inside), inside.shape)))
     return tuple(pieces)

@@ -10,7 +10,7 @@ import csv
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from derivations.step import Step
+from derivations.step import NarrativeStep
 from report.judging.finding import Finding
 from trimmer.errors import TrimmerError
 
@@ -21,13 +21,13 @@ class UnknownStepError(TrimmerError, ValueError):
     """A claim or a source is said to rest on a step that the derivation does not have."""
 
 
-def named_steps(path: Path = PATH) -> Mapping[str, str]:
+def named_steps() -> Mapping[str, str]:
     """Return the steps that are named for claims and for source files, by id and by path."""
-    with path.open(encoding="utf-8", newline="") as file:
+    with PATH.open(encoding="utf-8", newline="") as file:
         return {row["of"]: row["step"] for row in csv.DictReader(file)}
 
 
-def shown_in(steps: Iterable[Step]) -> dict[str, str]:
+def shown_in(steps: Iterable[NarrativeStep]) -> dict[str, str]:
     """Return the first step that shows each equation of the thesis, by the id of the equation's claim."""
     shown: dict[str, str] = {}
     for step in steps:
@@ -38,7 +38,7 @@ def shown_in(steps: Iterable[Step]) -> dict[str, str]:
 
 
 def places(
-    findings: Iterable[Finding], steps: tuple[Step, ...], named: Mapping[str, str] | None = None
+    findings: Iterable[Finding], steps: tuple[NarrativeStep, ...], named: Mapping[str, str] | None = None
 ) -> dict[str, str]:
     """Return the step of each claim, by the claim's id; a claim for which none is named is left out.
 

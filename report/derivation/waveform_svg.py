@@ -23,14 +23,14 @@ NAMES: Final = {"input": "input", "output": "output y", "harmonic": "first harmo
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class WaveformPiece:
     """A piece of a waveform: phases, rad, and the output there over A or the level, shape (n,) each."""
 
     phases: Reals
     output: Reals
 
 
-def first_harmonic(pieces: tuple[Piece, ...], phases: Reals) -> Reals:
+def first_harmonic(pieces: tuple[WaveformPiece, ...], phases: Reals) -> Reals:
     """Return the first harmonic of a waveform at phases, rad."""
     cosine, sine = (
         sum(float(np.trapezoid(piece.output * each(piece.phases), piece.phases)) for piece in pieces) / np.pi
@@ -39,7 +39,7 @@ def first_harmonic(pieces: tuple[Piece, ...], phases: Reals) -> Reals:
     return np.asarray(cosine * np.cos(phases) + sine * np.sin(phases))
 
 
-def waveform_svg(identifier: str, title: str, words: str, pieces: tuple[Piece, ...]) -> str:
+def waveform_svg(identifier: str, title: str, words: str, pieces: tuple[WaveformPiece, ...]) -> str:
     """Return a drawing of one period: the input, the output in its pieces, and its first harmonic.
 
     Args:

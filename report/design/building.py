@@ -34,7 +34,7 @@ CACHE = ".kept"
 
 
 @dataclass(frozen=True)
-class Place:
+class ReportPlace:
     """Where a report is written.
 
     Attributes:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from report.pages.formats import Format, Paper
+from report.pages.formats import Format, Paper, add_form_options
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
@@ -17,7 +17,7 @@ from trimmer.command_line.runner_options import add_runner_options, check_runner
 from trimmer.files import HTML, PDF, STANDARD_INPUT, check_target, write_atomically
 
 if TYPE_CHECKING:
-    from report.design.building import Place
+    from report.design.building import ReportPlace
     from report.pages.escaping import Markdown
     from trimmer.design.design_file import DesignFile
     from trimmer.runners.runner import Runner
@@ -50,20 +50,7 @@ def add_report_options(parser: ArgumentParser) -> None:
         "done for the next run; it may be deleted, and steps that were not used for 30 days go by themselves "
         "(default: %(default)s)",
     )
-    parser.add_argument(
-        "--format",
-        action="extend",
-        nargs="+",
-        choices=[form.word for form in KINDS],
-        default=[],
-        help="forms to write (default: both)",
-    )
-    parser.add_argument(
-        "--paper",
-        choices=[paper.word for paper in Paper],
-        default=Paper.A4.word,
-        help="size of the pages of the PDF (default: %(default)s)",
-    )
+    add_form_options(parser, KINDS, "both")
     add_runner_options(parser)
     add_overwrite_option(parser)
 
@@ -97,7 +84,7 @@ def stem_of(path: Path) -> str:
     return "design" if path == STANDARD_INPUT else path.stem
 
 
-def check_files(place: Place, formats: frozenset[Format], overwrite: bool) -> None:
+def check_files(place: ReportPlace, formats: frozenset[Format], overwrite: bool) -> None:
     """Check that the files of a report may be written, before any work is done.
 
     Raises:
@@ -135,7 +122,7 @@ def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], 
 
 
 def _run(arguments: Namespace) -> int:
-    from report.design.building import Place
+    from report.design.building import ReportPlace
     from report.design.origin import today
     from trimmer.design.design_file import read_design_file
     from trimmer.mechanism.printed_symbols import printed_symbols
@@ -148,7 +135,7 @@ def _run(arguments: Namespace) -> int:
     printed_symbols(
         file.mechanism
     )  # two that print the same are told now, not when the equations are derived
-    place = Place(arguments.directory, stem_of(arguments.file))
+    place = ReportPlace(arguments.directory, stem_of(arguments.file))
     check_files(place, formats, arguments.overwrite)
     check_reach(runner)
     _make(arguments, file, place, formats, runner, date)
@@ -160,7 +147,7 @@ def _run(arguments: Namespace) -> int:
 def _make(
     arguments: Namespace,
     file: DesignFile,
-    place: Place,
+    place: ReportPlace,
     formats: frozenset[Format],
     runner: Runner,
     date: str,

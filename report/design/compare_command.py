@@ -36,7 +36,7 @@ def _run(arguments: Namespace) -> int:
     if arguments.before == arguments.after == STANDARD_INPUT:
         raise OptionError("both files are standard input: name a file for one of them")
     formats, runner = formats_of(arguments), runner_of(arguments)
-    from report.design.building import Place, looked_at
+    from report.design.building import ReportPlace, looked_at
     from report.design.comparison import comparison_sentence
     from report.design.origin import today
     from report.design.progress import ProgressLines
@@ -47,7 +47,7 @@ def _run(arguments: Namespace) -> int:
     date = today()
     files = [read_design_file(path) for path in (arguments.before, arguments.after)]
     names = _names(arguments.before, arguments.after)
-    place = Place(arguments.directory, "-".join(names))
+    place = ReportPlace(arguments.directory, "-".join(names))
     check_files(place, formats, arguments.overwrite)
     check_reach(runner)
     told = ProgressLines()

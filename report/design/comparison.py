@@ -51,8 +51,7 @@ def spectra_overlaid(comparison: DesignComparison, names: tuple[str, str]) -> di
             found[f"spectrum-{number}"] = drawn(
                 f"spectrum-{number}",
                 f"Lines of {name}, before and after",
-                f"Lines of {name}: solid with full marks in {names[0]}, dashed with open "
-                f"marks in "
+                f"Lines of {name}: solid with full marks in {names[0]}, dashed with open marks in "
                 f"{names[1]}.",
                 f"Upright lines over frequency for {names[0]} and {names[1]}.",
                 partial(line_spectrum, pair),

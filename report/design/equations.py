@@ -15,7 +15,7 @@ from trimmer.code_generation import symbolic_mechanism
 
 if TYPE_CHECKING:
     from derivations.latex_document import ValuedQuantity
-    from derivations.step import Step
+    from derivations.step import NarrativeStep
     from trimmer.mechanism.mechanism import Mechanism
 
 FIRST = ("parts", "closed-contact")
@@ -46,7 +46,7 @@ def _row(valued: ValuedQuantity) -> SymbolRow:
     return SymbolRow(latex(quantity.symbol), quantity.meaning, value or quantity.unit.text)
 
 
-def _shown(step: Step, number: int) -> DerivationStep:
+def _shown(step: NarrativeStep, number: int) -> DerivationStep:
     """Return a step for the page, where its place has a number: its own name may hold that of a part."""
     equations = tuple(Equation(each.latex, "", each.words) for each in step.formulas)
     return DerivationStep(str(number), step.title, step.text, equations)

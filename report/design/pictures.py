@@ -54,10 +54,8 @@ def _diagram(design: Design) -> Figure:
         "diagram",
         "The mechanism",
         "Drawn from the file: boxes are bodies, which all move to the left and right alone; zigzags are "
-        "springs, pots "
-        "are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a dry "
-        "friction; a circle is a "
-        "pin that moves on its body as prescribed. Nothing is to scale.",
+        "springs, pots are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a "
+        "dry friction; a circle is a pin that moves on its body as prescribed. Nothing is to scale.",
         f"Bodies: {', '.join(mechanism.bodies)}.{joined}",
         partial(mechanism_diagram, mechanism),
     )
@@ -101,8 +99,7 @@ def _transfer(design: Design) -> Iterator[Figure]:
     yield drawn(
         "transfer",
         f"From {drive} to {output}",
-        f"What {output} does for a small vibration of {drive}{states}.{still} The dotted "
-        f"line is the "
+        f"What {output} does for a small vibration of {drive}{states}.{still} The dotted line is the "
         "frequency of the drive. Dry friction is left out.",
         f"Modulus and phase of a transfer function over frequency{states}; its peaks are at the modes in the "
         "table above.",
@@ -170,11 +167,9 @@ def _map(each: DesignMap, number: int) -> Figure:
     return drawn(
         f"map-{number}",
         f"Kinds of motion over {place_words(each.first.place)} and {place_words(each.second.place)}",
-        f"What the mechanism settles to from its start over the {first} and the {second}: {columns} × "
-        f"{rows} cells, "
-        f"each one motion, followed for at most {each.result.inputs.settings.most_periods} drive periods. "
-        f"The circle is "
-        "the file’s own point. Edges are known to a cell’s width.",
+        f"What the mechanism settles to from its start over the {first} and the {second}: {columns} × {rows} "
+        f"cells, each one motion, followed for at most {each.result.inputs.settings.most_periods} drive "
+        "periods. The circle is the file’s own point. Edges are known to a cell’s width.",
         f"A map of areas. In {share} of the cells the motion repeats with the drive.",
         partial(kind_map, each),
     )
@@ -192,11 +187,9 @@ def _branch(path: NumberPath, number: int, output: str) -> Figure:
     return drawn(
         f"branch-{number}",
         f"The motion over the {place_words(path.varied.place)}",
-        f"Peak to peak of {output} along the branch of exact orbits through the file’s own point. "
-        f"Solid: "
-        "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part "
-        "from it "
-        "are not drawn.",
+        f"Peak to peak of {output} along the branch of exact orbits through the file’s own point. Solid: "
+        "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part from "
+        "it are not drawn.",
         f"A curve over the {words}, with marks where the motion changes.",
         partial(branch, path, output),
     )
@@ -213,8 +206,7 @@ def _influences(design: Design) -> Iterator[Figure]:
             "influence",
             "What each number changes",
             "By how many per cent a measure changes when a number rises by one per cent; to the right it "
-            "grows, to the "
-            "left it shrinks. At most seven numbers each, the most influential first.",
+            "grows, to the left it shrinks. At most seven numbers each, the most influential first.",
             "Bars for the most influential numbers of each measure, to the right where the measure grows "
             "with them.",
             partial(influences, found, named),

@@ -98,8 +98,7 @@ def settled_sentences(design: Design) -> str:
         return (
             f"From {begun}, the mechanism comes to {kind_words(motion)}; it was followed for "
             f"{motion.drive_periods} drive periods.{grown} Its measures are taken over "
-            f"{motion.measured_periods} "
-            "drive periods, so the last digits depend on which."
+            f"{motion.measured_periods} drive periods, so the last digits depend on which."
         )
     if drive is None:
         period = shown(motion.period or 0.0, "s", 5)
@@ -108,8 +107,7 @@ def settled_sentences(design: Design) -> str:
         f"From {begun}, the mechanism settles within {count(motion.drive_periods, 'drive period')} to "
         f"{kind_words(motion)}. It is an exact orbit, {_steadiness(design)}. "
         f"{capital(count_of(motion.events, 'event'))} happen in a drive period: contacts made or broken, "
-        f"slips "
-        "reversed, stick begun or ended."
+        "slips reversed, stick begun or ended."
     )
     if motions.message and motion.neighbour_agrees is False:
         told += " A neighbouring start does something else."
@@ -140,9 +138,8 @@ def searched_sentences(design: Design) -> str:
     if design.file.mechanism.frequency is None:
         return "One start was followed. Without a drive, other motions were not looked for."
     told = (
-        f"{capital(count(motions.starts, 'start'))} were followed: the first as the file has it, the "
-        f"others random, up to "
-        f"the displacements and speeds of the first motion (seed {motions.seed})."
+        f"{capital(count(motions.starts, 'start'))} were followed: the first as the file has it, the others "
+        f"random, up to the displacements and speeds of the first motion (seed {motions.seed})."
     )
     near = motions.neighbours
     if near is not None:
@@ -151,9 +148,8 @@ def searched_sentences(design: Design) -> str:
             "until nothing new came" if near.complete else "and the search was ended before nothing new came"
         )
         told += (
-            f" {capital(count(near.cells, 'neighbour'))} with another {names} (up to "
-            f"±{percent(near.reach)}) were followed "
-            f"as well, and {near.tried} of their orbits were handed on as starts, {end}; "
+            f" {capital(count(near.cells, 'neighbour'))} with another {names} (up to ±{percent(near.reach)}) "
+            f"were followed as well, and {near.tried} of their orbits were handed on as starts, {end}; "
             f"{count(near.found, 'motion')} came from there alone."
         )
     if motions.lost:
@@ -196,18 +192,4 @@ def exposure_sentences(design: Design) -> Markdown:
     return markdown(
         "{} The weighted values sum {} lines up to {}; what lies above adds at most {}.",
         *(told, each.lines, shown(each.highest, "Hz"), shown(largest, "m/s²", 2)),
-    )
-
-
-def rests_sentences(design: Design) -> str:
-    """Say how the numbers were computed, and what was not looked at."""
-    return (
-        "Motions are computed exactly between events, and events to rounding; nothing is stepped in time "
-        "with an error of "
-        "its own. What the report says holds for the mechanism of the file: rigid bodies on one line, "
-        "contacts with the law "
-        "that is given, dry friction with constant forces. Tolerances, heat, wear over time, bending, and "
-        "movements across "
-        "the line are not modelled. The numbers of the file are taken as exact, except those that it "
-        "leaves open."
     )

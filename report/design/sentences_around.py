@@ -53,33 +53,6 @@ def _cell_words(drawn: DesignMap) -> str:
     }.get(motion.kind, f"of {described(motion)}")
 
 
-def no_maps(design: Design) -> str:
-    """Say why there is no map."""
-    if design.file.mechanism.frequency is None:
-        return "Maps are of driven motions, and this mechanism has no drive."
-    return "A map needs two of gap, speed and friction, and this mechanism does not have two of them."
-
-
-def no_branches(design: Design) -> str:
-    """Say why there are no branches and margins."""
-    motion = design.motion
-    if motion is None:
-        return "There is no motion to follow."
-    if motion.kind is MotionKind.REST:
-        return "Nothing moves, so there is no motion to follow over a number."
-    if not motion.repeats:
-        return (
-            "The motion does not repeat, so it is no orbit that could be followed over a number. The maps "
-            "say where "
-            "motions that repeat are found."
-        )
-    if motion.neutral:
-        return "A shift of the motion stays as it is, so no single orbit goes on when a number changes."
-    if design.file.mechanism.frequency is None:
-        return Markdown("The mechanism moves by itself; `trimmer follow` traces its motion over any number.")
-    return "The mechanism has no number that branches are followed over."
-
-
 def margin_sentences(design: Design) -> str:
     """Say which margin is the narrowest, and what ends each."""
     shares = [
@@ -169,24 +142,8 @@ def unsmooth(design: Design) -> str:
     if rough:
         told += (
             f"For the {places_listed(rough)} the two differ by more than a tenth, because an impact or a "
-            f"phase of stick "
-            "comes or goes nearby: these slopes say little."
+            "phase of stick comes or goes nearby: these slopes say little."
         )
     if found.failed:
         told += f" For the {places_listed(found.failed)} no orbit was found beside this one."
     return told
-
-
-def no_sensitivities(design: Design) -> str:
-    """Say why there are no slopes."""
-    if design.motion is None:
-        return "There is no motion whose slopes could be taken."
-    if design.motion.kind is MotionKind.REST:
-        return "Nothing moves, so there is no measure that could have a slope."
-    if not design.motion.repeats:
-        return (
-            "The motion does not repeat, so it has no slopes: a small change of a number changes every "
-            "detail of it. "
-            "The maps say where calmer motions are."
-        )
-    return "No number of the file changes a measure of the motion."

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from report.data.mutation import MutationMeasurement
-from report.data.statements import Section
+from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
 from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
 from report.document.thesis import Chapter, Program
@@ -45,7 +45,7 @@ class Document:
     step_of: Mapping[str, str] = field(default_factory=dict)
     spread: tuple[Follows, ...] = ()
     mutation: MutationMeasurement | None = None
-    sections: tuple[Section, ...] = ()
+    sections: tuple[ThesisSection, ...] = ()
     omitted: tuple[Chapter, ...] = ()
     further_statements: int = 0
     overview: Overview = NOTHING_SAID

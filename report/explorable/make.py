@@ -10,7 +10,7 @@ import numpy as np
 from report.document.extras import Explorable, Panel, Slider
 from report.explorable.formulas import functions
 from report.explorable.script import script
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import exact_values
 from report.pages.drawing.drawn import drawn
@@ -84,19 +84,16 @@ def _still(known: Evidence) -> Figure:
         _motion(motion, element, stable)
         return figure
 
-    words = filled(
+    words = one_line(
         """Three panels: the locus of G with the contour of -1/N and their intersections, the same near -1,
         and the position of pin and load over one period."""
     )
-    caption = filled(
-        r"""What the page shows for a gap of [[ gap | f0 ]] µm, $M/D$ = [[ load | f0 ]] ms, no friction and
-        the pin's displacement alone: the locus of $G$ (solid), the contour of $-1/N$ (dashed) at the
-        frequency of the stable limit cycle, [[ frequency | f2 ]] Hz; the same near $-1$; pin (dotted) and
-        load (solid) over one period. In the HTML report sliders move all of it.""",
-        gap=1e6 * GAP,
-        load=1e3 * TIME_CONSTANT,
-        frequency=stable.frequency,
-    )
+    caption = one_line(f"""
+        What the page shows for a gap of {1e6 * GAP:.0f} µm, $M/D$ = {1e3 * TIME_CONSTANT:.0f} ms, no friction
+        and the pin's displacement alone: the locus of $G$ (solid), the contour of $-1/N$ (dashed) at the
+        frequency of the stable limit cycle, {stable.frequency:.2f} Hz; the same near $-1$; pin (dotted) and
+        load (solid) over one period. In the HTML report sliders move all of it.
+    """)
     return drawn(
         "explorable-still", "Limit cycle of the thesis's loop, as the sliders begin", caption, words, draw
     )

@@ -127,7 +127,7 @@ class CopyFault:
 
 
 @dataclass(frozen=True)
-class Part:
+class ClaimPart:
     """One checkable part of a claim.
 
     ``printed_form`` and ``derived_form`` are shown in place of what the comparison holds, where it works
@@ -165,6 +165,6 @@ class Claim:
     """
 
     id: str
-    parts: tuple[Part | Uncheckable, ...]
+    parts: tuple[ClaimPart | Uncheckable, ...]
     explanation: str
     consequence: str = ""

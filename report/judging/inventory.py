@@ -13,7 +13,7 @@ from trimmer.errors import TrimmerError
 
 
 class InventoryError(TrimmerError, ValueError):
-    """The inventory holds an id twice, or a kind that is not known, or a title has no statement."""
+    """The inventory holds an id twice, or a kind that is not known, or what is said of it cannot be used."""
 
 
 def read_statements(*paths: Path) -> Mapping[str, Statement]:
@@ -31,33 +31,14 @@ def read_statements(*paths: Path) -> Mapping[str, Statement]:
     return entries
 
 
-def titled(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statement]:
-    """Return the statements with the titles that the report gives them.
-
-    Args:
-        entries: The statements by id.
-        path: File with the columns ``id`` and ``title``.
-
-    Raises:
-        InventoryError: naming file, line and id, if a title stands twice or belongs to no statement.
-    """
-    titles: dict[str, str] = {}
-    with path.open(encoding="utf-8", newline="") as file:
-        for line, row in enumerate(csv.DictReader(file), start=2):
-            if row["id"] not in entries or row["id"] in titles:
-                fault = "stands there twice" if row["id"] in titles else "is not in the inventory"
-                raise InventoryError(f"{path.name}, line {line}: the id {row['id']} {fault}")
-            titles[row["id"]] = row["title"]
-    return {key: replace(each, title=titles.get(key, each.title)) for key, each in entries.items()}
-
-
 def filed(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statement]:
     """Return the statements with what a table says of each.
 
     Args:
         entries: The statements by id.
         path: File with the columns ``id``, ``source``, ``impact``, ``first_line``, ``last_line``,
-            ``paragraph``, ``severity`` and ``certainty``, a line for each statement.
+            ``paragraph``, ``severity``, ``certainty`` and ``title``, a line for each statement. A title
+            stands in the place of the subject.
 
     Raises:
         InventoryError: naming file and ids, if a statement has not one line or a line has no statement;
@@ -81,6 +62,7 @@ def _filed(entry: Statement, row: Mapping[str, str]) -> Statement:
     first, last = row["first_line"], row["last_line"]
     return replace(
         entry,
+        title=row["title"] or entry.title,
         source=row["source"],
         impact=Impact(row["impact"] or Impact.NONE.value),
         lines=(int(first), int(last)) if first or last else None,

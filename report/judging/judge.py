@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.judging.claim import Agreement, Claim, Part, Statement, Uncheckable
+from report.judging.claim import Agreement, Claim, ClaimPart, Statement, Uncheckable
 from report.judging.finding import Finding, JudgedPart
 from report.judging.shown import Words
 from report.judging.verdict import Certainty, Severity, Verdict
@@ -47,7 +47,7 @@ def judge(claim: Claim, entry: Statement) -> Finding:
     )
 
 
-def _judge_part(claim: Claim, entry: Statement, part: Part | Uncheckable) -> JudgedPart:
+def _judge_part(claim: Claim, entry: Statement, part: ClaimPart | Uncheckable) -> JudgedPart:
     item = part.item or _own_item(claim, part)
     if isinstance(part, Uncheckable):
         return JudgedPart(
@@ -69,7 +69,7 @@ def _judge_part(claim: Claim, entry: Statement, part: Part | Uncheckable) -> Jud
     )
 
 
-def _own_item(claim: Claim, part: Part | Uncheckable) -> str:
+def _own_item(claim: Claim, part: ClaimPart | Uncheckable) -> str:
     """Name what a part judges that shares it with no other: the claim, and the part where it has several."""
     if len(claim.parts) == 1:
         return claim.id
@@ -77,20 +77,20 @@ def _own_item(claim: Claim, part: Part | Uncheckable) -> str:
     return f"{claim.id}, {part.label or f'part {number}'}"
 
 
-def _severity(entry: Statement, part: Part) -> Severity:
+def _severity(entry: Statement, part: ClaimPart) -> Severity:
     severity = part.severity or entry.severity
     if severity is None:
         raise UngradedError(f"{entry.id}, {part.label or 'only part'}: it is wrong, and has no severity")
     return severity
 
 
-def _certainty(entry: Statement, part: Part, outcome: Agreement, verdict: Verdict) -> Certainty:
+def _certainty(entry: Statement, part: ClaimPart, outcome: Agreement, verdict: Verdict) -> Certainty:
     if verdict is Verdict.COPY:
         return Certainty.READING
     return part.certainty or entry.certainty or outcome.certainty
 
 
-def _confirmed(claim_id: str, part: Part, method: str) -> str:
+def _confirmed(claim_id: str, part: ClaimPart, method: str) -> str:
     """Return the method with the second way to the same, which has to agree."""
     if part.confirmation is None:
         return method
@@ -103,7 +103,7 @@ def _confirmed(claim_id: str, part: Part, method: str) -> str:
     return f"{method}; confirmed by {part.confirmation.means}"
 
 
-def _verdict_of(part: Part, outcome: Agreement) -> tuple[Verdict, str]:
+def _verdict_of(part: ClaimPart, outcome: Agreement) -> tuple[Verdict, str]:
     if outcome.agrees:
         return Verdict.REPRODUCED, ""
     if part.slip is not None and part.comparison.with_derived(part.slip.derived).compare().agrees:

@@ -9,18 +9,17 @@ to vanish, ``same`` for expressions and matrices, ``so`` for a finding of which 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, TypedDict, Unpack
 
 import sympy
 
-from report.judging.claim import Check, Comparison, Confirmation, CopyFault, Part, Slip, Uncheckable
+from report.judging.claim import Check, ClaimPart, Comparison, Confirmation, CopyFault, Slip, Uncheckable
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.digits import CloseNumbers, Equal, PrintedDigits, Small
 from report.judging.comparisons.expression import SameExpression, SameMatrix
 from report.judging.shown import Mathematics, Shown, Words
-from report.judging.text import RecordError, filled
+from report.judging.text import RecordError, one_line
 from report.judging.verdict import Certainty, Severity, Verdict
 
 DECIMAL = re.compile(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?")
@@ -49,7 +48,9 @@ class More(TypedDict, total=False):
     certainty: Certainty | None
 
 
-def digits(label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]) -> Part:
+def digits(
+    label: str, printed: str, derived: float | Fraction, unit: str = "", **more: Unpack[More]
+) -> ClaimPart:
     """Hold printed digits against a number; half a unit of the last printed place is the tolerance.
 
     Raises:
@@ -67,10 +68,9 @@ def assertion(
     evidence: str,
     *,
     method: str,
-    numbers: Mapping[str, object] | None = None,
     asserted: bool = True,
     **more: Unpack[More],
-) -> Part:
+) -> ClaimPart:
     """Hold what the thesis asserts, in our words, against what was found.
 
     Args:
@@ -79,12 +79,11 @@ def assertion(
         derived: whether it holds.
         evidence: what shows it, as Markdown.
         method: how it was found.
-        numbers: those that the evidence asks for; see ``report.judging.text.filled``.
         asserted: False where the thesis denies the property.
         more: see ``More``.
     """
-    shown = filled(evidence, **(numbers or {}))
-    return part(label, Assertion(filled(statement), bool(derived), shown, filled(method), asserted), **more)
+    statement, evidence, method = map(one_line, (statement, evidence, method))
+    return part(label, Assertion(statement, bool(derived), evidence, method, asserted), **more)
 
 
 def expression(
@@ -95,7 +94,7 @@ def expression(
     *,
     assume: sympy.Basic = sympy.true,
     **more: Unpack[More],
-) -> Part:
+) -> ClaimPart:
     """Hold a printed expression against a derived one; for ``left`` and ``assume`` see ``SameExpression``."""
     return part(label, SameExpression(printed, derived, left, assume), **more)
 
@@ -106,18 +105,18 @@ def matrix(
     derived: sympy.ImmutableMatrix,
     left: sympy.Basic | str | None = None,
     **more: Unpack[More],
-) -> Part:
+) -> ClaimPart:
     """Hold a printed matrix against a derived one, entry by entry."""
     return part(label, SameMatrix(printed, derived, left), **more)
 
 
-def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
+def part(label: str, comparison: Comparison, **more: Unpack[More]) -> ClaimPart:
     """Return a part that makes a comparison."""
     both = more.get("form")
     shown = (more.get("printed_form", both), more.get("derived_form", both))
     printed, derived = (Mathematics(form) if isinstance(form, str) else form for form in shown)
-    return Part(
-        filled(label),
+    return ClaimPart(
+        one_line(label),
         comparison,
         more.get("second"),
         more.get("slip"),
@@ -132,45 +131,45 @@ def part(label: str, comparison: Comparison, **more: Unpack[More]) -> Part:
 
 def uncheckable(label: str, printed: str, missing: str, *, item: str = "") -> Uncheckable:
     """Return a part that cannot be checked: the words printed, and which data are missing for it."""
-    return Uncheckable(filled(label), Words(filled(printed)), filled(missing), item)
+    return Uncheckable(one_line(label), Words(one_line(printed)), one_line(missing), item)
 
 
 def made_here(name: str, derived: Any) -> Slip:
     """Name a slip that was made in this very place, and what is derived when it is repeated."""
-    return Slip(filled(name), derived, Verdict.ERRATUM)
+    return Slip(one_line(name), derived, Verdict.ERRATUM)
 
 
 def repeated(name: str, derived: Any) -> Slip:
     """Name a slip that was made somewhere else and is repeated here faithfully."""
-    return Slip(filled(name), derived, Verdict.EXPLAINED)
+    return Slip(one_line(name), derived, Verdict.EXPLAINED)
 
 
 def same(means: str, first: Any, second: Any) -> Confirmation:
     """Confirm an expression or a matrix by another derivation of it."""
     alike = SameMatrix if isinstance(first, sympy.MatrixBase) else SameExpression
-    return Confirmation(filled(means), alike(first, second))
+    return Confirmation(one_line(means), alike(first, second))
 
 
-def lost_in_the_copy(name: str, restored: Check, decided_by: str = THE_PAGE) -> CopyFault:
+def lost_in_the_copy(name: str, restored: Check) -> CopyFault:
     """Name what the machine that read the page may have lost; what is restored has to agree."""
-    return CopyFault(filled(name), restored, filled(decided_by))
+    return CopyFault(one_line(name), restored, THE_PAGE)
 
 
 def close(means: str, first: complex, second: complex, relative: float = 1e-9) -> Confirmation:
     """Confirm a number by another way to it, to a relative accuracy."""
-    return Confirmation(filled(means), CloseNumbers(first, second, relative))
+    return Confirmation(one_line(means), CloseNumbers(first, second, relative))
 
 
 def equal(means: str, first: object, second: object) -> Confirmation:
     """Confirm a count, or anything else that is exactly the same, by another way to it."""
-    return Confirmation(filled(means), Equal(first, second))
+    return Confirmation(one_line(means), Equal(first, second))
 
 
 def small(means: str, value: float, bound: float = 1e-9) -> Confirmation:
     """Confirm that what has to vanish stays below a bound."""
-    return Confirmation(filled(means), Small(value, bound))
+    return Confirmation(one_line(means), Small(value, bound))
 
 
 def so(means: str, holds: bool) -> Confirmation:
     """Confirm a finding by another way to it, of which is known whether it leads to the same finding."""
-    return Confirmation(filled(means), Equal(bool(holds), True))
+    return Confirmation(one_line(means), Equal(bool(holds), True))

@@ -1,9 +1,9 @@
-"""A claim, or a figure, as one record: id, text and parts together, read from top to bottom.
+"""A claim as one record: id, text and parts together, read from top to bottom.
 
     @claim("eq-5.6")
     def external_input(known: Evidence) -> Record:
         yield expression("", printed, derived, left=r)
-        yield text("The eccentricity is [[ size | f1 ]] mm.").given(size=1e3 * amplitude)
+        yield text(f"The eccentricity is {1e3 * amplitude:.1f} mm.")
 
 ``known`` is whatever the claims are judged with; ``report.building.collect`` finds the records.
 """
@@ -11,24 +11,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, final
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, final
 
-from report.judging.claim import Claim, Part, Uncheckable
-from report.judging.text import RecordError, filled
-from report.pages.drawing.drawn import drawn
-from report.pages.drawing.style import style
-from report.pages.figure import Figure
-
-if TYPE_CHECKING:
-    import matplotlib.figure
-
-    Draw = Callable[[Any], matplotlib.figure.Figure]
-
+from report.judging.claim import Claim, ClaimPart, Uncheckable
+from report.judging.text import RecordError, one_line
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
-MARK = "\0"
 MOST_PARAGRAPHS = 2
 
 
@@ -39,34 +29,24 @@ class Text:
 
     The first says what is printed, what is true, and why, in one to four sentences; the second what a wrong
     statement changes elsewhere.
-
-    Attributes:
-        prose: With a place for each number; see ``report.judging.text.filled``.
-        numbers: By the names that the prose uses.
     """
 
     prose: str
-    numbers: Mapping[str, object] = field(default_factory=dict)
-
-    def given(self, **numbers: object) -> Text:
-        """Return the text with its numbers."""
-        return replace(self, numbers=numbers)
 
     @property
     def paragraphs(self) -> list[str]:
-        """The paragraphs with the numbers in their places.
+        """The paragraphs, each in one line.
 
         Raises:
             RecordError: if there are more than two.
-            TextError: if the prose asks for other numbers than are given.
         """
-        found = filled(PARAGRAPH.sub(MARK, self.prose.strip()), **self.numbers).split(MARK)
+        found = list(map(one_line, PARAGRAPH.split(self.prose.strip())))
         if len(found) > MOST_PARAGRAPHS:
             raise RecordError(f"the text {found[0][:60]!r} has {len(found)} paragraphs, not one or two")
         return found
 
 
-Item = Part | Uncheckable | Text
+Item = ClaimPart | Uncheckable | Text
 Record = Iterator[Item]
 """What the function of a claim yields: its parts in the order of the thesis, and one text."""
 
@@ -75,7 +55,7 @@ def said(name: str, items: Callable[[Any], Iterator[Any]], known: Any) -> tuple[
     """Return the paragraphs of the one text that a record yields, and what it yields beside it.
 
     Raises:
-        RecordError: with the record's name, if a text lacks a number, or if there is not one text.
+        RecordError: with the record's name, if a part is none, or if there is not one text.
     """
     try:
         found = list(items(known))
@@ -104,7 +84,7 @@ class ClaimRecord:
         """Return the claim with its numbers.
 
         Raises:
-            RecordError: naming the claim, if a text lacks a number, or if there is not one text.
+            RecordError: naming the claim, if a part is none, or if there is not one text.
         """
         (explanation, *consequence), items = said(f"claim {self.id}", self.items, known)
         return Claim(self.id, tuple(items), explanation, "".join(consequence))
@@ -116,33 +96,5 @@ def claim(claim_id: str) -> Callable[[Callable[[Any], Record]], ClaimRecord]:
 
 
 def text(prose: str) -> Text:
-    """Return the text of a claim; one with numbers goes on with ``given``.
-
-    For the places and filters of the numbers see ``report.judging.text.filled``.
-    """
+    """Return the text of a claim."""
     return Text(prose)
-
-
-@final
-@dataclass(frozen=True)
-class FigureRecord:
-    """A figure to draw: the claim's id, title, caption (Markdown), alternative text, and what draws it."""
-
-    id: str
-    title: str
-    caption: str
-    alternative_text: str
-    draw: Draw = field(repr=False)
-
-    def finished(self, known: Any) -> Figure:
-        """Draw the figure; it is then an SVG with its words."""
-        words = (self.id, self.title, self.caption, self.alternative_text)
-        return drawn(*words, lambda: self.draw(known))
-
-
-def figure(
-    figure_id: str, title: str, *, caption: str, alternative_text: str
-) -> Callable[[Draw], FigureRecord]:
-    """Make a figure of what draws it, in the report's look; caption and words may be text blocks."""
-    words = filled(caption), filled(alternative_text)
-    return lambda draw: FigureRecord(figure_id, title, *words, style()(draw))

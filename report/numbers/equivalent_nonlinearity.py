@@ -32,7 +32,7 @@ START_OF_EQUATION = (0.06, 23e3)
 
 
 @dataclass(frozen=True)
-class Point:
+class NewtonSolution:
     """A solution found by Newton's method: amplitude in m, angular frequency in rad/s."""
 
     amplitude: float
@@ -60,7 +60,7 @@ class EquivalentNumbers:
     listing: tuple[LimitCycle, ...]
     other_gap: tuple[LimitCycle, ...]
     by_force: tuple[LimitCycle, ...]
-    as_printed: Point
+    as_printed: NewtonSolution
     sign_turned: tuple[LimitCycle, ...]
     over_stiffness: tuple[LimitCycle, ...]
     over_stiffness_both_channels: tuple[LimitCycle, ...]
@@ -83,13 +83,11 @@ def right_element(force: float, stiffness: float, gap: float = SMALL_GAP) -> Ele
     return FrictionBacklash(gap) + CoulombFriction(force / stiffness)
 
 
-def printed_function(
-    amplitude: float, force: float, gap: float = SMALL_GAP, omega: float = DRIVE_OMEGA
-) -> complex:
+def printed_function(amplitude: float, force: float, gap: float = SMALL_GAP) -> complex:
     """Evaluate equation 5.14 as it is printed, with the gap put in for its b."""
     c = 2 * gap / amplitude - 1
     real = math.pi / 2 - math.asin(c) - c * math.sqrt(1 - c**2)
-    imaginary = 4 * gap / math.pi * (gap / amplitude - 1) - 4 * force / (omega * amplitude * math.pi)
+    imaginary = 4 * gap / math.pi * (gap / amplitude - 1) - 4 * force / (DRIVE_OMEGA * amplitude * math.pi)
     return complex(real, imaginary) / amplitude
 
 
@@ -127,7 +125,7 @@ def _newton(
     element: Callable[[float, float], complex],
     amplitude: float,
     omega: float,
-) -> Point:
+) -> NewtonSolution:
     """Solve 1 + N(A, ω) G(jω) = 0 near a point, by the secant form of Newton's method in ln A and ln ω."""
 
     def residual(log_amplitude: float, log_omega: float) -> tuple[float, float]:
@@ -136,4 +134,4 @@ def _newton(
         return loop.real, loop.imag
 
     log_amplitude, log_omega = mpmath.findroot(residual, (0, 0))
-    return Point(amplitude * math.exp(log_amplitude), omega * math.exp(log_omega))
+    return NewtonSolution(amplitude * math.exp(log_amplitude), omega * math.exp(log_omega))

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import control
 import numpy as np
-from scipy.linalg import expm
 from scipy.optimize import fsolve
 
 from report.numbers.limit_cycle_numbers import LimitCycleNumbers, Pair
 from report.numbers.linear_numbers import LinearNumbers
+from report.numbers.time_stepping import linear_step
 from trimmer import FrictionBacklash, InertiaBacklash, PeriodicOrbit, periodic_orbits, simulate
 from trimmer.arrays import Reals
 from trimmer.elements import Element
@@ -93,7 +93,7 @@ def _end(orbit: PeriodicOrbit, factor: float) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class _Loop:
+class _ScaledLoop:
     """x' = A x + B u, y = C x, with a gap of one and the orbit's period as unit of time."""
 
     A: Reals
@@ -103,7 +103,8 @@ class _Loop:
 
     def contact(self, state: Reals, time: float) -> Reals:
         """Return the state after a contact on the upper side, where u = -y - 1/2."""
-        return _after(self.A - np.outer(self.B, self.C), -self.B / 2, 0 * self.B, state, time)
+        through, hold, _ = linear_step(self.A - np.outer(self.B, self.C), self.B, time)
+        return through @ state - hold / 2
 
     def release(self, state: Reals) -> tuple[float, float]:
         """Return position and velocity of the bridge that is let go; without inertia it stops at once."""
@@ -112,7 +113,8 @@ class _Loop:
 
     def flight(self, state: Reals, bridge: tuple[float, float], time: float) -> Reals:
         """Return the state after the free flight of the bridge."""
-        return _after(self.A, self.B * bridge[0], self.B * bridge[1], state, time)
+        through, hold, ramp = linear_step(self.A, self.B, time)
+        return through @ state + bridge[0] * hold + bridge[1] * time * ramp
 
     def leaving(self, state: Reals) -> float:
         """Return what is zero with the contact force: velocity, or with inertia its acceleration."""
@@ -139,7 +141,7 @@ def orbit_by_durations(near: PeriodicOrbit, inertia: bool) -> tuple[float, float
     states = near.motion.state(np.append(np.linspace(0, period, 101), meet))
     sizes = np.abs(states).max(axis=1)
     rates = period / sizes
-    loop = _Loop(model.A * sizes * rates[:, None], model.B[:, 0] * rates, model.C[0] * sizes, inertia)
+    loop = _ScaledLoop(model.A * sizes * rates[:, None], model.B[:, 0] * rates, model.C[0] * sizes, inertia)
 
     def residual(unknowns: Reals) -> Reals:
         begin, (contact, flight) = unknowns[:-2], unknowns[-2:]
@@ -153,12 +155,3 @@ def orbit_by_durations(near: PeriodicOrbit, inertia: bool) -> tuple[float, float
     found = fsolve(residual, np.round(np.append(-states[:, -1] / sizes, lengths), 3), xtol=1e-13)
     released = loop.contact(found[:-2], found[-2])
     return abs(float(loop.C @ released)), float(1 / (2 * found[-2:].sum() * period))
-
-
-def _after(matrix: Reals, constant: Reals, slope: Reals, state: Reals, time: float) -> Reals:
-    """Return the solution of x' = matrix x + constant + slope t after a time."""
-    size = state.size
-    whole = np.zeros((size + 2, size + 2))
-    whole[:size, :size], whole[:size, size], whole[:size, size + 1] = matrix, constant, slope
-    whole[size + 1, size] = 1.0
-    return np.asarray((expm(whole * time) @ np.append(state, [1.0, 0.0]))[:size])

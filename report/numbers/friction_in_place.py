@@ -45,8 +45,11 @@ class Balances:
 
 
 @dataclass(frozen=True)
-class Merger:
-    """The largest force with a limit cycle, where the stable and the unstable one become one."""
+class FrictionCycle:
+    """A limit cycle, such as that with the largest force, where the stable and the unstable one become one.
+
+    Amplitude in gaps, frequency in Hz, force over gap in N/m.
+    """
 
     amplitude: float
     frequency: float
@@ -62,7 +65,7 @@ class FrictionBranch:
 
     stable: Balances
     unstable: Balances
-    merger: Merger
+    merger: FrictionCycle
 
     def limit_cycles(self, force_per_gap: float) -> int:
         """Return how many limit cycles there are with a force per gap in N/m."""
@@ -101,7 +104,7 @@ def friction_branch(
 
 def largest_force(
     parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
-) -> Merger:
+) -> FrictionCycle:
     """Return where the two limit cycles of a loop become one; see ``friction_branch``."""
     loop = _loop(parameters, channels, unstable, stable)
     ratio = _ratio_of_largest_force(loop, 1 / stable.amplitude, 1 / unstable.amplitude, FEW_POINTS)
@@ -110,21 +113,17 @@ def largest_force(
 
 def _loop(
     parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
-) -> _Loop:
-    return _Loop(
+) -> _FrictionLoop:
+    return _FrictionLoop(
         pin=_PartialFractions.of(pin_model(parameters, channels=channels)),
         force=_PartialFractions.of(force_response(parameters)),
         omegas=((1 - BEYOND) * unstable.omega, (1 + BEYOND) * stable.omega),
     )
 
 
-def _merger(loop: _Loop, ratio: float) -> Merger:
-    (merger,) = zip(*_columns(loop.balances(np.array([ratio]))), strict=True)
-    return Merger(*map(float, merger))
-
-
-def _columns(balances: Balances) -> tuple[Reals, Reals, Reals]:
-    return balances.amplitude, balances.frequency, balances.force_per_gap
+def _merger(loop: _FrictionLoop, ratio: float) -> FrictionCycle:
+    found = loop.balances(np.array([ratio]))
+    return FrictionCycle(found.amplitude.item(), found.frequency.item(), found.force_per_gap.item())
 
 
 @dataclass(frozen=True)
@@ -145,7 +144,7 @@ class _PartialFractions:
 
 
 @dataclass(frozen=True)
-class _Loop:
+class _FrictionLoop:
     """Responses of y to pin and friction, and the angular frequencies between which solutions lie."""
 
     pin: _PartialFractions
@@ -171,7 +170,7 @@ class _Loop:
         return np.asarray(-loop / (4j / math.pi * ratios * self.force.response(omegas)))
 
 
-def _ratio_of_largest_force(loop: _Loop, first: float, last: float, points: int = POINTS) -> float:
+def _ratio_of_largest_force(loop: _FrictionLoop, first: float, last: float, points: int = POINTS) -> float:
     """Return the ratio gap/amplitude at the largest force, by ever finer grids and a last parabola."""
     for _ in range(ZOOMS):
         grid = np.linspace(first, last, points)

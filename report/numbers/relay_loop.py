@@ -178,7 +178,7 @@ def _in_the_middle(A: Reals, B: Reals, C: Reals, half_period: float) -> float:
 
 def _sampled(system: control.StateSpace) -> tuple[float, float]:
     """Follow the loop whose relay is set once a step from y at its begin."""
-    (through, column, _), row = linear_step(system, STEP), system.C[0]
+    (through, column, _), row = linear_step(system.A, system.B[:, 0], STEP), system.C[0]
     state, output = IMPULSES[0] * system.B[:, 0], np.empty(round(RECORD / STEP))
     for each in range(output.size):
         output[each] = row @ state

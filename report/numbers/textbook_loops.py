@@ -127,7 +127,7 @@ def backlash_history() -> History:
     starts = np.array(STARTS) * first.amplitude
     drive = -1 / complex(response_at(loop.plant, first.omega))
     state = np.linalg.solve(1j * first.omega * np.eye(3) - space.A, space.B * drive).real * starts
-    inputs = _play_in_loop(linear_step(space, step), space.C[0], state, starts)
+    inputs = _play_in_loop(linear_step(space.A, space.B[:, 0], step), space.C[0], state, starts)
     windows = inputs.reshape(WINDOWS, _STEPS, starts.size)
     times = np.linspace(0.5, WINDOWS - 0.5, WINDOWS) * _STEPS * step
     return History(times, np.ptp(windows, axis=1) / 2)

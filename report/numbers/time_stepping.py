@@ -66,7 +66,7 @@ def lines_in_steps(
         frequencies: Of the line that is looked at, Hz, for each motion.
     """
     system, rows = orbit.motion.loop.model, np.array(references)
-    through, hold, ramp = linear_step(system, STEP)
+    through, hold, ramp = linear_step(system.A, system.B[:, 0], STEP)
     state = np.repeat(gap * orbit.motion.state(0.0)[:, None], len(references), axis=1)
     output = np.full(len(references), gap * float(orbit.motion.element_output(0.0)))
     before, row = output, system.C[0]
@@ -90,14 +90,14 @@ def _follow(output: Reals, signal: Reals, gap: float) -> Reals:
     return np.minimum(np.maximum(output, signal - gap / 2), signal + gap / 2)
 
 
-def linear_step(system: control.StateSpace, step: float) -> tuple[Reals, Reals, Reals]:
-    """Return what a step (s) makes of the state, of an input that is held, and of one that rises to one.
+def linear_step(A: Reals, B: Reals, step: float) -> tuple[Reals, Reals, Reals]:
+    """Return what a step makes of the state of x' = A x + B u, of a held u, and of one that rises to one.
 
     Exact, by the matrix exponential; shapes (n, n), (n,) and (n,) for n states and one input.
     """
-    size = system.nstates
+    size = B.size
     whole = np.zeros((size + 2, size + 2))
-    whole[:size, :size], whole[:size, size] = system.A * step, system.B[:, 0] * step
+    whole[:size, :size], whole[:size, size] = A * step, B * step
     whole[size, size + 1] = 1.0
     flow = expm(whole)
     return flow[:size, :size], flow[:size, size], flow[:size, size + 1]

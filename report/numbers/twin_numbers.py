@@ -22,7 +22,7 @@ from report.numbers.twin.frozen_bridge import FrozenBridge, frozen_bridge
 from report.numbers.twin.grids import COURSES, DAMPING_MAP, FRICTION_MAP, SPEED_MAP, STARTS_MAP, STIFFNESS_MAP
 from report.numbers.twin.kept_branch import FILE, KeptBranch, read_branches
 from report.numbers.twin.kept_map import read_map
-from report.numbers.twin.loop_numbers import LoopNumbers, solve_loop
+from report.numbers.twin.loop_numbers import FrictionLoopNumbers, solve_loop
 from report.numbers.twin.map_numbers import MapNumbers
 from report.numbers.twin.mechanism import (
     AMPLITUDE,
@@ -57,7 +57,7 @@ SCALE: Final = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Comparison:
+class BothModels:
     """One gap and one friction in both models, at the same drive.
 
     Attributes:
@@ -110,9 +110,9 @@ class TwinNumbers:
         loop: The thesis's loop with friction.
     """
 
-    small: Comparison
-    experiment: Comparison
-    main: Comparison
+    small: BothModels
+    experiment: BothModels
+    main: BothModels
     asymmetric: TwinCase
     no_gap: tuple[TwinCase, ...]
     small_again: Independent
@@ -129,7 +129,7 @@ class TwinNumbers:
     damping: MapNumbers
     starts: MapNumbers
     branches: tuple[KeptBranch, ...]
-    loop: LoopNumbers
+    loop: FrictionLoopNumbers
 
     @property
     def subharmonic(self) -> float:
@@ -181,8 +181,8 @@ def solve_twin() -> TwinNumbers:
     )
 
 
-def _compared(gap: float, force: float) -> Comparison:
-    return Comparison(frozen_bridge(gap, force), twin_case(gap, force))
+def _compared(gap: float, force: float) -> BothModels:
+    return BothModels(frozen_bridge(gap, force), twin_case(gap, force))
 
 
 def _scaled() -> float:

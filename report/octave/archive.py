@@ -22,15 +22,20 @@ _UNIX = 3
 def readme(programs: Iterable[Program]) -> str:
     """Return how the programs are run, and what each is, as Markdown."""
     listed = tuple(programs)
-    environment = Environment(
+    names = {program.name for program in listed}
+    return environment().get_template(f"{NAME}.j2").render(programs=listed, names=names)
+
+
+def environment() -> Environment:
+    """Return a new environment of the templates of programs and of what is said of them."""
+    return Environment(
         loader=FileSystemLoader(templates() / "octave"),
         undefined=StrictUndefined,
         autoescape=False,
         trim_blocks=True,
+        lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    names = {program.name for program in listed}
-    return environment.get_template(f"{NAME}.j2").render(programs=listed, names=names)
 
 
 def files(programs: Iterable[Program]) -> dict[str, str]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment
 
 from derivations.elements import backlash
 from derivations.elements.friction import FORCE
@@ -15,7 +15,6 @@ from derivations.linear_trimmer import LinearTrimmer
 from derivations.state_space import output_row
 from derivations.symbols import PARAMETERS, A
 from report.document.thesis import Program
-from report.folders import templates
 from report.numbers.thesis import (
     DRIVE_AMPLITUDE,
     DRIVE_FREQUENCY,
@@ -25,7 +24,8 @@ from report.numbers.thesis import (
     TIMED_GAP,
 )
 from report.octave import formulas
-from report.octave.contents import CONTENTS
+from report.octave.archive import environment
+from report.octave.contents import contents
 from report.octave.printer import CodePrinter, comment
 from trimmer import TrimmerParameters
 from trimmer.thesis import parameter_table
@@ -56,7 +56,7 @@ RUNNERS = (
 
 
 @dataclass(frozen=True)
-class Example:
+class ExampleNumbers:
     """Where ``main_numbers`` evaluates the listings, in SI units.
 
     ``gap`` is that of Listing A.9, ``time_constant`` the M/D of section 4.2.3, ``force`` that of figure 5.18;
@@ -75,7 +75,7 @@ class Example:
 
 
 @dataclass(frozen=True)
-class Grid:
+class SearchGrid:
     """Number of gap/amplitude and of frequencies on which Listing A.9 looks for limit cycles."""
 
     ratios: int = 100
@@ -107,7 +107,7 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
     Raises:
         UnnamedSymbolError: if a formula holds a symbol that the programs have no variable for.
     """
-    environment = _environment()
+    template = _environment().get_template
     shared = {"bridge_stiffness": _digits(parameters.k2)}
     particular = _contexts(derivation, parameters)
     listings = tuple(
@@ -116,15 +116,19 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
             claim=content.claim,
             title=content.title,
             faults=content.faults,
-            text=environment.get_template(f"{content.function}.m.j2").render(
+            text=template(f"{content.function}.m.j2").render(
                 content=content, **shared, **particular.get(content.number, {})
             ),
         )
-        for content in CONTENTS
+        for content in contents()
     )
     runners = tuple(
         Program(
-            name, "", title, (), environment.get_template(f"{name}.j2").render(example=Example(), **shared)
+            name,
+            "",
+            title,
+            (),
+            template(f"{name}.j2").render(example=ExampleNumbers(), **shared),
         )
         for name, title in RUNNERS
     )
@@ -145,7 +149,7 @@ def _contexts(derivation: LinearTrimmer, parameters: TrimmerParameters) -> dict[
         "A.6": {"friction": formulas.friction_term()},
         "A.7": {"step": formulas.friction_step()},
         "A.8": {"motion": formulas.inertia_motion()},
-        "A.9": {"grid": Grid()},
+        "A.9": {"grid": SearchGrid()},
     }
 
 
@@ -166,23 +170,16 @@ def _linear_context(derivation: LinearTrimmer, parameters: TrimmerParameters) ->
 
 
 def _environment() -> Environment:
-    environment = Environment(
-        loader=FileSystemLoader(templates() / "octave"),
-        undefined=StrictUndefined,
-        autoescape=False,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
+    made = environment()
     printer = CodePrinter(NAMES)
-    environment.globals.update(
+    made.globals.update(
         assign=printer.assignment,
         matrix=printer.matrix,
         polynomials=printer.polynomials,
         generated=_generated,
     )
-    environment.filters.update(comment=comment, commented=_commented, digits=_digits)
-    return environment
+    made.filters.update(comment=comment, commented=_commented, digits=_digits)
+    return made
 
 
 def _generated(template: str, source: str = "") -> str:

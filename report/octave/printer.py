@@ -55,7 +55,7 @@ class CodePrinter:
         )
         return start + (";\n" + " " * len(start)).join(rows) + "];"
 
-    def polynomials(self, targets: Mapping[str, Sequence[sympy.Expr]], indent: int = 4) -> str:
+    def polynomials(self, targets: Mapping[str, Sequence[sympy.Expr]]) -> str:
         """Return vectors of coefficients, one line for each, after the subexpressions that they share."""
         coefficients = [entry for entries in targets.values() for entry in entries]
         names = sympy.numbered_symbols("shared")
@@ -64,11 +64,11 @@ class CodePrinter:
             {symbol: str(variable) for symbol, variable in self._variables.items()}
             | {symbol: str(symbol) for symbol, _ in shared}
         )
-        lines = [inner.assignment(str(symbol), value, indent) for symbol, value in shared]
+        lines = [inner.assignment(str(symbol), value) for symbol, value in shared]
         remaining = iter(reduced)
         for target, entries in targets.items():
             lines += [
-                inner.assignment(f"{target}({place})", next(remaining), indent)
+                inner.assignment(f"{target}({place})", next(remaining))
                 for place, _ in enumerate(entries, start=1)
             ]
         return "\n".join(lines)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from report.document.extras import Answer
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP
 
@@ -23,16 +23,15 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             The amplitude grows in proportion to the play; below a play of about $2\times10^{-8}$ m there is
             no limit cycle.
             """,
-            """
-            The proportion is exact, and holds for every play: the amplitude is [[ amplitude | f2 ]] times the
-            gap in the thesis's loop, [[ both | f2 ]] times with the pin's velocity, at a frequency that does
-            not depend on the gap. There is no smallest play. The limit cycle belongs to a loop that feeds the
-            output back to the pin. In a trimmer the motor moves the pin, and where play only passes the pin's
-            displacement on, as in the thesis, the vibration repeats with the drive.
+            f"""
+            The proportion is exact, and holds for every play: the amplitude is {stable.amplitude:.2f} times
+            the gap in the thesis's loop, {cycles.friction_both_channels.stable.amplitude:.2f} times with the
+            pin's velocity, at a frequency that does not depend on the gap. There is no smallest play. The
+            limit cycle belongs to a loop that feeds the output back to the pin. In a trimmer the motor moves
+            the pin, and where play only passes the pin's displacement on, as in the thesis, the vibration
+            repeats with the drive.
             """,
             ("txt-7-proportional", "txt-6-threshold", "txt-5.2.1-proportional", "lst-A.1"),
-            amplitude=stable.amplitude,
-            both=cycles.friction_both_channels.stable.amplitude,
         ),
         _answer(
             "How does damping influence the linear stability?",
@@ -52,31 +51,26 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             Stability is not altered; unstable limit cycles, predicted for certain sizes of play, shift to the
             stable ones. Performance is: play adds oscillations, in proportion to its size.
             """,
-            """
+            f"""
             Rest stays stable, but only nearby: the unstable limit cycle is the boundary. In the closed loop a
-            disturbance well below [[ unstable | f2 ]] gaps dies out, a larger one grows to the oscillation of
-            [[ stable | f2 ]] gaps. Both exist for every gap, in proportion to it.
+            disturbance well below {unstable.amplitude:.2f} gaps dies out, a larger one grows to the
+            oscillation of {stable.amplitude:.2f} gaps. Both exist for every gap, in proportion to it.
             """,
             ("txt-5.2.1-second-limit-cycle", "txt-5.2.3-unstable-inner", "txt-5.2.1-stable"),
-            unstable=unstable.amplitude,
-            stable=stable.amplitude,
         ),
         _answer(
             "How does friction influence stability and performance?",
             """
             Coulomb friction between cutter and guard suppresses the limit cycles of backlash; it is desired.
             """,
-            """
+            f"""
             It does, although the thesis's equation 3.2 and its equivalent nonlinearity have friction with the
             wrong sign. By harmonic balance the limit cycle is gone when the force over the gap exceeds
-            [[ thesis | f0 ]] N/m ([[ both | f0 ]] N/m with the pin's velocity): for 0.2 mm of play
-            [[ force | f1 ]] N ([[ force_both | f1 ]] N). Friction also damps the modes that impacts excite.
+            {thesis:.0f} N/m ({both:.0f} N/m with the pin's velocity): for 0.2 mm of play
+            {thesis * EXPERIMENT_GAP:.1f} N ({both * EXPERIMENT_GAP:.1f} N). Friction also damps the modes
+            that impacts excite.
             """,
             ("txt-7-coulomb", "eq-3.2", "txt-5.2.5-coulomb-term", "txt-3.3-friction-suppresses"),
-            thesis=thesis,
-            both=both,
-            force=thesis * EXPERIMENT_GAP,
-            force_both=both * EXPERIMENT_GAP,
         ),
         _answer(
             "How do input amplitude and play influence stability and performance?",
@@ -91,30 +85,26 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
         _answer(
             "How does the input frequency influence stability and performance?",
             "Hardly, since stable limit cycles can only lie in the band from 733 to 815 Hz.",
-            """
-            For the limit cycle, not at all or hardly, as said; the band is [[ low | f1 ]] to
-            [[ high | f1 ]] Hz. In open loop it decides which harmonics of the drive meet a resonance: near
-            110 Hz the fifth meets the mode of Listing A.1 at 549.6 Hz.
+            f"""
+            For the limit cycle, not at all or hardly, as said; the band is {stable.frequency:.1f} to
+            {cycles.inertia.stable.frequency:.1f} Hz. In open loop it decides which harmonics of the drive
+            meet a resonance: near 110 Hz the fifth meets the mode of Listing A.1 at 549.6 Hz.
             """,
             ("txt-7-input-frequency", "txt-5.2.3-band", "txt-5.1.3-first-resonance"),
-            low=stable.frequency,
-            high=cycles.inertia.stable.frequency,
         ),
         _answer(
             "How does the predicted limit cycle show in the output?",
             "As an oscillation on top of the driven one in open loop, and alone in the closed loop.",
-            """
-            In the closed loop alone, as said; harmonic balance predicts its amplitude to
-            [[ error | percent1 ]]. In open loop not at all: a stable linear system behind play that only
-            passes the pin's displacement on settles to the period of the drive. The peaks read as limit
-            cycles are harmonics of the drive, natural modes that have not yet decayed, or, by their numbers,
-            those of a loop that was closed.
+            f"""
+            In the closed loop alone, as said; harmonic balance predicts its amplitude to {error:.1%}. In open
+            loop not at all: a stable linear system behind play that only passes the pin's displacement on
+            settles to the period of the drive. The peaks read as limit cycles are harmonics of the drive,
+            natural modes that have not yet decayed, or, by their numbers, those of a loop that was closed.
             """,
             ("txt-5.2.1-open-loop-peak", "txt-7-subharmonics", "txt-3.3-peak-550", "txt-3.3-peak-366"),
-            error=error,
         ),
     )
 
 
-def _answer(question: str, thesis: str, now: str, claims: tuple[str, ...], /, **numbers: object) -> Answer:
-    return Answer(question, filled(thesis), filled(now, **numbers), claims)
+def _answer(question: str, thesis: str, now: str, claims: tuple[str, ...]) -> Answer:
+    return Answer(question, one_line(thesis), one_line(now), claims)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from report.document.extras import CorrectedResult
-from report.judging.text import filled
 from report.numbers.evidence import Evidence
 from report.numbers.exact_orbits import OrbitPair
 from report.numbers.limit_cycle_numbers import Pair
@@ -111,11 +110,8 @@ def _errors(known: Evidence) -> Iterator[CorrectedResult]:
 
 
 def _with_friction(force_per_gap: float) -> CorrectedResult:
-    remark = filled(
-        "no limit cycle above $F_c/b$ = [[ per_gap | f0 ]] N/m: [[ force | g2 ]] N for this gap",
-        per_gap=force_per_gap,
-        force=force_per_gap * SMALL_GAP,
-    )
+    force = force_per_gap * SMALL_GAP
+    remark = f"no limit cycle above $F_c/b$ = {force_per_gap:.0f} N/m: {force:.2g} N for this gap"
     quantity = r"frequency with friction, $b$ = $4\times10^{-6}$ m, $F_c$ = 0.6 N"
     return CorrectedResult("txt-5.2.5-prediction", quantity, "737.514", "none", "", "Hz", remark)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from report.document.extras import Highlight, Opening
-from report.judging.text import filled
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.mechanism import FREQUENCY, SMALL_FORCE
@@ -36,83 +35,50 @@ def opening(known: Evidence) -> Opening:
 def _highlights(known: Evidence) -> tuple[Highlight, ...]:
     in_place = known.cycles.equivalent.in_place.merger.force_per_gap * EXPERIMENT_GAP
     return (
-        _highlight(
+        Highlight(
             ("txt-5.2.1-open-loop-peak", "txt-3.1-output-sign"),
-            """
-            No trimmer feeds its output back, as the loop with the limit cycles does; with section 3.1's
-            output even that loop has none.
-            """,
-            "Do not look for [[ frequency | f0 ]] Hz.",
-            frequency=known.cycles.friction.stable.frequency,
+            "No trimmer feeds its output back, as the loop with the limit cycles does; with section 3.1's "
+            "output even that loop has none.",
+            f"Do not look for {known.cycles.friction.stable.frequency:.0f} Hz.",
         ),
-        _highlight(
+        Highlight(
             ("twin-main",),
-            """
-            With contact both ways, 0.2 mm and 2 N repeat after [[ periods ]] drive periods: lines at thirds
-            of the drive.
-            """,
+            f"With contact both ways, 0.2 mm and 2 N repeat after {known.twin.main.twin.period_count} drive "
+            "periods: lines at thirds of the drive.",
             "Look between the harmonics.",
-            periods=known.twin.main.twin.period_count,
         ),
-        _highlight(
+        Highlight(
             ("txt-3.3-open-loop-odd",),
             "Spectra measured with play have even harmonics; the model has none for any parameters.",
             "Compute without symmetry.",
         ),
-        _highlight(
+        Highlight(
             ("txt-6.3-friction-dominates",),
             "By the thesis's own numbers friction does not dominate the cutter's inertia.",
             "Let it fly in the gap.",
         ),
-        _highlight(
+        Highlight(
             ("txt-7-coulomb-evidence",),
-            "Friction below [[ bound | f0 ]] N does not end the predicted cycle at 0.2 mm.",
-            "That loop takes [[ force | f1 ]] N.",
-            bound=BOUND,
-            force=in_place,
+            f"Friction below {BOUND:.0f} N does not end the predicted cycle at 0.2 mm.",
+            f"That loop takes {in_place:.1f} N.",
         ),
     )
-
-
-def _highlight(places: tuple[str, ...], sentence: str, action: str, /, **numbers: object) -> Highlight:
-    said = {name: value for name, value in numbers.items() if f"[[ {name} " in sentence}
-    done = {name: value for name, value in numbers.items() if name not in said}
-    return Highlight(places, filled(sentence, **said), filled(action, **done))
 
 
 def _do(known: Evidence) -> tuple[str, ...]:
     stiffness = known.twin.stiffness
     borne = stiffness.reaches[stiffness.second <= SOFT * (1 + 1e-9)].min()
+    reach = known.twin.friction.reach(SMALL_FORCE)
     return (
-        filled(
-            "Hold the gap below [[ reach | f2 ]] mm ([[ friction | f1 ]] N, [[ speed | f0 ]] Hz).",
-            reach=1e3 * known.twin.friction.reach(SMALL_FORCE),
-            friction=SMALL_FORCE,
-            speed=FREQUENCY,
-        ),
-        filled(
-            "Soften the bridge: [[ soft | f0 ]] kN/m bears [[ borne | f1 ]] mm.",
-            soft=1e-3 * SOFT,
-            borne=1e3 * float(borne),
-        ),
+        f"Hold the gap below {1e3 * reach:.2f} mm ({SMALL_FORCE:.1f} N, {FREQUENCY:.0f} Hz).",
+        f"Soften the bridge: {1e-3 * SOFT:.0f} kN/m bears {1e3 * float(borne):.1f} mm.",
     )
 
 
 def _do_not(known: Evidence) -> tuple[str, ...]:
-    speed = known.twin.speed
+    slower, faster = (1e3 * known.twin.speed.reach(each) for each in (SLOWER, FREQUENCY))
     return (
-        filled(
-            "Fight 0.2 mm of play with friction: even [[ force | f1 ]] N hold from rest only.",
-            force=known.twin.friction_for_experiment,
-        ),
-        filled(
-            """
-            Trust one speed: [[ slower | f0 ]] Hz bears [[ less | f2 ]] mm, [[ speed | f0 ]] Hz
-            [[ more | f2 ]] mm.
-            """,
-            slower=SLOWER,
-            less=1e3 * speed.reach(SLOWER),
-            speed=FREQUENCY,
-            more=1e3 * speed.reach(FREQUENCY),
-        ),
+        f"Fight 0.2 mm of play with friction: even {known.twin.friction_for_experiment:.1f} N hold from rest "
+        "only.",
+        f"Trust one speed: {SLOWER:.0f} Hz bears {slower:.2f} mm, {FREQUENCY:.0f} Hz {faster:.2f} mm.",
     )

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from argparse import ArgumentParser
+from collections.abc import Callable, Collection, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 
 from trimmer.choices import Choice
@@ -22,6 +23,24 @@ class Paper(Choice):
 
     A4 = "a4"
     LETTER = "letter"
+
+
+def add_form_options(parser: ArgumentParser, forms: Iterable[Format], usual: str, more: str = "") -> None:
+    """Add the options on forms and paper; the help says which forms are usual, and what more there is."""
+    parser.add_argument(
+        "--format",
+        action="extend",
+        nargs="+",
+        choices=[form.word for form in forms],
+        default=[],
+        help=f"forms to write (default: {usual}){more}",
+    )
+    parser.add_argument(
+        "--paper",
+        choices=[paper.word for paper in Paper],
+        default=Paper.A4.word,
+        help="size of the pages of the PDF (default: %(default)s)",
+    )
 
 
 Content = str | bytes

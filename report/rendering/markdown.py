@@ -18,9 +18,8 @@ from report.pages.environment import MarkdownEnvironment
 from report.pages.escaping import Markdown, markdown
 from report.pages.formulas.latex import width
 from report.pages.formulas.line_breaking import fit
-from report.pages.links import check_links
-from report.rendering import certificate, errata, outline, summary
-from report.rendering.links import check_claims
+from report.pages.links import BrokenLinkError, check_links
+from report.rendering import errata, outline, summary
 from report.rendering.pictures import spread_picture, verdict_picture
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
@@ -50,7 +49,7 @@ def to_markdown(document: Document) -> dict[str, str]:
             a finding a source file that is not there.
         ValueError: if an equation is empty or holds a dollar sign.
     """
-    check_claims(document)
+    _check_claims(document)
     content: dict[str, Any] = {
         "document": document,
         "findings": {finding.id: finding for finding in document.findings},
@@ -69,6 +68,23 @@ def to_markdown(document: Document) -> dict[str, str]:
     linked = {name: without_links_to(piece, document.omitted) for name, piece in pieces.items()}
     check_links("\n".join(linked.values()), [source.identifier for source in sources(document)])
     return linked
+
+
+def _check_claims(document: Document) -> None:
+    """Check that every claim is there that the document names outside of its chapters."""
+    steps = document.steps
+    named = {
+        **{
+            claim: f"step {step.id} of the derivation"
+            for step in steps
+            for claim in step.claims + step.others
+        },
+        **{figure.id: "a figure" for figure in document.figures},
+        **{claim: "the graph of a slip" for edge in document.spread for claim in (edge.claim, edge.source)},
+        **{claim: words for extra in document.extras.values() for claim, words in extra.named.items()},
+    }
+    for claim in sorted(set(named) - {finding.id for finding in document.findings}):
+        raise BrokenLinkError(f"{named[claim]} names the claim {claim}, which the report does not have")
 
 
 def _sections(document: Document, template: Template, content: Mapping[str, Any]) -> dict[str, str]:
@@ -146,9 +162,9 @@ def _environment() -> Environment:
         sentence=summary.sentence,
         capitalised=summary.capitalised,
         kinds_in_words=summary.kinds_in_words,
-        figures_judged=certificate.figures_judged,
-        command=certificate.command,
-        build_time=certificate.build_time,
+        figures_judged=summary.figures_judged,
+        command=summary.command,
+        build_time=summary.build_time,
         picture_description=verdict_picture.description,
         spread=spread_picture.spread,
         spread_description=spread_picture.description,

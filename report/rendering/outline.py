@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from report.data.statements import Section
+from report.data.statements import ThesisSection
 from report.document.thesis import Chapter
 from report.judging.claim import Kind
 from report.judging.finding import Finding
@@ -23,7 +23,7 @@ class Group:
     findings: tuple[Finding, ...]
 
 
-def grouped(chapter: Chapter, sections: Sequence[Section]) -> tuple[Group, ...]:
+def grouped(chapter: Chapter, sections: Sequence[ThesisSection]) -> tuple[Group, ...]:
     """Return the findings of a chapter by section, equations first; figures go to the section they are in."""
     section_of = {figure: section.number for section in sections for figure in section.figures}
     headings = {section.number: f"{section.number} {section.title}" for section in sections}

@@ -27,7 +27,7 @@ class CopiedFormula:
 
 
 @dataclass(frozen=True)
-class Passage:
+class CopiedPassage:
     """What the reader's copy has for a claim.
 
     Attributes:
@@ -45,14 +45,14 @@ class Passage:
     is_open: bool
 
 
-def passages(document: Document, copy: ReaderCopy) -> Mapping[str, Passage]:
+def passages(document: Document, copy: ReaderCopy) -> Mapping[str, CopiedPassage]:
     """Return what the copy has for each finding that says where it stands, by the finding's id."""
     placed = [finding for finding in document.findings if finding.lines is not None]
     latex = {finding.id: _formulas(finding, copy) for finding in placed}
     all_latex = tuple(dict.fromkeys(formula for formulas in latex.values() for formula in formulas))
     mathml = dict(zip(all_latex, to_mathml([NUMBER.sub("", formula) for formula in all_latex]), strict=True))
     return {
-        finding.id: Passage(
+        finding.id: CopiedPassage(
             lines=finding.lines,
             text=_CONTROL.sub("\ufffd", "\n".join(copy.passage(finding.lines)).strip("\n")),
             formulas=tuple(_formula(formula, mathml[formula]) for formula in latex[finding.id]),

@@ -7,13 +7,15 @@ from pathlib import Path
 
 from report.cache.stage_store import StageStore
 from report.document.document import Document
-from report.pages.formats import Format, made_together
+from report.octave.archive import files
+from report.pages.formats import Format, Paper, made_together
+from report.pages.pdf import Head, typeset
 from report.pages.pieces import Converter
 from report.rendering.errata import to_csv
 from report.rendering.html import to_html
 from report.rendering.json import to_json
 from report.rendering.markdown import to_markdown
-from report.rendering.pdf import to_pdf
+from report.rendering.pictures.drawings import drawings
 from report.rendering.request import WHOLE_REPORT, Request
 from trimmer.files import write_atomically
 
@@ -60,3 +62,24 @@ def render(
     for form, path in paths.items():
         write_atomically(path, contents[form], overwrite=request.overwrite)
     return paths
+
+
+def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageStore | None = None) -> bytes:
+    """Return the report as PDF; the same document gives the same bytes on every machine.
+
+    Args:
+        document: the report.
+        body: its text, as ``Converter.typst`` returns it.
+        paper: size of the pages.
+        store: where the PDF is kept, and taken from if nothing has changed.
+
+    Raises:
+        TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
+        FileWriteError: if the PDF cannot be kept.
+    """
+    more = {
+        **{f"figures/{name}.svg": svg.encode() for name, svg in drawings(document).items()},
+        **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
+    }
+    head = Head(document.title, document.subtitle, document.provenance.date)
+    return typeset(head, body, more, paper, store)

@@ -1,4 +1,4 @@
-"""What the summary counts, and how a claim is named in words."""
+"""What the summary counts, how a claim is named in words, and how the report is made again."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.items import Item, items
 from report.judging.verdict import Certainty, Grade, grade
+from report.rendering.selection import chapter_name
 
 SYMBOLS = {
     Grade.CONCLUSION: "✗",
@@ -122,6 +123,30 @@ def kinds_in_words(document: Document) -> str:
     numbers = Counter(finding.kind for finding in document.findings)
     said = [f"{numbers[kind]} {_KINDS_IN_WORDS[kind][numbers[kind] > 1]}" for kind in Kind if numbers[kind]]
     return " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:])))
+
+
+def figures_judged(document: Document) -> int:
+    """Return how many figures are judged; no drawing of the thesis was seen."""
+    return sum(finding.kind is Kind.FIGURE for finding in document.findings)
+
+
+def command(document: Document) -> str:
+    """Return the command that makes the report, or this part of it, again."""
+    if not document.omitted:
+        return "trimmer report"
+    names = (chapter_name(chapter.number) for chapter in document.chapters)
+    return f"trimmer report --only {' '.join(names)}"
+
+
+def build_time(document: Document) -> str:
+    """Say what processor time the report took from nothing; empty where that is not known.
+
+    It is a measured figure of the data: the time of each build would make each report another file.
+    """
+    taken = document.provenance.build_time
+    if taken is None:
+        return ""
+    return f"{taken.seconds:.0f} s of processor time from nothing, measured with version {taken.version}"
 
 
 def capitalised(text: str) -> str:

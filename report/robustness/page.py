@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from report.document.extras import Digits, EffectRow, Robustness, SurvivalRow
+from decimal import Decimal
+from types import MappingProxyType
+from typing import Final
+
+from report.document.extras import Digits, EffectRow, Robustness
 from report.numbers.evidence import Evidence
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
-from report.robustness.findings import Survival, survivals
+from report.robustness.findings import survivals
 from report.robustness.picture import BARS, bars
-from report.robustness.printed_parameters import PRINTED, left_open, significant_digits
-from report.robustness.variation import SAMPLES, SHARE, Sensitivity, Variation, vary
+from report.robustness.variation import SAMPLES, SHARE, PredictionSensitivity, Variation, vary
 
+PRINTED: Final = MappingProxyType(
+    {
+        **{"m1": "0.035", "m2": "0.003", "m3": "0.005", "m4": "0.030"},
+        **{"k1": "200e3", "k2": "30e3", "k3": "150e3", "k4": "100e3", "k5": "1e3"},
+        **{"c1": "3.5", "c2": "0.4", "c3": "1.0", "c4": "4.0"},
+    }
+)
+"""Lines 4 to 18 of Listing A.1, SI units."""
 FIGURE = "robustness"
 TITLE = "Corrected predictions with other parameters"
 
@@ -24,7 +35,7 @@ def robustness(known: Evidence, samples: int = SAMPLES) -> Robustness:
         left_out=found.left_out,
         digits=tuple(_digits()),
         effects=tuple(_row(each) for each in found.sensitivities),
-        survivals=tuple(_survival(each, samples) for each in survivals(found.samples)),
+        survivals=tuple(survivals(found.samples, samples)),
         figure=_figure(found),
     )
 
@@ -43,7 +54,24 @@ def _digits() -> list[Digits]:
     ]
 
 
-def _row(sensitivity: Sensitivity) -> EffectRow:
+def significant_digits(printed: str) -> int:
+    """Return how many digits a printed number certainly has.
+
+    Zeros at the end of a number without a point may only hold the place, and are not counted.
+    """
+    mantissa = printed.split("e")[0]
+    digits = mantissa.replace(".", "").lstrip("0")
+    return len(digits if "." in mantissa else digits.rstrip("0"))
+
+
+def left_open(printed: str) -> float:
+    """Return half a unit of the last certain digit as a share of the number."""
+    value = Decimal(printed)
+    last = value.adjusted() - significant_digits(printed) + 1
+    return float(Decimal(5).scaleb(last - 1) / value)
+
+
+def _row(sensitivity: PredictionSensitivity) -> EffectRow:
     def shown(value: float) -> str:
         return f"{value:.{sensitivity.quantity.decimals}f}"
 
@@ -56,13 +84,6 @@ def _row(sensitivity: Sensitivity) -> EffectRow:
         f"{shown(largest.lowered)} to {shown(largest.raised)}",
         f"{shown(sensitivity.band[0])} to {shown(sensitivity.band[1])}",
     )
-
-
-def _survival(survival: Survival, samples: int) -> SurvivalRow:
-    if survival.holds is None:
-        return SurvivalRow(survival.claim, survival.finding, "proven", survival.because)
-    share = {samples: "all", 0: "none"}.get(survival.holds, str(survival.holds))
-    return SurvivalRow(survival.claim, survival.finding, f"{share} of {samples}", survival.because)
 
 
 def _figure(found: Variation) -> Figure:

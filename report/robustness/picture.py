@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from report.robustness.variation import Sensitivity
+    from report.robustness.variation import PredictionSensitivity
 
 BARS: Final = 4
 """Parameters shown for each quantity."""
@@ -23,7 +23,7 @@ COLUMNS: Final = 2
 ROW_HEIGHT: Final = 1.3
 
 
-def bars(sensitivities: Sequence[Sensitivity]) -> Figure:
+def bars(sensitivities: Sequence[PredictionSensitivity]) -> Figure:
     """Draw a panel for each quantity: a bar for each of the parameters with the largest effect."""
     rows = -(-len(sensitivities) // COLUMNS)
     figure, axes = panels(ROW_HEIGHT * rows, rows, COLUMNS)
@@ -34,7 +34,7 @@ def bars(sensitivities: Sequence[Sensitivity]) -> Figure:
     return figure
 
 
-def _panel(axes: Axes, sensitivity: Sensitivity) -> None:
+def _panel(axes: Axes, sensitivity: PredictionSensitivity) -> None:
     for row, effect in enumerate(sensitivity.effects[:BARS]):
         for end, colour, hatch in ((effect.lowered, LINES[0], ""), (effect.raised, LINES[1], "////")):
             axes.barh(

@@ -103,7 +103,7 @@ _CHANNELS: Final = (InputChannels.DISPLACEMENT_ONLY, InputChannels.DISPLACEMENT_
 
 @final
 @dataclass(frozen=True)
-class Quantity:
+class PredictedValue:
     """A predicted quantity: its name, its unit, decimals to show, and what it is of the predictions."""
 
     name: str
@@ -121,21 +121,25 @@ def _amplitude(cycle: LimitCycle | None) -> float:
 
 
 QUANTITIES: Final = (
-    Quantity("frequency, stable", "Hz", 1, lambda found: found.friction.stable.frequency),
-    Quantity("amplitude per gap, stable", "", 2, lambda found: found.friction.stable.amplitude),
-    Quantity("frequency, unstable", "Hz", 1, lambda found: _frequency(found.friction.unstable)),
-    Quantity("amplitude per gap, unstable", "", 3, lambda found: _amplitude(found.friction.unstable)),
-    Quantity("frequency with the pin's velocity", "Hz", 1, lambda found: found.velocity.stable.frequency),
-    Quantity(
+    PredictedValue("frequency, stable", "Hz", 1, lambda found: found.friction.stable.frequency),
+    PredictedValue("amplitude per gap, stable", "", 2, lambda found: found.friction.stable.amplitude),
+    PredictedValue("frequency, unstable", "Hz", 1, lambda found: _frequency(found.friction.unstable)),
+    PredictedValue("amplitude per gap, unstable", "", 3, lambda found: _amplitude(found.friction.unstable)),
+    PredictedValue(
+        "frequency with the pin's velocity", "Hz", 1, lambda found: found.velocity.stable.frequency
+    ),
+    PredictedValue(
         "amplitude per gap with the pin's velocity", "", 2, lambda found: found.velocity.stable.amplitude
     ),
-    Quantity("frequency, inertia-controlled", "Hz", 1, lambda found: found.inertia.stable.frequency),
-    Quantity("amplitude per gap, inertia-controlled", "", 2, lambda found: found.inertia.stable.amplitude),
-    Quantity(
+    PredictedValue("frequency, inertia-controlled", "Hz", 1, lambda found: found.inertia.stable.frequency),
+    PredictedValue(
+        "amplitude per gap, inertia-controlled", "", 2, lambda found: found.inertia.stable.amplitude
+    ),
+    PredictedValue(
         "frequency, inertia-controlled, unstable", "Hz", 1, lambda found: _frequency(found.inertia.unstable)
     ),
-    Quantity("width of the band of frequencies", "Hz", 1, lambda found: found.band),
-    Quantity(
+    PredictedValue("width of the band of frequencies", "Hz", 1, lambda found: found.band),
+    PredictedValue(
         "friction that ends the limit cycle, gap 0.2 mm",
         "N",
         2,

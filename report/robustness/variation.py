@@ -11,7 +11,7 @@ from typing import Final, final
 
 import numpy as np
 
-from report.robustness.predictions import QUANTITIES, Predictions, Quantity, predict
+from report.robustness.predictions import QUANTITIES, PredictedValue, Predictions, predict
 from trimmer import TrimmerParameters
 from trimmer.parameters import parameter_table
 from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
@@ -40,10 +40,10 @@ class Effect:
 
 @final
 @dataclass(frozen=True)
-class Sensitivity:
+class PredictionSensitivity:
     """A quantity at the thesis's parameters, its effects, the largest first, and nine tenths of samples."""
 
-    quantity: Quantity
+    quantity: PredictedValue
     nominal: float
     effects: tuple[Effect, ...]
     band: tuple[float, float]
@@ -57,7 +57,7 @@ class Variation:
     ``left_out`` of the samples have a loop without a stable limit cycle, and are not in ``samples``.
     """
 
-    sensitivities: tuple[Sensitivity, ...]
+    sensitivities: tuple[PredictionSensitivity, ...]
     samples: tuple[Predictions, ...]
     left_out: int
 
@@ -111,15 +111,15 @@ def _predicted(parameters: TrimmerParameters) -> Predictions:
 
 
 def _sensitivity(
-    quantity: Quantity,
+    quantity: PredictedValue,
     nominal: Predictions,
     ends: dict[str, tuple[Predictions, ...]],
     samples: tuple[Predictions, ...],
-) -> Sensitivity:
+) -> PredictionSensitivity:
     effects = [Effect(name, quantity.of(low), quantity.of(high)) for name, (low, high) in ends.items()]
     found = distribution_of(np.array([quantity.of(each) for each in samples]))
     band = (found.quantiles[0].value, found.quantiles[-1].value) if found else (np.nan, np.nan)
-    return Sensitivity(
+    return PredictionSensitivity(
         quantity,
         quantity.of(nominal),
         tuple(sorted(effects, key=lambda effect: -effect.size)),

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from report.data.figures import FigureRecord
 from report.document.extras import Observation, TwinChapter, TwinSection
 from report.judging.parts import so
-from report.judging.record import FigureRecord, text
+from report.judging.record import text
 from report.numbers.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
@@ -37,17 +38,6 @@ SECTIONS: Final = (
     design.SECTION,
     open_questions.SECTION,
 )
-
-COMPUTED_AGAIN: Final = """
-    The maps are kept with the code, with the hash of mechanism, places, values and settings. This build has
-    drawn [[ drawn ]] of their [[ total ]] cells at random (seed [[ seed ]], which changes with the code and
-    with the data) and computed them again: [[ same ]] came out as kept. Of these, [[ rounding ]] did so only
-    from a start a nanometre beside rest.
-"""
-OTHERS: Final = """
-    Others came out as something else: [[ others ]]. Kept or now they do not repeat, and how a long transient
-    ends depends on rounding.
-"""
 
 
 def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
@@ -89,14 +79,18 @@ def of_check(check: CellCheck) -> ObservationRecord:
     """Return the observation that says which cells were computed again, and how they came out."""
 
     def items(_: Evidence) -> Observed:
-        yield text(COMPUTED_AGAIN + (OTHERS if check.others else "")).given(
-            drawn=check.drawn,
-            total=check.total,
-            seed=check.seed,
-            same=check.drawn - len(check.others),
-            rounding=check.by_rounding,
-            **({"others": "; ".join(check.others)} if check.others else {}),
-        )
+        others = f"""
+
+            Others came out as something else: {"; ".join(check.others)}. Kept or now they do not repeat, and
+            how a long transient ends depends on rounding.
+        """
+        yield text(f"""
+            The maps are kept with the code, with the hash of mechanism, places, values and settings. This
+            build has drawn {check.drawn} of their {check.total} cells at random (seed {check.seed}, which
+            changes with the code and with the data) and computed them again:
+            {check.drawn - len(check.others)} came out as kept. Of these, {check.by_rounding} did so only
+            from a start a nanometre beside rest.{others if check.others else ""}
+        """)
         yield so(
             "kind, number of drive periods, stroke, accelerations, wear, impacts and second harmonic of each "
             "cell, to seven digits where the motion repeats, and its kind where it does not",

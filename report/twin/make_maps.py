@@ -16,7 +16,7 @@ from pathlib import Path
 from report.cache.source_closure import SourceTree
 from report.numbers.twin.closed_loop import FILE as LOOP_FILE
 from report.numbers.twin.closed_loop import LOOP_COURSES, without_friction
-from report.numbers.twin.grids import COURSES, GRIDS, Course, Grid
+from report.numbers.twin.grids import COURSES, GRIDS, Grid, KeptCourse
 from report.numbers.twin.kept_branch import FILE, settings_of, write_branches
 from report.numbers.twin.kept_files import FOLDER
 from report.numbers.twin.kept_map import write_map
@@ -67,7 +67,7 @@ def make_branches() -> None:
     write_branches([(each, _followed(each, without_friction(each))) for each in LOOP_COURSES], LOOP_FILE)
 
 
-def _followed(course: Course, state: Reals | None = None) -> FollowedBranch:
+def _followed(course: KeptCourse, state: Reals | None = None) -> FollowedBranch:
     print(f"branch {course.name}", file=sys.stderr)
     interval = course.place, course.start, course.stop
     return follow(course.subject, *interval, state=state, settings=settings_of(course))

@@ -2,7 +2,7 @@
 
     @observation("twin-chaos", source="report/numbers/twin/cases.py")
     def chaos(known: Evidence) -> Observed:
-        yield text("The exponent is [[ exponent | f2 ]].").given(exponent=...)
+        yield text(f"The exponent is {exponent:.2f}.")
         yield so("it exceeds three standard errors", exponent > 3 * error)
 
 Each confirmation is a check of ``report.judging.parts`` that must hold, or the build stops.
@@ -14,10 +14,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final
 
+from report.data.figures import FigureRecord
 from report.document.extras import Observation
 from report.judging.claim import Confirmation
-from report.judging.record import FigureRecord, Text, said
-from report.judging.text import RecordError, filled
+from report.judging.record import Text, said
+from report.judging.text import RecordError, one_line
 from report.numbers.evidence import Evidence
 
 Observed = Iterator[Text | Confirmation]
@@ -57,7 +58,7 @@ class ObservationRecord:
             raise RecordError(f"observation {self.id} has no check; it needs at least one")
         return Observation(
             id=self.id,
-            title=filled(self.title),
+            title=one_line(self.title),
             text="\n\n".join(paragraphs),
             evidence=tuple(self._held(check) for check in checks),
             source=self.source,

@@ -16,7 +16,7 @@ from derivations.loop.narrative import loop_narrative
 from derivations.mechanism import Mechanism
 from derivations.narrative import narrative
 from derivations.parts import ContactLaw, Damper, Spring
-from derivations.step import Step
+from derivations.step import NarrativeStep
 from tests.derivations.symbolic_parts import GROUND, body, force, friction, pin, play, positive, stop
 from trimmer.code_generation import derive_mechanism_sources
 from trimmer.mechanism.mechanism import Mechanism as MechanismOfNumbers
@@ -45,7 +45,7 @@ def every_part() -> Mechanism:
 
 FOLDER = Path(__file__).with_name("kept")
 EXAMPLE = Path(__file__).parents[2] / "examples" / "foil-shaver.toml"
-NARRATIVES: Mapping[str, Callable[[], tuple[Step, ...]]] = {
+NARRATIVES: Mapping[str, Callable[[], tuple[NarrativeStep, ...]]] = {
     "linear": lambda: narrative(derive_linear_trimmer()),
     "loop": lambda: loop_narrative(derive_linear_trimmer()),
     "elements": element_narrative,
@@ -56,7 +56,7 @@ SOURCES = ("document", "module")
 """What `trimmer derive` writes of an example."""
 
 
-def told(step: Step) -> Iterator[str]:
+def told(step: NarrativeStep) -> Iterator[str]:
     """Yield the lines of a step."""
     yield f"## {step.title} ({step.id}{', long' if step.long else ''})"
     yield from step.text.splitlines()

@@ -7,7 +7,7 @@ from derivations.latex import latex
 from derivations.latex_document import latex_document
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.narrative import narrative
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.symbols import c2, k2, q1, t, u_dot
 
 
@@ -38,7 +38,7 @@ def test_every_equation_of_the_linear_model_is_shown(derivation):
 
 
 def test_document_has_balanced_braces_and_all_coefficients(derivation):
-    element = Step("df-one", "One", "Text.", (Formula("N_{1} = 1", "2.41"),))
+    element = NarrativeStep("df-one", "One", "Text.", (Formula("N_{1} = 1", "2.41"),))
     text = latex_document(derivation, (element,))
     assert text.startswith(r"\documentclass")
     assert text.rstrip().endswith(r"\end{document}")

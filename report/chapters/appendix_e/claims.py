@@ -36,17 +36,19 @@ def gaps(known: Evidence) -> Record:
         "frequencies",
         "all four have the same frequency",
         max(frequencies) / min(frequencies) - 1 < ALIKE,
-        "[[ found | f2 ]] Hz in each; the prediction without rounded coefficients is [[ predicted | f2 ]] Hz",
-        numbers={"found": frequencies[0], "predicted": cycle.frequency},
+        f"""
+        {frequencies[0]:.2f} Hz in each; the prediction without rounded coefficients is {cycle.frequency:.2f}
+        Hz
+        """,
         method="exact simulation",
         second=close(by_durations, known.orbits.friction_by_durations[1], frequencies[0], 1e-5),
     )
-    yield text("""
-        The exact amplitude is [[ exact | f4 ]] gaps, the predicted one [[ predicted | f4 ]]; to the digits of
-        [table 5.2](#tab-5.2) they are the same. That all four agree is one result, not four: gap and
-        displacements times one factor give the same motion. The text's reference to the table is printed as
-        two question marks.
-    """).given(exact=runs[0].amplitude / runs[0].gap, predicted=cycle.amplitude)
+    yield text(f"""
+        The exact amplitude is {runs[0].amplitude / runs[0].gap:.4f} gaps, the predicted one
+        {cycle.amplitude:.4f}; to the digits of [table 5.2](#tab-5.2) they are the same. That all four agree
+        is one result, not four: gap and displacements times one factor give the same motion. The text's
+        reference to the table is printed as two question marks.
+    """)
 
 
 def unaltered(ripples: list[float]) -> bool:
@@ -61,21 +63,15 @@ def amplitudes(known: Evidence) -> Record:
     ripples = [run.ripple for run in runs]
     by_lines = f"{RIPPLE.size} lines of the element's waveform times the response, at 0.15 mm"
     ripple = ripple_behind_backlash(system, LARGE_GAP, smallest.amplitude, DRIVE_OMEGA)
+    shown = ", ".join(f"{1000000.0 * run.ripple:.1f} µm at {1000.0 * run.amplitude:g} mm" for run in runs[1:])
     yield assertion(
         "oscillation on top of the drive's, all five amplitudes",
         UNALTERED,
         unaltered(ripples),
-        """
-        at [[ still | f1 ]] µm the pin stays within its play of [[ gap | f0 ]] µm and nothing moves; above it
-        half of peak to peak without the first harmonic is [[ shown ]]
+        f"""
+        at {1e6 * still.amplitude:.1f} µm the pin stays within its play of {1e6 * LARGE_GAP:.0f} µm and
+        nothing moves; above it half of peak to peak without the first harmonic is {shown}
         """,
-        numbers={
-            "still": 1e6 * still.amplitude,
-            "gap": 1e6 * LARGE_GAP,
-            "shown": ", ".join(
-                f"{1e6 * run.ripple:.1f} µm at {1e3 * run.amplitude:g} mm" for run in runs[1:]
-            ),
-        },
         method="exact simulation from rest",
         second=close(by_lines, ripple, smallest.ripple, 0.001),
         item=DRIVE_ITEM,
@@ -106,17 +102,13 @@ def amplitudes(known: Evidence) -> Record:
         severity=Severity.CONCLUSION,
         certainty=Certainty.PROVEN,
     )
-    yield text("""
+    smaller = 100 * (1 - smallest.ripple / largest.ripple)
+    yield text(f"""
         A drive far larger than the gap leaves a square wave of half a gap behind the play, whatever its
-        amplitude, so the ripple tends to [[ ripple | f1 ]] µm. That explains the observation without a limit
-        cycle, which the open loop does not have. At [[ small ]] mm the ripple is [[ smaller | f0 ]] %
-        smaller, and at [[ still ]] µm nothing moves.
+        amplitude, so the ripple tends to {1e6 * largest.ripple:.1f} µm. That explains the observation without
+        a limit cycle, which the open loop does not have. At {f"{1e3 * smallest.amplitude:g}"} mm the ripple
+        is {smaller:.0f} % smaller, and at {f"{1e6 * still.amplitude:g}"} µm nothing moves.
 
         The answer of chapter 7, that the drive's amplitude has no effect on a limit cycle, rests on
         harmonics.
-    """).given(
-        ripple=1e6 * largest.ripple,
-        small=f"{1e3 * smallest.amplitude:g}",
-        smaller=100 * (1 - smallest.ripple / largest.ripple),
-        still=f"{1e6 * still.amplitude:g}",
-    )
+    """)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import LARGE_GAP, TURN
 from report.pages.drawing.style import LINES, panels
@@ -18,15 +18,7 @@ LAST: Final = 0.006
 """Time that is shown of the settled motions, s."""
 
 
-@figure(
-    "fig-E.1",
-    "Closed loop for four gaps",
-    caption="""Settled output of the closed loop without drive, pin displacement only (thesis, figure E.1).
-    (a) The four motions, with amplitude and frequency of each. (b) The same over the gap: they are one
-    motion, scaled by the gap.""",
-    alternative_text="""Left, four nearly sinusoidal curves over 6 ms with the same period, whose amplitude
-    rises from 2.5 to 5.0 mm. Right, the same curves divided by their gaps: one curve of amplitude 8.29.""",
-)
+@figure("fig-E.1")
 def closed_loop_for_four_gaps(known: Evidence) -> Figure:
     runs = known.motion.released.appendix
     figure, (lengths, gaps) = panels(3.6, 1, 2)
@@ -44,16 +36,7 @@ def closed_loop_for_four_gaps(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-E.2",
-    "Open loop for five amplitudes of the drive",
-    caption="""Settled input and output at 100 Hz, $b$ = 40 µm, over the amplitude of the input (thesis,
-    figure E.2). (a) At 1.5 µm the pin stays within its play. (f) Outputs without their first harmonic,
-    which far above the gap no longer depend on the amplitude.""",
-    alternative_text="""Five panels with a sine and an output: zero in the first, rippled in the second,
-    nearly the same sine in the others. The sixth panel shows ripples of 26 to 36 micrometres that nearly
-    coincide.""",
-)
+@figure("fig-E.2")
 def drive_amplitudes(known: Evidence) -> Figure:
     runs = known.motion.drive_amplitudes
     figure, grid = panels(5.4, 3, 2, sharex=True)

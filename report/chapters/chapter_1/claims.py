@@ -24,11 +24,10 @@ def components(known: Evidence) -> Record:
         "guard to guard housing, guard housing to plastic housing",
         "the guard is carried by the guard housing, and this by the plastic housing",
         stiffness[3, 2] != 0 and to_surroundings[2] != 0 and to_surroundings[3] == 0,
-        """
-        the guard is tied by $[[ guard | latex ]]$ to its housing and by nothing to the surroundings, the
-        housing by $[[ housing | latex ]]$
+        f"""
+        the guard is tied by ${sympy.latex(-stiffness[3, 2])}$ to its housing and by nothing to the
+        surroundings, the housing by ${sympy.latex(to_surroundings[2])}$
         """,
-        numbers={"guard": -stiffness[3, 2], "housing": to_surroundings[2]},
         method="forces on each body for a unit of each displacement",
         second=same(
             "the second derivatives of the potential energy",
@@ -40,10 +39,10 @@ def components(known: Evidence) -> Record:
         "cutter and driving bridge",
         "cutter and driving bridge are one rigid body",
         free == len(MOVING_PARTS) - 1,
-        """
-        of [[ parts ]] only [[ free ]] move by themselves: cutter and bridge share a mass and a displacement
+        f"""
+        of {", ".join(MOVING_PARTS)} only {free} move by themselves: cutter and bridge share a mass and a
+        displacement
         """,
-        numbers={"parts": ", ".join(MOVING_PARTS), "free": free},
         method="rank of the mass matrix",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), free),
     )

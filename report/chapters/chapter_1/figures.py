@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing import mechanical_symbols as draw
 from report.pages.drawing.style import BLACK
@@ -13,16 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@figure(
-    "fig-1.1",
-    "Parts of the trimmer",
-    caption="""The parts that the text names and what they are fastened to (thesis, figure 1.1); shapes and
-    sizes are free. The pin moves the driving bridge through play; the cutter rubs on the guard.""",
-    alternative_text="""A motor with a shell and an eccentric pin stands on the plastic housing. The pin
-    stands between two raised edges of the driving bridge, with play on both sides. The bridge is fixed to the
-    cutter, which touches the guard. The guard is fixed to the guard housing, and a coil spring ties the
-    cutter to it.""",
-)
+@figure("fig-1.1")
 def components(_: Evidence) -> Figure:
     figure, axes = draw.canvas(6.5, 4.0)
     draw.body(axes, (0.5, 0.2), (5.5, 0.35), "plastic housing", "#f2f2f2")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_spectrum
 from report.numbers.evidence import Evidence
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, ReleasedRun, released_spectrum
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-DRIVEN: Final = "Simulated with the parameters of Listing A.1, driven with 1.5 mm at 109.945 Hz"
 SHOWN_FORCE: Final = FORCES[1]
 """Friction in the figures that stand for the experiment, N."""
 SHOWN_TIME, FROM_REST = 0.05, 0.03
@@ -44,27 +43,12 @@ SET_APART: Final = 0.2
 IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.7, "columnspacing": 1.0}
 
 
-@figure(
-    "fig-3.1",
-    "Motions without play",
-    caption=f"""{DRIVEN}, settled, in place of the measured motions (thesis, figure 3.1): cutter, guard, and
-    difference. Friction of 0.5 N between cutter and guard, no play. The guard's motion, two per cent of the
-    cutter's, shows higher harmonics most clearly.""",
-    alternative_text="""Three curves over 50 ms: cutter and difference are sines of 1.5 mm with flattened
-    peaks, the guard moves by 20 micrometres to either side and less smoothly.""",
-)
+@figure("fig-3.1")
 def motions_without_play(known: Evidence) -> Figure:
     return _motions(known.motion.driven.run(0.0, SHOWN_FORCE))
 
 
-@figure(
-    "fig-3.3",
-    "Motions with play",
-    caption=f"""{DRIVEN}, settled (thesis, figure 3.3): as figure 3.1, with a play of 0.2 mm between pin and
-    bridge.""",
-    alternative_text="""Three curves over 50 ms: cutter and difference show a fast oscillation on top of a
-    sine of 1.5 mm, the guard moves by 20 micrometres to either side.""",
-)
+@figure("fig-3.3")
 def motions_with_play(known: Evidence) -> Figure:
     return _motions(known.motion.driven.run(EXPERIMENT_GAP, SHOWN_FORCE))
 
@@ -85,26 +69,12 @@ def _motions(run: DrivenRun) -> Figure:
     return figure
 
 
-@figure(
-    "fig-3.2",
-    "Spectrum without play",
-    caption=f"""{DRIVEN}: 2001 samples at 20 kHz of the motion of figure 3.1, bins of 9.995 Hz (thesis, figure
-    3.2). Only odd harmonics; the fifth is raised by a natural mode at 549.6 Hz.""",
-    alternative_text="""Amplitude on a logarithmic scale against frequency up to 1000 Hz, with peaks at the
-    first, third, fifth, seventh and ninth multiple of the drive and nothing between them.""",
-)
+@figure("fig-3.2")
 def spectrum_without_play(known: Evidence) -> Figure:
     return _spectra({"without play": _settled(known.motion.driven.run(0.0, SHOWN_FORCE))})
 
 
-@figure(
-    "fig-3.4",
-    "Spectrum with play",
-    caption=f"""{DRIVEN}: the motions of figures 3.3 and 3.1 (thesis, figure 3.4). Play raises the odd
-    harmonics and adds no others.""",
-    alternative_text="""Two spectra on a logarithmic scale. Both have peaks at the odd multiples of the drive
-    only; with play the third, fifth and seventh are higher.""",
-)
+@figure("fig-3.4")
 def spectrum_with_play(known: Evidence) -> Figure:
     gaps = {"play of 0.2 mm": EXPERIMENT_GAP, "without play": 0.0}
     return _spectra({name: _settled(known.motion.driven.run(gap, SHOWN_FORCE)) for name, gap in gaps.items()})
@@ -126,15 +96,7 @@ def _spectra(spectra: dict[str, Spectrum]) -> Figure:
     return figure
 
 
-@figure(
-    "fig-3.5",
-    "Spectrum with play, 200 to 1000 Hz",
-    caption="""(a) The spectrum of figure 3.4 above the drive. (b) Frequencies of the measured peaks of table
-    3.2, whose heights the text does not give (thesis, figure 3.5). Dotted: multiples of 109.945 Hz. The
-    measurement has even harmonics, which the model cannot have.""",
-    alternative_text="""Peaks of the model at the third and fifth harmonic. Below, a strip of ticks for three
-    measurements, near the second, third, fourth and fifth harmonic.""",
-)
+@figure("fig-3.5")
 def enlarged_spectrum(known: Evidence) -> Figure:
     spectrum = _settled(known.motion.driven.run(EXPERIMENT_GAP, SHOWN_FORCE))
     frequency, amplitude = spectrum.frequency, 1e6 * spectrum.amplitude
@@ -156,16 +118,7 @@ def enlarged_spectrum(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-3.6",
-    "Open loop, gap 0.2 mm",
-    caption=f"""{DRIVEN}, with friction of 0.25, 0.50 and 0.75 N between cutter and guard (thesis, figure
-    3.6). (a) From rest. (b) Settled, by harmonic; third and fifth are the largest, and friction makes the
-    fifth smaller.""",
-    alternative_text="""Left: displacement from rest over 30 ms for three frictions, a sine with a faster
-    oscillation on top. Right: amplitudes of the third to ninth harmonic, the fifth falling from 259 to 154
-    micrometres.""",
-)
+@figure("fig-3.6")
 def open_loop_with_small_gap(known: Evidence) -> Figure:
     runs = [known.motion.driven.run(EXPERIMENT_GAP, force) for force in FORCES]
     orders = np.arange(3, 10, 2)
@@ -187,14 +140,7 @@ def open_loop_with_small_gap(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-3.7",
-    "Open loop, larger gaps",
-    caption=f"""{DRIVEN}. (a) With the printed gap of 20 mm the pin swings inside of its play and nothing
-    else moves (thesis, figure 3.7). (b) The middle one of the three gaps, 2 mm, with three frictions.""",
-    alternative_text="""Left: a small sine in a wide grey band, and a line at zero. Right: three curves with a
-    strong oscillation on top of the drive's, smaller with more friction.""",
-)
+@figure("fig-3.7")
 def open_loop_with_large_gap(known: Evidence) -> Figure:
     still = known.motion.driven.run(LARGEST_GAP, SHOWN_FORCE)
     part = slice(0, int(FROM_REST * SAMPLE_RATE) + 1)
@@ -223,15 +169,7 @@ def _name_harmonic(axes: Axes, order: int, height: float, offset: tuple[float, f
     beside(axes, f"$f_{order}$", (order * MEASURED_DRIVE_FREQUENCY, height), offset)
 
 
-@figure(
-    "fig-3.8",
-    "What the start adds to a spectrum",
-    caption=f"""{DRIVEN}, gap 2 mm, friction 0.25 N (thesis, figure 3.8). (a) A record from rest and one of
-    the settled motion, whole periods. (b) Spectrum of their difference over time; dotted lines are natural
-    modes. The peak that the thesis takes for a limit cycle stands beside the second.""",
-    alternative_text="""Left: the settled record has three narrow peaks and nothing between them; the record
-    from rest has a floor with a hump near 355 Hz. Right: peaks at the dotted lines near 355 and 550 Hz.""",
-)
+@figure("fig-3.8")
 def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     run = known.motion.driven.run(LARGER_GAP, FORCES[0])
     started = amplitude_spectrum(run.output[:WHOLE_PERIODS], SAMPLE_RATE, Window.RECTANGULAR)
@@ -261,16 +199,7 @@ def open_loop_spectrum_with_large_gap(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-3.9",
-    "Closed loop released without drive",
-    caption="""Spectra of the first 0.3 s with the parameters of Listing A.1, over the gap (thesis, figure
-    3.9). (a), (c) Released inside of the play, natural modes die out, near 355 Hz for every gap. (b), (d)
-    Released outside, the limit cycle. Friction acts by its ratio to the gap. Dotted: the second natural
-    mode.""",
-    alternative_text="""Four panels for two gaps and two starts. Left peaks at 355 and 550 Hz, which friction
-    of 0.25 N removes for the small gap only. Right one peak at 728 Hz, hardly changed by friction.""",
-)
+@figure("fig-3.9")
 def closed_loop_spectra(known: Evidence) -> Figure:
     second, third = (mode.frequency for mode in known.numbers.modes[1:3])
     figure, grid = panels(4.8, 2, 2, sharex=True, sharey="col")

@@ -119,11 +119,11 @@ def gaps(_: Evidence) -> Record:
     caption = "Inertia-controlled wave characteristics for a variety of backlash widths"
     missing = "the gaps that were drawn, and whether the constants of Listing A.8 were computed for each"
     yield uncheckable("the other curves", caption, missing)
-    yield text("""
+    yield text(f"""
         What is said of $b = 0$ is right. The constants in lines 8 and 12 of Listing A.8 hold for a gap of
-        [[ gap ]] mm only. For other gaps the figure is right if they were replaced each time, as in the
-        figure drawn here.
-    """).given(gap=1e3 * TIMED_GAP)
+        {1e3 * TIMED_GAP} mm only. For other gaps the figure is right if they were replaced each time, as in
+        the figure drawn here.
+    """)
 
 
 @claim("txt-4.2.1-block-equivalence")
@@ -170,7 +170,6 @@ def zero_gap(_: Evidence) -> Record:
         method="the derived contact equation and its slope",
         second=so(root, load_in_play.contact_angle_by_bisection(1e-9) < 0.002),
         item=NO_GAP,
-        certainty=Certainty.PROVEN,
     )
     at_two = InertiaBacklash(1e-6 * DRIVE_AMPLITUDE).waveform(np.array([2.0]), DRIVE_AMPLITUDE, DRIVE_OMEGA)
     hardly = "the element's waveform for a gap of a millionth of the amplitude"
@@ -185,11 +184,12 @@ def zero_gap(_: Evidence) -> Record:
     )
     phase = np.linspace(0, TURN, 400, endpoint=False)
     pin = DRIVE_AMPLITUDE * np.sin(phase)
-    yield text("""
+    left = 1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max())
+    yield text(f"""
         Between walls a gap apart the load is never farther than $b/2$ from the pin, so without a gap the
         output is the input. Listing A.8 gives it only if the constants of lines 8 and 12 are computed again
-        for each gap: with line 2 alone set to zero its output is off by [[ left | f2 ]] mm.
-    """).given(left=1e3 * float(np.abs(blocks.inertia_block(pin, phase / DRIVE_OMEGA, 0.0) - pin).max()))
+        for each gap: with line 2 alone set to zero its output is off by {left:.2f} mm.
+    """)
 
 
 @claim("txt-4.2.3-roles")
@@ -206,7 +206,6 @@ def roles(_: Evidence) -> Record:
         f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
         method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
         second=so(means, lighter < usual < heavier),
-        certainty=Certainty.PROVEN,
     )
     ratio = r"\frac{v}{v_0}"
     flies_on = "$D = 0$ is inertia-controlled: the load flies on with the speed it has"
@@ -229,7 +228,7 @@ def gamma(_: Evidence) -> Record:
     by_decay = -1 / math.log(load_in_play.speed_left(TIME_CONSTANT, 1 / DRIVE_OMEGA))
     slip = made_here("1/0.99 is put in for 1/99", DRIVE_OMEGA / 0.99)
     second = close(decay, by_decay, right)
-    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip, severity=Severity.SLIP)
+    yield digits("value", PRINTED_GAMMA, right, second=second, slip=slip)
     units = DIMENSIONS | {LOAD_MASS: MASS, LOAD_DAMPING: FORCE * TIME / LENGTH}
     unit = dimension_of(LOAD_MASS / LOAD_DAMPING * omega, units)
     milliseconds = "its value in milliseconds, which is that in seconds"
@@ -240,18 +239,17 @@ def gamma(_: Evidence) -> Record:
         rf"$M/D$ is a time and $\omega$ its inverse: the unit is {unit}",
         method="dimension check of equation 2.45",
         second=close(milliseconds, (1000 * TIME_CONSTANT) * (DRIVE_OMEGA / 1000), right),
-        severity=Severity.SLIP,
         certainty=Certainty.PROVEN,
     )
-    yield text(r"""
-        With the printed ratio $\gamma = 200\pi/99 = [[ right | f4 ]]$, a pure number. The printed value is a
+    yield text(rf"""
+        With the printed ratio $\gamma = 200\pi/99 = {right:.4f}$, a pure number. The printed value is a
         hundred times as large and comes out with $M/D = 1/0.99$, so the ratio, which is arbitrary, may be the
         one that is mistyped. It is printed twice, so a decimal point lost in the copy would have to be lost
         twice.
 
         None beyond this section: the separation angle that follows belongs to 1/0.99, a load nearly without
         friction; with 1/99 it is a hundred times larger.
-    """).given(right=right)
+    """)
 
 
 @claim("txt-4.2.3-separation-angle")
@@ -286,9 +284,9 @@ def angle_of_separation(_: Evidence) -> Record:
         severity=Severity.SLIP,
         certainty=Certainty.PROVEN,
     )
-    yield text(r"""
-        The arctangent is right for the printed $\gamma$. For the stated ratio it is [[ angle | f4 ]] rad, or
-        [[ degrees | f2 ]] degrees, and it is an angle, not a time.
+    yield text(rf"""
+        The arctangent is right for the printed $\gamma$. For the stated ratio it is {right:.4f} rad, or
+        {math.degrees(right):.2f} degrees, and it is an angle, not a time.
 
         None on later numbers: the section computes no waveform from it.
-    """).given(angle=right, degrees=math.degrees(right))
+    """)

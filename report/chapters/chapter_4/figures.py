@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers import listed_blocks as blocks
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
@@ -23,14 +23,7 @@ INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())
 """Displacement of the pin, mm."""
 
 
-@figure(
-    "fig-4.1",
-    "Two blocks of friction-controlled backlash",
-    caption="""Listing A.7 and python-control's backlash from rest, $b$ = 0.4 mm, pin 1.5 mm at 100 Hz
-    (thesis, figure 4.1, whose built-in block is Simulink's). (b) Their difference, zero.""",
-    alternative_text="""A sine and a clipped, delayed copy of it over two periods; circles of the second block
-    lie on the first one's line. The difference is a line at zero.""",
-)
+@figure("fig-4.1")
 def two_friction_blocks(_: Evidence) -> Figure:
     built_in, own = blocks.built_in_block(), blocks.own_block()
     figure, (outputs, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
@@ -45,14 +38,7 @@ def two_friction_blocks(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-4.2",
-    "Block of inertia-controlled backlash",
-    caption="""(a) Input and output of Listing A.8, $b$ = 0.4 mm. (b) How far the output is from the exact
-    waveform (thesis, figure 4.2). The offset of -12.4 µm comes from a rounded constant.""",
-    alternative_text="""A sine and an output that leads into straight flights twice a period. Below, the
-    deviation is zero but for one flight in each period, where it is minus 12.4 micrometres.""",
-)
+@figure("fig-4.2")
 def inertia_block_over_time(_: Evidence) -> Figure:
     output, exact = blocks.listing_a8(), blocks.exact_inertia(TIMED_GAP)
     figure, (waves, difference) = panels(3.8, 2, sharex=True, height_ratios=(2.4, 1))
@@ -65,15 +51,7 @@ def inertia_block_over_time(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-4.3",
-    "Inertia-controlled backlash for several gaps",
-    caption="""Exact output for a pin of 1.5 mm at 100 Hz and gaps of our choice (thesis, figure 4.3, which
-    names none). Without gap it is the input; the wider the gap, the longer the flight and the larger the
-    output.""",
-    alternative_text="""Five periodic curves; the one without gap is a sine, the others rise higher and later,
-    along straight lines.""",
-)
+@figure("fig-4.3")
 def inertia_waveforms(_: Evidence) -> Figure:
     figure, axes = panels(3.4)
     for gap, line in zip(blocks.GAPS, LINES, strict=False):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, final
 
 from report.design.diagram import symbols
-from report.design.diagram.layout import Layout, Run, layout_of
+from report.design.diagram.layout import DiagramLayout, Run, layout_of
 from report.design.quantities import shown
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
@@ -70,7 +70,7 @@ class _Geometry:
     height: float
 
     @classmethod
-    def of(cls, layout: Layout, pins: Collection[str], low: int, high: int) -> _Geometry:
+    def of(cls, layout: DiagramLayout, pins: Collection[str], low: int, high: int) -> _Geometry:
         left, right = layout.walls
         spaces = _spaces(layout, pins)
         bodies = len(layout.bodies)
@@ -87,7 +87,7 @@ class _Geometry:
         return 0.05 + (lane - self.low + 0.5) * LANE
 
 
-def _spaces(layout: Layout, pins: Collection[str]) -> list[float]:
+def _spaces(layout: DiagramLayout, pins: Collection[str]) -> list[float]:
     """Return the widths of the spaces between columns: as wide as what stands in each needs."""
     count = len(layout.bodies) + 1
     needed = [NARROWEST] * count
@@ -109,7 +109,7 @@ def _spaces(layout: Layout, pins: Collection[str]) -> list[float]:
 class _Drawing:
     axes: Axes
     mechanism: Mechanism
-    layout: Layout
+    layout: DiagramLayout
     geometry: _Geometry
 
     def draw(self) -> None:

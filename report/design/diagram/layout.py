@@ -61,7 +61,7 @@ class Run:
 
 
 @dataclass(frozen=True)
-class Layout:
+class DiagramLayout:
     """Places of all parts.
 
     Attributes:
@@ -88,7 +88,7 @@ class Layout:
         return sum(run.right - run.left for run in self.runs) + 2 * len(lanes) + CROSSING * crossed
 
 
-def layout_of(mechanism: Mechanism) -> Layout:
+def layout_of(mechanism: Mechanism) -> DiagramLayout:
     """Return places for the parts of a mechanism, in the order of bodies that is best to read."""
     joints = tuple(joints_of(mechanism))
     return min((_placed(order, joints) for order in _orders(mechanism, joints)), key=lambda each: each.cost)
@@ -129,13 +129,13 @@ def _from_ground(bodies: tuple[str, ...], joints: Sequence[Joint]) -> tuple[str,
     return tuple(body for body in met if body != GROUND)
 
 
-def _placed(bodies: tuple[str, ...], joints: Sequence[Joint]) -> Layout:
+def _placed(bodies: tuple[str, ...], joints: Sequence[Joint]) -> DiagramLayout:
     columns = {body: place for place, body in enumerate(bodies, start=1)}
     lanes = _Lanes(columns)
     found = sorted(((*_ends(joint, columns), joint) for joint in joints), key=lambda each: each[1] - each[0])
     runs = tuple(lanes.run(joint, left, right, turned) for left, right, turned, joint in found)
     spans = {body: lanes.covered.get(body, (0, 0)) for body in bodies}
-    return Layout(bodies, runs, spans)
+    return DiagramLayout(bodies, runs, spans)
 
 
 def _ends(joint: Joint, columns: Mapping[str, int]) -> tuple[int, int, bool]:

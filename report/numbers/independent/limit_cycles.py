@@ -12,7 +12,7 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 
-from report.numbers.friction_in_place import Merger, force_response
+from report.numbers.friction_in_place import FrictionCycle, force_response
 from report.numbers.independent.exact_response import quotient
 from report.numbers.linear_numbers import LinearNumbers
 from report.numbers.thesis import LISTING_DENOMINATOR, LISTING_NUMERATOR, TURN
@@ -87,7 +87,7 @@ def inertia_exactly(numbers: LinearNumbers, near: LimitCycle) -> tuple[float, fl
         return float(1 / (angle - mpmath.sin(angle))), omega
 
 
-def loop_at_merger(numbers: LinearNumbers, merger: Merger) -> complex:
+def loop_at_merger(numbers: LinearNumbers, merger: FrictionCycle) -> complex:
     """Return the loop at the solution with the largest force, by the equations of motion at its frequency."""
     model, omega = force_response(numbers.parameters), TURN * merger.frequency
     by_force = complex(

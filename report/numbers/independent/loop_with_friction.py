@@ -16,7 +16,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq, minimize_scalar
 
-from report.numbers.friction_in_place import force_response
+from report.numbers.friction_in_place import FrictionCycle, force_response
 from trimmer import TrimmerParameters, pin_model
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
@@ -27,18 +27,9 @@ ACCURACY: Final = 1e-6
 """Of the frequency with the largest force, Hz; the force is flat there."""
 
 
-@dataclass(frozen=True)
-class LoopCycle:
-    """A limit cycle: its amplitude in gaps, frequency in Hz, and friction per gap in N/m."""
-
-    amplitude: float
-    frequency: float
-    force_per_gap: float
-
-
-def largest_friction(parameters: TrimmerParameters, lowest: float, highest: float) -> LoopCycle:
+def largest_friction(parameters: TrimmerParameters, lowest: float, highest: float) -> FrictionCycle:
     """Return the limit cycle with the largest friction, of those with frequencies in a range, Hz."""
-    loop = _Loop.of(parameters)
+    loop = _HalfPeriods.of(parameters)
     found = minimize_scalar(
         lambda frequency: -loop.cycle(frequency).force_per_gap,
         bounds=(lowest, highest),
@@ -49,7 +40,7 @@ def largest_friction(parameters: TrimmerParameters, lowest: float, highest: floa
 
 
 @dataclass(frozen=True, eq=False)
-class _Loop:
+class _HalfPeriods:
     """x' = A x + B u + F f, y = C x; the friction f acts on the cutter and the other way on the guard."""
 
     A: Reals
@@ -58,16 +49,16 @@ class _Loop:
     F: Reals
 
     @classmethod
-    def of(cls, parameters: TrimmerParameters) -> _Loop:
+    def of(cls, parameters: TrimmerParameters) -> _HalfPeriods:
         system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
         return cls(system.A, system.B[:, 0], system.C[0], force_response(parameters).B[:, 0])
 
-    def cycle(self, frequency: float) -> LoopCycle:
+    def cycle(self, frequency: float) -> FrictionCycle:
         """Return the limit cycle of a frequency, Hz."""
         half = 0.5 / frequency
         share = brentq(lambda share: self._from_turn(half, share)[2], *RESTS, xtol=1e-15)
         amplitude, force, _ = self._from_turn(half, share)
-        return LoopCycle(amplitude, frequency, force)
+        return FrictionCycle(amplitude, frequency, force)
 
     def _from_turn(self, half: float, share: float) -> tuple[float, float, float]:
         """Return amplitude, friction, and by how much more than the gap the pin moves while the bridge rests.

@@ -25,7 +25,7 @@ SLOW: Final = 1e-9
 """Speed below which cutter and guard are at rest to each other where a phase begins, m/s."""
 
 
-class Contact(IntEnum):
+class PinContact(IntEnum):
     """Where the pin is in its slot; the value is the sign of the force that pulls pin and cutter together."""
 
     LOWER, FREE, UPPER = -1, 0, 1
@@ -51,10 +51,10 @@ class PlayedTrimmer:
 
 
 @dataclass(frozen=True)
-class Phase:
+class PlayPhase:
     """A piece of motion between two events: where the pin is, and how the blade slides (0 is stick)."""
 
-    contact: Contact
+    contact: PinContact
     sliding: int
 
 
@@ -107,20 +107,20 @@ def _pin(trimmer: PlayedTrimmer, t: float, y: Reals) -> tuple[float, float]:
     return y[0] + pin[0] - y[1], y[4] + pin[1] - y[5]
 
 
-def _stretch_rate(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> float:
-    if phase.contact is Contact.FREE:
+def _stretch_rate(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals) -> float:
+    if phase.contact is PinContact.FREE:
         return -trimmer.parameters.k2 / trimmer.parameters.c2 * float(y[8])
     return _pin(trimmer, t, y)[1]
 
 
-def _tension(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> float:
+def _tension(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals) -> float:
     """Return the force that pulls cutter and pin together, N."""
-    if phase.contact is Contact.FREE:
+    if phase.contact is PinContact.FREE:
         return 0.0
     return trimmer.parameters.k2 * float(y[8]) + trimmer.parameters.c2 * _stretch_rate(trimmer, phase, t, y)
 
 
-def _accelerations(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> tuple[Reals, float]:
+def _accelerations(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals) -> tuple[Reals, float]:
     """Return the accelerations of the bodies, and the friction on the cutter, N."""
     p, (q1, q2, q3, q4), (v1, _, v3, v4) = trimmer.parameters, y[:4], y[4:8]
     tension = _tension(trimmer, phase, t, y)
@@ -142,12 +142,12 @@ def _accelerations(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> 
     ), friction
 
 
-def _rates(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> Reals:
+def _rates(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals) -> Reals:
     accelerations, _ = _accelerations(trimmer, phase, t, y)
     return np.concatenate([y[4:8], accelerations, [_stretch_rate(trimmer, phase, t, y)]])
 
 
-def _events(trimmer: PlayedTrimmer, phase: Phase) -> list[object]:
+def _events(trimmer: PlayedTrimmer, phase: PlayPhase) -> list[object]:
     """Return what ends a phase, by falling through 0: first of the play, then of the friction."""
 
     def apart(t: float, y: Reals, side: int) -> float:
@@ -169,11 +169,13 @@ def _events(trimmer: PlayedTrimmer, phase: Phase) -> list[object]:
     return [*play, *friction]
 
 
-def _next(trimmer: PlayedTrimmer, phase: Phase, fired: int, t: float, y: Reals) -> tuple[Phase, Reals]:
+def _next(
+    trimmer: PlayedTrimmer, phase: PlayPhase, fired: int, t: float, y: Reals
+) -> tuple[PlayPhase, Reals]:
     """Return the phase after an event, and the state with what is now exact."""
     of_play = 1 if phase.contact else 2
     if fired < of_play:
-        contact = Contact.FREE if phase.contact else (Contact.UPPER, Contact.LOWER)[fired]
+        contact = PinContact.FREE if phase.contact else (PinContact.UPPER, PinContact.LOWER)[fired]
         return replace(phase, contact=contact), y
     if phase.sliding == 0:
         return replace(phase, sliding=(-1, 1)[fired - of_play]), y
@@ -181,7 +183,7 @@ def _next(trimmer: PlayedTrimmer, phase: Phase, fired: int, t: float, y: Reals) 
     return _sliding(trimmer, phase, t, y), y
 
 
-def _sliding(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> Phase:
+def _sliding(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals) -> PlayPhase:
     """Return the phase in which cutter and guard go on that are at rest to each other."""
     stick = replace(phase, sliding=0)
     needed = _accelerations(trimmer, stick, t, y)[1]
@@ -190,13 +192,13 @@ def _sliding(trimmer: PlayedTrimmer, phase: Phase, t: float, y: Reals) -> Phase:
     return replace(phase, sliding=-1 if needed > 0 else 1)
 
 
-def _first(trimmer: PlayedTrimmer, t: float, y: Reals) -> Phase:
+def _first(trimmer: PlayedTrimmer, t: float, y: Reals) -> PlayPhase:
     """Return the phase in which a state begins."""
     place = _pin(trimmer, t, y)[0] - float(y[8])
-    contact = Contact.FREE
+    contact = PinContact.FREE
     if abs(place) >= trimmer.gap / 2 * (1 - NEAR):
-        side = Contact.UPPER if place > 0 else Contact.LOWER
-        if side * _tension(trimmer, Phase(side, 0), t, y) >= 0:
+        side = PinContact.UPPER if place > 0 else PinContact.LOWER
+        if side * _tension(trimmer, PlayPhase(side, 0), t, y) >= 0:
             contact = side
-    phase = Phase(contact, int(np.sign(y[5] - y[7])))
+    phase = PlayPhase(contact, int(np.sign(y[5] - y[7])))
     return phase if abs(y[5] - y[7]) > SLOW else _sliding(trimmer, phase, t, y)

@@ -37,7 +37,7 @@ MOST_WAITED: Final = 600
 
 
 @dataclass(frozen=True, eq=False)
-class Stretch:
+class MotionStretch:
     """``SHOWN`` drive periods of a motion, sampled ``PHASES`` times each from where the pin passes 0 upwards.
 
     Attributes:
@@ -96,7 +96,7 @@ class TwinCase:
     contact_share: float
     wear: float
     bridge: Reals
-    stretch: Stretch
+    stretch: MotionStretch
     spectrum: Reals
 
     @property
@@ -197,20 +197,20 @@ def twin_case(gap: float, force: float, frequency: float = FREQUENCY) -> TwinCas
     )
 
 
-def independent(gap: float, force: float, frequency: float = FREQUENCY) -> Independent:
+def independent(gap: float, force: float) -> Independent:
     """Integrate the periodic motion that the twin settles to by the Runge-Kutta method, from its first state.
 
     Raises:
         OrbitNotFoundError: if the twin does not settle to a periodic motion.
         ArithmeticError: if the integration fails.
     """
-    found = followed(twin(gap, force, frequency))
+    found = followed(twin(gap, force))
     orbit = found.motion.orbit
     if orbit is None:
         raise OrbitNotFoundError("what does not repeat cannot be held against itself a period later")
     count = found.period_count
-    times = np.arange(PHASES * count + 1) / (PHASES * frequency)
-    trimmer = PlayedTrimmer(TrimmerParameters.thesis(), gap, force, DRIVE_AMPLITUDE, TURN * frequency)
+    times = np.arange(PHASES * count + 1) / (PHASES * FREQUENCY)
+    trimmer = PlayedTrimmer(TrimmerParameters.thesis(), gap, force, DRIVE_AMPLITUDE, TURN * FREQUENCY)
     states = integrated(trimmer, orbit.instant.state, times)
     stroke = states[1] - states[3]
     return Independent(
@@ -241,13 +241,13 @@ def _bridge(found: Followed) -> Reals:
     return place
 
 
-def _stretch(found: Followed) -> Stretch:
+def _stretch(found: Followed) -> MotionStretch:
     """Return ``SHOWN`` drive periods, repeated if the motion is shorter."""
     motion = MechanismMotion(found.flow, found.course)
     taken = min(found.periods, SHOWN)
     times = found.flow.period * np.arange(taken * PHASES) / PHASES
     signals = (motion.output(STROKE, times), motion.contact_force(BRIDGE, times))
-    return Stretch(*(np.resize(each, SHOWN * PHASES) for each in signals))
+    return MotionStretch(*(np.resize(each, SHOWN * PHASES) for each in signals))
 
 
 def _spectrum(found: Followed) -> Reals:

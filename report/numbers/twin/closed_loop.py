@@ -9,7 +9,7 @@ import numpy as np
 from report.numbers.equivalent_nonlinearity import FORCE as LARGE_FORCE
 from report.numbers.equivalent_nonlinearity import OTHER_FORCE as SMALL_FORCE
 from report.numbers.thesis import EXPERIMENT_GAP, LARGE_GAP
-from report.numbers.twin.grids import Course
+from report.numbers.twin.grids import KeptCourse
 from report.numbers.twin.kept_files import FOLDER
 from trimmer import (
     CoulombFriction,
@@ -48,12 +48,12 @@ def thesis_loop(gap: float, force: float) -> TrimmerLoop:
     )
 
 
-def _over_gap(force: float) -> Course:
+def _over_gap(force: float) -> KeptCourse:
     loop, ends = thesis_loop(EXPERIMENT_GAP, force), (LEAST_GAP, EXPERIMENT_GAP)
-    return Course(f"gap, {force:g} N", loop, GAP, ends[1], ends[0], ends, OUTPUT, COARSE)
+    return KeptCourse(f"gap, {force:g} N", loop, GAP, ends[1], ends[0], ends, OUTPUT, COARSE)
 
 
-OVER_FORCE: Final = Course(
+OVER_FORCE: Final = KeptCourse(
     "force",
     thesis_loop(LARGE_GAP, LEAST_FORCE),
     FORCE,
@@ -66,7 +66,7 @@ OVER_FORCE: Final = Course(
 LOOP_COURSES: Final = (OVER_FORCE, *map(_over_gap, FORCES))
 
 
-def without_friction(course: Course) -> Reals:
+def without_friction(course: KeptCourse) -> Reals:
     """Return states and period of the stable orbit of the loop of a branch as if it had no friction, (n,).
 
     From there the orbit with friction at the start of the branch is found.

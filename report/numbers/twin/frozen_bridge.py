@@ -89,16 +89,15 @@ class FrozenBridge:
         return float(abs(self.tension[self.pulled]).max(initial=0.0))
 
 
-def frozen_bridge(gap: float, force: float, frequency: float = FREQUENCY) -> FrozenBridge:
+def frozen_bridge(gap: float, force: float) -> FrozenBridge:
     """Follow the thesis's driven model until it has settled.
 
     Args:
         gap: Total clearance, > 0, m.
         force: Friction between cutter and guard, N.
-        frequency: Of the drive, Hz.
     """
     parameters = TrimmerParameters.thesis()
-    drive = Drive(DRIVE_AMPLITUDE, frequency=frequency)
+    drive = Drive(DRIVE_AMPLITUDE, frequency=FREQUENCY)
     loop = TrimmerLoop(
         parameters, FrictionBacklash(gap), drive, frictions=friction_between_cutter_and_guard(force)
     )

@@ -67,7 +67,7 @@ GRIDS: Final = (FRICTION_MAP, SPEED_MAP, STIFFNESS_MAP, DAMPING_MAP, STARTS_MAP)
 
 
 @dataclass(frozen=True)
-class Course:
+class KeptCourse:
     """A branch that is kept: by itself from what the twin settles to from rest at its start.
 
     Attributes:
@@ -100,6 +100,6 @@ BRANCH_GAP: Final = 200e-6
 """Gap at which the motion of three drive periods is known, m: that of the experiment."""
 _rubbing = twin(force=BRANCH_FORCE)
 COURSES: Final = (
-    Course("drive period", _rubbing, GAP, NARROWEST, WIDEST, (NARROWEST, WIDEST)),
-    Course("three periods", _rubbing, GAP, BRANCH_GAP, WIDEST, (NARROWEST, WIDEST)),
+    KeptCourse("drive period", _rubbing, GAP, NARROWEST, WIDEST, (NARROWEST, WIDEST)),
+    KeptCourse("three periods", _rubbing, GAP, BRANCH_GAP, WIDEST, (NARROWEST, WIDEST)),
 )

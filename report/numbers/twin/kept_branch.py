@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.numbers.twin.grids import Course
+from report.numbers.twin.grids import KeptCourse
 from report.numbers.twin.kept_files import FOLDER, read_kept, rounded, write_kept
 from trimmer import FollowSettings, Mechanism, TrimmerLoop
 from trimmer.arrays import Reals
@@ -49,7 +49,7 @@ class KeptBranch:
         message: Why it ends.
     """
 
-    course: Course
+    course: KeptCourse
     parted: str
     periods: int
     values: Reals
@@ -71,7 +71,7 @@ class KeptBranch:
         return tuple((float(self.values[first]), float(self.values[last])) for first, last in runs)
 
 
-def write_branches(followed: list[tuple[Course, FollowedBranch]], path: Path) -> None:
+def write_branches(followed: list[tuple[KeptCourse, FollowedBranch]], path: Path) -> None:
     """Keep branches, and those that part from them."""
     content = {
         course.name: [_as_data(each, course.output) for each in branch.all()] for course, branch in followed
@@ -79,7 +79,7 @@ def write_branches(followed: list[tuple[Course, FollowedBranch]], path: Path) ->
     write_kept(path, inputs_of(tuple(course for course, _ in followed)), content)
 
 
-def read_branches(courses: tuple[Course, ...], path: Path) -> tuple[KeptBranch, ...]:
+def read_branches(courses: tuple[KeptCourse, ...], path: Path) -> tuple[KeptBranch, ...]:
     """Return the branches that are kept, each followed by those that part from it.
 
     Raises:
@@ -89,7 +89,7 @@ def read_branches(courses: tuple[Course, ...], path: Path) -> tuple[KeptBranch, 
     return tuple(_from_data(course, data) for course in courses for data in content[course.name])
 
 
-def inputs_of(courses: tuple[Course, ...]) -> str:
+def inputs_of(courses: tuple[KeptCourse, ...]) -> str:
     """Return the SHA-256 of all that the branches depend on, beside the program."""
     described = [
         [each.name, _described(each.subject), each.place, each.start, each.stop, asdict(settings_of(each))]
@@ -98,7 +98,7 @@ def inputs_of(courses: tuple[Course, ...]) -> str:
     return hashlib.sha256(json.dumps(described, sort_keys=True).encode()).hexdigest()
 
 
-def settings_of(course: Course) -> FollowSettings:
+def settings_of(course: KeptCourse) -> FollowSettings:
     """Return how a branch is followed."""
     return FollowSettings(largest_step=course.largest_step, bounds=course.bounds, switches=1, quiet=True)
 
@@ -124,7 +124,7 @@ def _as_data(branch: FollowedBranch, output: str) -> dict[str, Any]:
     }
 
 
-def _from_data(course: Course, data: dict[str, Any]) -> KeptBranch:
+def _from_data(course: KeptCourse, data: dict[str, Any]) -> KeptBranch:
     return KeptBranch(
         course=course,
         parted=data["parted"],

@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from report.numbers.independent.loop_with_friction import LoopCycle, largest_friction
+from report.numbers.friction_in_place import FrictionCycle
+from report.numbers.independent.loop_with_friction import largest_friction
 from report.numbers.thesis import LARGE_GAP
 from report.numbers.twin.closed_loop import FILE, LOOP_COURSES, thesis_loop
 from report.numbers.twin.kept_branch import KeptBranch, read_branches
@@ -26,7 +27,7 @@ AROUND: Final = (690.0, 715.0)
 
 
 @dataclass(frozen=True, eq=False)
-class LoopNumbers:
+class FrictionLoopNumbers:
     """Limit cycles of the thesis's loop with friction between cutter and guard.
 
     Attributes:
@@ -44,7 +45,7 @@ class LoopNumbers:
     over_gap: tuple[KeptBranch, ...]
     miss: float
     events: frozenset[tuple[tuple[str, int], ...]]
-    largest: LoopCycle
+    largest: FrictionCycle
     left_below: float
     left_above: float
 
@@ -60,7 +61,7 @@ class LoopNumbers:
         return fold
 
 
-def solve_loop() -> LoopNumbers:
+def solve_loop() -> FrictionLoopNumbers:
     """Read the branches, and simulate some of their orbits.
 
     Raises:
@@ -70,7 +71,7 @@ def solve_loop() -> LoopNumbers:
     chosen = [(each, at) for each in branches for at in range(0, len(each.values), SIMULATED)]
     found = [_period(*each) for each in chosen]
     (fold,) = over_force.special_of("fold")
-    return LoopNumbers(
+    return FrictionLoopNumbers(
         over_force=over_force,
         over_gap=tuple(over_gap),
         miss=max(miss for _, miss in found),

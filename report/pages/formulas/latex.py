@@ -76,18 +76,26 @@ class _Tokens:
         self._position += 1
         return token
 
+    def rest(self) -> str:
+        """Return what has not been taken."""
+        return _joined(self._tokens[self._position :])
+
     def argument(self) -> str:
         """Take one argument: a group without its braces, or a single token."""
         return self.until("{", "}") if self.peek() == "{" else self.take()
 
     def until(self, opening: str, closing: str) -> str:
         """Take from an opening token to the closing one that matches it; return what is between."""
+        return _joined(self.between(opening, closing))
+
+    def between(self, opening: str, closing: str) -> list[str]:
+        """Do the same; return the tokens."""
         taken = [self.take()]
         depth = 1
         while depth and self.peek():
             taken.append(self.take())
             depth += (taken[-1] == opening) - (taken[-1] == closing)
-        return _joined(taken[1:-1])
+        return taken[1:-1]
 
 
 def _joined(tokens: list[str]) -> str:
@@ -153,18 +161,9 @@ def _symbol_width(token: str) -> float:
 
 def _bracketed(tokens: _Tokens) -> Atom:
     """Read a pair of stretching brackets as one atom that remembers what is inside."""
-    tokens.take()
-    opening = tokens.take()
-    taken: list[str] = []
-    depth = 1
-    while tokens.peek():
-        token = tokens.take()
-        depth += (token == r"\left") - (token == r"\right")
-        if depth == 0:
-            break
-        taken.append(token)
+    opening, *inside = tokens.between(r"\left", r"\right")
     closing = tokens.take()
-    content = _joined(taken)
+    content = _joined(inside)
     return Atom(
         rf"\left{opening}{content} \right{closing}",
         width(content) + _DELIMITERS_WIDTH,
@@ -173,19 +172,11 @@ def _bracketed(tokens: _Tokens) -> Atom:
 
 
 def _environment(tokens: _Tokens) -> Atom:
-    tokens.take()
-    name = tokens.argument()
-    options = f"{{{tokens.argument()}}}" if name == "array" else ""
-    taken: list[str] = []
-    depth = 1
-    while tokens.peek():
-        token = tokens.take()
-        depth += (token == r"\begin") - (token == r"\end")
-        if depth == 0:
-            break
-        taken.append(token)
-    tokens.until("{", "}")
-    content = _joined(taken)
+    inside = _Tokens(tokens.between(r"\begin", r"\end"))
+    tokens.argument()
+    name = inside.argument()
+    options = f"{{{inside.argument()}}}" if name == "array" else ""
+    content = inside.rest()
     return Atom(rf"\begin{{{name}}}{options}{content}\end{{{name}}}", _table_width(content))
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.cases import PHASES
@@ -19,18 +19,7 @@ THINNED = 16
 """Every so many samples are drawn."""
 
 
-@figure(
-    "twin-bridge-in-slot",
-    "The bridge in its slot",
-    caption="""One drive period at 110 Hz with 0.2 mm and 0.5 N: where the bridge is relative to the pin
-    (a), and the force on it (b), in the thesis's model and in the twin, whose motion is chaotic: one period
-    of many. Shaded: the pin of the thesis's model would have to pull. Both models begin where the pin
-    passes its middle upwards.""",
-    alternative_text="""Two panels over one drive period. Left, the thesis's bridge changes sides twice,
-    soon after the pin turns; the twin's wanders between the sides and is free for more than half of the
-    time. Right, the thesis's force swings to nine newtons either way; the twin's is zero for long
-    stretches, with short pushes of up to four newtons.""",
-)
+@figure("twin-bridge-in-slot")
 def bridge_in_slot(known: Evidence) -> Figure:
     """Draw the place of the bridge and its force over one period."""
     case = known.twin.experiment

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP, LARGE_GAP
 from report.numbers.twin.closed_loop import FORCES, LEAST_GAP
@@ -24,17 +24,7 @@ EVERY: Final = 4
 CROSS: Final = {"color": BLACK, "marker": "x", "markersize": 4.0, "linestyle": "none", "markeredgewidth": 0.9}
 
 
-@figure(
-    "twin-loop-branches",
-    "Limit cycles of the thesis's loop",
-    caption="""Amplitudes of the two limit cycles with friction between cutter and guard, in the loop of
-    section 5.2: (a) over the friction for 40 µm, (b) over the gap. Exact orbits are solid where stable and
-    dotted where not; they end in a fold (diamond). Crosses: harmonic balance with play and friction each in
-    its place. Grey: exact, without friction.""",
-    alternative_text="""Left, a falling solid curve from 331 micrometres and a rising dotted one from 21 meet
-    at 0.323 newton and 81 micrometres. Right, on logarithmic scales, three curves that open to the right from
-    folds at 19, 37 and 74 micrometres and approach two straight lines. Crosses lie on all curves.""",
-)
+@figure("twin-loop-branches")
 def loop_branches(known: Evidence) -> Figure:
     """Draw both panels."""
     drawn, (over_force, over_gap) = panels(3.6, 1, 2)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.twin.grids import BRANCH_FORCE, COURSES
 from report.numbers.twin.kept_branch import KeptBranch
@@ -34,15 +34,7 @@ COLOURS = {number: colour for number, (_, colour) in NAMES.items()}
 KINDS = {"t": LONGER + 2, "c": LONGER + 3, "u": LONGER + 4}
 
 
-@figure(
-    "twin-map-friction",
-    "Kinds of motion over gap and friction",
-    caption="""From rest at 110 Hz; each cell is one exact motion, followed for at most 300 drive periods.
-    Small dots: motions with the drive's period and even harmonics. Circle: 40 µm and 0.5 N;
-    square: 0.2 mm and 2 N.""",
-    alternative_text="""A map. At the left, up to about 0.1 mm, an area of period one; to the right chaos,
-    with an island of period three around 0.2 mm and 1 to 2 N, and period one up to 0.2 mm above 3.5 N.""",
-)
+@figure("twin-map-friction")
 def friction_map(known: Evidence) -> Figure:
     """Draw the map over gap and friction."""
     drawn, axes = _map(known.twin.friction)
@@ -52,15 +44,7 @@ def friction_map(known: Evidence) -> Figure:
     return drawn
 
 
-@figure(
-    "twin-map-speed",
-    "Kinds of motion over gap and speed",
-    caption="""From rest with 0.5 N; as in the map over gap and friction. The calm band from 146 to 164 Hz
-    and the rough one from 96 to 108 Hz reach right across. Circle: 40 µm at 110 Hz.""",
-    alternative_text="""A map. Period one at the left edge at all speeds, and far to the right from 74 to 90
-    Hz and from 142 to 164 Hz; chaos from 92 to 132 Hz and above 166 Hz; tori around 136 Hz; period three
-    near 195 Hz.""",
-)
+@figure("twin-map-speed")
 def speed_map(known: Evidence) -> Figure:
     """Draw the map over gap and speed."""
     drawn, axes = _map(known.twin.speed)
@@ -98,16 +82,7 @@ MARKS = {"torus": "o", "symmetry-breaking": "D", "period-doubling": "s", "fold":
 """Marks of the special points that change stability."""
 
 
-@figure(
-    "twin-branches",
-    "Periodic motions over the gap",
-    caption="""Stroke of all periodic motions that were followed, 2 N at 110 Hz: solid where stable, dotted
-    where not. Marks: torus, symmetry breaking, period doubling, fold. Below: what the trimmer settles to
-    from rest, in the colours of the maps.""",
-    alternative_text="""Curves of stroke over gap from 20 to 300 micrometres. One falls from 2.85 to 2.46
-    millimetres and rises again, stable up to 0.11 mm; closed curves of three periods lie above it between
-    0.16 and 0.25 mm, stable in pieces. A strip below is of period one up to 0.11 mm, then changes often.""",
-)
+@figure("twin-branches")
 def branches_over_gap(known: Evidence) -> Figure:
     """Draw the branches, and the row of the map."""
     drawn, (axes, strip) = panels(4.0, 2, 1, sharex=True, height_ratios=(9, 1))

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.twin.cases import HIGHEST_ORDER, PHASES, SHOWN
-from report.numbers.twin_numbers import Comparison
+from report.numbers.twin_numbers import BothModels
 from report.pages.drawing.style import FAINT, LINES, panels
 
 if TYPE_CHECKING:
@@ -23,21 +23,11 @@ SMALLEST = 0.03
 NAMES = ("40 µm, 0.5 N", "0.2 mm, 0.5 N", "0.2 mm, 2 N")
 
 
-def _cases(known: Evidence) -> tuple[Comparison, ...]:
+def _cases(known: Evidence) -> tuple[BothModels, ...]:
     return known.twin.small, known.twin.experiment, known.twin.main
 
 
-@figure(
-    "twin-motions",
-    "Motion and contact force",
-    caption="""Three drive periods at 110 Hz, settled: displacement of cutter relative to guard less its
-    first harmonic (left), and force of the bridge on the cutter (right), for three settings in the thesis's
-    model and in the twin. The twin repeats with the drive in the first row, never in the second, and after
-    three periods in the third.""",
-    alternative_text="""Six panels. The remainder of the stroke is about 0.1 mm in the first row, up to 0.3
-    mm in the others; in the third row every third wave is alike. The twin's force is zero between pushes,
-    the thesis's is not.""",
-)
+@figure("twin-motions")
 def motions(known: Evidence) -> Figure:
     """Draw what is left of the stroke, and the force, over three periods."""
     time = np.arange(SHOWN * PHASES)[::THINNED] / PHASES
@@ -63,17 +53,7 @@ def _without_first(signal: np.ndarray) -> np.ndarray:
     return np.asarray(np.fft.irfft(waves, len(signal)))
 
 
-@figure(
-    "twin-spectra",
-    "Spectra by order of the drive",
-    caption="""The stroke of the three settings at 110 Hz: harmonics of the thesis's model (circles), lines
-    of the twin (bars), and where the twin is chaotic its spectrum over 220 drive periods (curve). The
-    thesis's model has odd harmonics alone; the third panel has lines at thirds of the drive, and even
-    harmonics.""",
-    alternative_text="""Three panels with amplitude on a logarithmic scale over orders 0 to 12. First: bars
-    at odd orders. Second: a continuous curve with peaks at odd orders. Third: bars at every third of an
-    order.""",
-)
+@figure("twin-spectra")
 def spectra(known: Evidence) -> Figure:
     """Draw the lines of all settings."""
     drawn, rows = panels(4.5, 3, 1, sharex=True)
@@ -93,7 +73,7 @@ def _highest(spectrum: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return highest[:, 0], highest[:, 1]
 
 
-def _lines(axes: Axes, case: Comparison) -> None:
+def _lines(axes: Axes, case: BothModels) -> None:
     orders, amplitudes = case.twin.lines.T
     seen = (1e6 * amplitudes > SMALLEST) & (orders <= HIGHEST_ORDER)
     axes.set_yscale("log")

@@ -37,20 +37,13 @@ def drive_period(known: Evidence) -> Observed:
     breaking = branch.special_of("symmetry-breaking")
     row = known.twin.friction.row(BRANCH_FORCE)
     values, single = known.twin.friction.first, known.twin.friction.single[row]
-    yield text("""
-        With 2 N at 110 Hz the motion of the drive's period loses its stability at a gap of [[ torus | f2 ]]
-        µm, where a torus is born. It is stable again between [[ back | f2 ]] and [[ lost | f2 ]] µm. Its
-        symmetry breaks at [[ first | f2 ]], [[ second | f2 ]] and [[ third | f2 ]] µm, where pairs of
-        mirrored motions part from it. Beyond [[ lost | f0 ]] µm it goes on, unstable but for short pieces,
-        where waiting does not find it.
-    """).given(
-        torus=MICRO * torus,
-        back=MICRO * back,
-        lost=MICRO * lost,
-        first=MICRO * breaking[0],
-        second=MICRO * breaking[1],
-        third=MICRO * breaking[2],
-    )
+    yield text(f"""
+        With 2 N at 110 Hz the motion of the drive's period loses its stability at a gap of
+        {MICRO * torus:.2f} µm, where a torus is born. It is stable again between {MICRO * back:.2f} and
+        {MICRO * lost:.2f} µm. Its symmetry breaks at {MICRO * breaking[0]:.2f}, {MICRO * breaking[1]:.2f} and
+        {MICRO * breaking[2]:.2f} µm, where pairs of mirrored motions part from it. Beyond {MICRO * lost:.0f}
+        µm it goes on, unstable but for short pieces, where waiting does not find it.
+    """)
     yield so("multipliers of the exact orbits on both sides", first_end < torus < back <= second[0] < lost)
     yield so(
         "the map from rest keeps the drive's period up to the last gap of its grid below the torus, and "
@@ -67,20 +60,13 @@ def three_periods(known: Evidence) -> Observed:
     branch = island(known)
     folds, doublings = branch.special_of("fold"), branch.special_of("period-doubling")
     longest = max(branch.stable_pieces, key=lambda piece: abs(piece[1] - piece[0]))
-    yield text("""
-        The motions of three drive periods form a closed branch of their own, from a fold at [[ low | f2 ]]
-        µm to a fold at [[ high | f2 ]] µm: no small change leads to them from the drive's period. Its
-        longest stable piece reaches from [[ begin | f1 ]] to [[ end | f1 ]] µm. At 0.2 mm the motion from
-        rest is on it; at [[ first | f2 ]] µm its period doubles to six drive periods and at
-        [[ second | f2 ]] µm it halves again.
-    """).given(
-        low=MICRO * min(folds),
-        high=MICRO * max(folds),
-        begin=MICRO * min(longest),
-        end=MICRO * max(longest),
-        first=MICRO * doublings[0],
-        second=MICRO * doublings[1],
-    )
+    yield text(f"""
+        The motions of three drive periods form a closed branch of their own, from a fold at
+        {MICRO * min(folds):.2f} µm to a fold at {MICRO * max(folds):.2f} µm: no small change leads to them
+        from the drive's period. Its longest stable piece reaches from {MICRO * min(longest):.1f} to
+        {MICRO * max(longest):.1f} µm. At 0.2 mm the motion from rest is on it; at {MICRO * doublings[0]:.2f}
+        µm its period doubles to six drive periods and at {MICRO * doublings[1]:.2f} µm it halves again.
+    """)
     yield so("the branch closes on itself", branch.message.startswith("it closes on itself"))
     yield so(
         "its orbits lie between the two folds",

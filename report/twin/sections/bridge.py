@@ -28,14 +28,14 @@ def _between(value: float, limits: tuple[float, float]) -> bool:
 @observation("twin-models", source="report/numbers/twin/mechanism.py", title="The two models.")
 def models(known: Evidence) -> Observed:
     twin = known.twin
-    yield text("""
+    yield text(f"""
         The thesis puts the play before a linear trimmer. Its bridge follows the pin or stays where it was
-        left, whatever force that takes. In the twin the bridge is a spring and a damper behind a slot: it
-        can push on either side and never pull, and what it pushes with acts on the motor as well. Both
-        models have the parameters of Listing A.1 (not those of the measured trimmer), 1.5 mm at the pin,
-        and dry friction between cutter and guard. Without play and friction they are one linear trimmer:
-        the stroke is [[ stroke | f4 ]] mm peak to peak at [[ drive | f0 ]] Hz in both.
-    """).given(stroke=1e3 * twin.no_gap[0].peak_to_peak, drive=FREQUENCY)
+        left, whatever force that takes. In the twin the bridge is a spring and a damper behind a slot: it can
+        push on either side and never pull, and what it pushes with acts on the motor as well. Both models
+        have the parameters of Listing A.1 (not those of the measured trimmer), 1.5 mm at the pin, and dry
+        friction between cutter and guard. Without play and friction they are one linear trimmer: the stroke
+        is {1e3 * twin.no_gap[0].peak_to_peak:.4f} mm peak to peak at {FREQUENCY:.0f} Hz in both.
+    """)
     yield close(
         "the stroke of the twin without play and friction is that of the linear trimmer's frequency response",
         twin.no_gap[0].peak_to_peak,
@@ -46,21 +46,14 @@ def models(known: Evidence) -> Observed:
 @observation("twin-pull", source=FROZEN, title="What the frozen bridge would need.")
 def pull(known: Evidence) -> Observed:
     small_gap, large = known.twin.small.frozen, known.twin.experiment.frozen
-    yield text("""
+    yield text(f"""
         At 40 µm and 0.5 N, driven at 110 Hz, the pin of the thesis's model would have to pull the bridge in
-        [[ pulled | percent0 ]] of the period, with up to [[ pull | f1 ]] N. While the bridge stands still
-        in its slot, [[ standing | percent0 ]] of the period, something would have to hold it against up to
-        [[ holding | f1 ]] N. At 0.2 mm and 0.5 N these forces are [[ larger_pull | f1 ]] N and
-        [[ larger_hold | f1 ]] N. The only dry friction of the trimmer has 0.5 N and rubs elsewhere, between
-        blade and guard.
-    """).given(
-        pulled=small_gap.share_pulled,
-        pull=small_gap.largest_pull,
-        standing=small_gap.share_standing,
-        holding=small_gap.holding,
-        larger_pull=large.largest_pull,
-        larger_hold=large.holding,
-    )
+        {small_gap.share_pulled:.0%} of the period, with up to {small_gap.largest_pull:.1f} N. While the
+        bridge stands still in its slot, {small_gap.share_standing:.0%} of the period, something would have to
+        hold it against up to {small_gap.holding:.1f} N. At 0.2 mm and 0.5 N these forces are
+        {large.largest_pull:.1f} N and {large.holding:.1f} N. The only dry friction of the trimmer has 0.5 N
+        and rubs elsewhere, between blade and guard.
+    """)
     yield so(
         "the force of the bridge's spring and damper, split by whether the bridge moves: it exceeds the "
         "friction in both cases",
@@ -79,12 +72,12 @@ def pull(known: Evidence) -> Observed:
 def side(known: Evidence) -> Observed:
     numbers = known.twin
     shares = [each.other_side for each in (numbers.small, numbers.experiment, numbers.main)]
-    yield text("""
-        The two bridges lie on different sides of the pin for [[ first | percent0 ]] of the time at 40 µm
-        and 0.5 N, for [[ low | percent0 ]] to [[ high | percent0 ]] at 0.2 mm and 0.5 N, and for
-        [[ third | percent0 ]] at 0.2 mm and 2 N: they are then apart by up to the whole gap. The thesis
-        changes sides when the pin turns round; the twin does when the force changes its sign.
-    """).given(first=shares[0], low=CHAOTIC_SHARE[0], high=CHAOTIC_SHARE[1], third=shares[2])
+    yield text(f"""
+        The two bridges lie on different sides of the pin for {shares[0]:.0%} of the time at 40 µm and 0.5 N,
+        for {CHAOTIC_SHARE[0]:.0%} to {CHAOTIC_SHARE[1]:.0%} at 0.2 mm and 0.5 N, and for {shares[2]:.0%} at
+        0.2 mm and 2 N: they are then apart by up to the whole gap. The thesis changes sides when the pin
+        turns round; the twin does when the force changes its sign.
+    """)
     yield so(
         "bridge relative to motor in both models, at one phase of the pin, until the motion repeats or over "
         "220 drive periods: further apart than half of the gap",
@@ -100,22 +93,13 @@ def reaction(known: Evidence) -> Observed:
         (each.frozen.motor_acceleration, each.twin.motor)
         for each in (numbers.small, numbers.experiment, numbers.main)
     )
-    yield text("""
-        The motor's acceleration (root mean square) is [[ small_frozen | f0 ]] m/s² in the thesis's model
-        and [[ small_twin | f0 ]] m/s² in the twin at 40 µm and 0.5 N; [[ large_frozen | f0 ]] and
-        [[ low | f0 ]] to [[ high | f0 ]] m/s² at 0.2 mm and 0.5 N; [[ rubbing_frozen | f0 ]] and
-        [[ rubbing_twin | f0 ]] m/s² at 0.2 mm and 2 N. The bridge that can pull and is held shakes the
-        motor of the second case more than [[ times | f0 ]] times as much as one that can only push.
-    """).given(
-        small_frozen=small_gap[0],
-        small_twin=small_gap[1],
-        large_frozen=large[0],
-        low=CHAOTIC_ACCELERATION[0],
-        high=CHAOTIC_ACCELERATION[1],
-        rubbing_frozen=rubbing[0],
-        rubbing_twin=rubbing[1],
-        times=TIMES,
-    )
+    yield text(f"""
+        The motor's acceleration (root mean square) is {small_gap[0]:.0f} m/s² in the thesis's model and
+        {small_gap[1]:.0f} m/s² in the twin at 40 µm and 0.5 N; {large[0]:.0f} and
+        {CHAOTIC_ACCELERATION[0]:.0f} to {CHAOTIC_ACCELERATION[1]:.0f} m/s² at 0.2 mm and 0.5 N;
+        {rubbing[0]:.0f} and {rubbing[1]:.0f} m/s² at 0.2 mm and 2 N. The bridge that can pull and is held
+        shakes the motor of the second case more than {TIMES:.0f} times as much as one that can only push.
+    """)
     yield so(
         "accelerations from the forces on the motor in one model and over the exact motion in the other",
         large[0] > TIMES * large[1] and small_gap[0] > small_gap[1],

@@ -24,19 +24,12 @@ def gap(known: Evidence) -> Observed:
     row = friction.row(SMALL_FORCE)
     motor, speed = friction.kept.measure("motor")[row], friction.kept.measure("impact_speed")[row]
     tight, wide, worn = (friction.column(each) for each in (TIGHT, WIDE, EXPERIMENT_GAP))
-    yield text("""
-        With 0.5 N at 110 Hz every gap up to [[ reach | f0 ]] µm repeats with the drive. The motor is
-        calmest with [[ tight | f0 ]] µm, [[ calm | f0 ]] m/s² against [[ without | f0 ]] m/s² without play.
-        At 0.1 mm it has [[ tenth | f0 ]] m/s², and impacts reach [[ speed | f2 ]] m/s. Wear that opens the
-        gap to 0.2 mm leads into chaos.
-    """).given(
-        reach=1e6 * friction.reach(SMALL_FORCE),
-        tight=1e6 * TIGHT,
-        calm=motor[tight],
-        without=motor[0],
-        tenth=motor[wide],
-        speed=float(speed[: wide + 1].max()),
-    )
+    yield text(f"""
+        With 0.5 N at 110 Hz every gap up to {1e6 * friction.reach(SMALL_FORCE):.0f} µm repeats with the
+        drive. The motor is calmest with {1e6 * TIGHT:.0f} µm, {motor[tight]:.0f} m/s² against {motor[0]:.0f}
+        m/s² without play. At 0.1 mm it has {motor[wide]:.0f} m/s², and impacts reach
+        {float(speed[: wide + 1].max()):.2f} m/s. Wear that opens the gap to 0.2 mm leads into chaos.
+    """)
     yield so("row of the map at 0.5 N", friction.reach(SMALL_FORCE) >= WIDE)
     yield so("the smallest acceleration of that row is at this gap", int(motor.argmin()) == tight)
     yield so("the cell at 0.2 mm is chaotic", bool(friction.chaotic[row, worn]))
@@ -49,22 +42,14 @@ def friction_(known: Evidence) -> Observed:
     at = friction.column(40e-6)
     low, high = friction.row(SMALL_FORCE), friction.row(4.0)
     motor, wear = friction.kept.measure("motor"), friction.kept.measure("wear")
-    yield text("""
-        About half a newton is enough for a gap of some 40 µm: [[ needed | f1 ]] N suffice. More buys little
-        gap and costs much. At 40 µm, 4 N instead of 0.5 N raise the motor's acceleration from
-        [[ low | f0 ]] to [[ high | f0 ]] m/s² and the wear from [[ little | f2 ]] to [[ much | f1 ]] W,
-        while the gap that is borne goes from [[ before | f0 ]] to [[ after | f0 ]] µm. Do not use friction
-        against play of 0.2 mm: it takes [[ large | f1 ]] N.
-    """).given(
-        needed=numbers.friction_for_small_gap,
-        low=motor[low, at],
-        high=motor[high, at],
-        little=wear[low, at],
-        much=wear[high, at],
-        before=1e6 * friction.reach(SMALL_FORCE),
-        after=1e6 * friction.reach(4.0),
-        large=numbers.friction_for_experiment,
-    )
+    yield text(f"""
+        About half a newton is enough for a gap of some 40 µm: {numbers.friction_for_small_gap:.1f} N suffice.
+        More buys little gap and costs much. At 40 µm, 4 N instead of 0.5 N raise the motor's acceleration
+        from {motor[low, at]:.0f} to {motor[high, at]:.0f} m/s² and the wear from {wear[low, at]:.2f} to
+        {wear[high, at]:.1f} W, while the gap that is borne goes from {1e6 * friction.reach(SMALL_FORCE):.0f}
+        to {1e6 * friction.reach(4.0):.0f} µm. Do not use friction against play of 0.2 mm: it takes
+        {numbers.friction_for_experiment:.1f} N.
+    """)
     yield so("acceleration doubles at least", motor[high, at] > 2 * motor[low, at])
     yield so(
         "the gap that is borne does not grow in proportion",
@@ -79,21 +64,14 @@ def stiffness(known: Evidence) -> Observed:
     at = numbers.column(EXPERIMENT_GAP)
     motor, stroke = numbers.kept.measure("motor")[:, at], numbers.kept.measure("stroke")[:, at]
     stiffer = numbers.second >= STIFF
-    yield text("""
-        With a bridge of [[ soft | f0 ]] kN/m or less, instead of 30 kN/m, every gap of the map up to 0.5 mm
-        repeats with the drive at 110 Hz and 0.5 N. At 0.2 mm the motor then has [[ calm | f0 ]] instead of
-        [[ rough | f0 ]] m/s², and the stroke is [[ stroke | f2 ]] mm, [[ gained | f2 ]] mm more than the
-        pin's own. From [[ stiff | f1 ]] kN/m on, only gaps up to [[ least | f0 ]] µm are borne throughout.
-        How a soft bridge cuts hair was not asked.
-    """).given(
-        soft=1e-3 * SOFT,
-        calm=motor[soft],
-        rough=motor[nominal],
-        stroke=1e3 * stroke[soft],
-        gained=1e3 * (stroke[soft] - 3e-3),
-        stiff=1e-3 * STIFF,
-        least=1e6 * float(numbers.reaches[stiffer].max()),
-    )
+    least = 1e6 * float(numbers.reaches[stiffer].max())
+    yield text(f"""
+        With a bridge of {1e-3 * SOFT:.0f} kN/m or less, instead of 30 kN/m, every gap of the map up to 0.5 mm
+        repeats with the drive at 110 Hz and 0.5 N. At 0.2 mm the motor then has {motor[soft]:.0f} instead of
+        {motor[nominal]:.0f} m/s², and the stroke is {1e3 * stroke[soft]:.2f} mm,
+        {1e3 * (stroke[soft] - 3e-3):.2f} mm more than the pin's own. From {1e-3 * STIFF:.1f} kN/m on, only
+        gaps up to {least:.0f} µm are borne throughout. How a soft bridge cuts hair was not asked.
+    """)
     yield so(
         "all cells up to 10 kN/m repeat with the drive",
         bool(numbers.single[numbers.second <= SOFT * (1 + 1e-9)].all()),
@@ -110,16 +88,13 @@ def speed(known: Evidence) -> Observed:
     inside = (numbers.second >= 146.0) & (numbers.second <= 164.0)
     around = (numbers.second >= 96.0) & (numbers.second <= 108.0)
     slower, nominal = numbers.reach(108.0), numbers.reach(110.0)
-    yield text("""
-        With 0.5 N, drives of 146 to 164 Hz bear gaps up to [[ calm | f0 ]] µm at the least, those of 96 to
-        108 Hz no more than [[ rough | f0 ]] µm at the best. 110 Hz lies beside that rough band: a motor
-        that runs 2 Hz slower bears [[ slower | f0 ]] µm instead of [[ nominal | f0 ]] µm.
-    """).given(
-        calm=1e6 * float(numbers.reaches[inside].min()),
-        rough=1e6 * float(numbers.reaches[around].max()),
-        slower=1e6 * slower,
-        nominal=1e6 * nominal,
-    )
+    calm = 1e6 * float(numbers.reaches[inside].min())
+    rough = 1e6 * float(numbers.reaches[around].max())
+    yield text(f"""
+        With 0.5 N, drives of 146 to 164 Hz bear gaps up to {calm:.0f} µm at the least, those of 96 to 108 Hz
+        no more than {rough:.0f} µm at the best. 110 Hz lies beside that rough band: a motor that runs 2 Hz
+        slower bears {1e6 * slower:.0f} µm instead of {1e6 * nominal:.0f} µm.
+    """)
     yield so(
         "the worst of the one band bears more than the best of the other",
         float(numbers.reaches[inside].min()) > float(numbers.reaches[around].max()),

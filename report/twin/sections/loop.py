@@ -30,19 +30,15 @@ MOST = 0.9
 @observation("twin-loop-force", source=NUMBERS, title="More friction.")
 def over_force(known: Evidence) -> Observed:
     loop, branch = known.twin.loop, known.twin.loop.over_force
-    yield text("""
+    amplitude = MICRO * LARGE_GAP * loop.largest.amplitude
+    yield text(f"""
         The thesis predicts limit cycles of a loop that nothing drives: its output moves the pin, and the
         bridge stays where it was left. With 40 µm of play and friction between cutter and guard this loop has
         two of them. More friction makes the stable one smaller and the unstable one larger, until they meet
-        in a fold at [[ fold | f4 ]] N, with an amplitude of [[ amplitude | f1 ]] µm at
-        [[ frequency | f1 ]] Hz. With [[ beside | percent0 ]] more friction than that a motion of this size
-        comes to rest; with [[ beside | percent0 ]] less it goes on.
-    """).given(
-        fold=loop.largest_force,
-        amplitude=MICRO * LARGE_GAP * loop.largest.amplitude,
-        frequency=loop.largest.frequency,
-        beside=BESIDE,
-    )
+        in a fold at {loop.largest_force:.4f} N, with an amplitude of {amplitude:.1f} µm at
+        {loop.largest.frequency:.1f} Hz. With {BESIDE:.0%} more friction than that a motion of this size comes
+        to rest; with {BESIDE:.0%} less it goes on.
+    """)
     trends = [np.unique(np.sign(_changes(branch, chosen))) for chosen in (branch.stable, ~branch.stable)]
     yield so(
         "amplitudes of all orbits that were followed", [each.tolist() for each in trends] == [[-1.0], [1.0]]
@@ -71,20 +67,13 @@ def over_gap(known: Evidence) -> Observed:
     loop = known.twin.loop
     folds = [fold for each in loop.over_gap for fold in each.special_of("fold")]
     per_gap = loop.largest.force_per_gap
-    yield text("""
+    yield text(f"""
         Amplitude over gap depends on friction over gap alone, so over the gap the same curve comes again:
-        with [[ low ]], [[ middle ]] and [[ high ]] N the limit cycles begin at [[ first | f1 ]],
-        [[ second | f1 ]] and [[ third | f1 ]] µm, and the larger the gap, the nearer they are to those
-        without friction. At the 4 µm of figure 5.23, with 0.6 N, the branch has none; the 2 mm of figure
-        5.21, with 0.15 N, are more than a hundred times the gap at the fold.
-    """).given(
-        low=FORCES[0],
-        middle=FORCES[1],
-        high=FORCES[2],
-        first=MICRO * folds[0],
-        second=MICRO * folds[1],
-        third=MICRO * folds[2],
-    )
+        with {FORCES[0]}, {FORCES[1]} and {FORCES[2]} N the limit cycles begin at {MICRO * folds[0]:.1f},
+        {MICRO * folds[1]:.1f} and {MICRO * folds[2]:.1f} µm, and the larger the gap, the nearer they are to
+        those without friction. At the 4 µm of figure 5.23, with 0.6 N, the branch has none; the 2 mm of
+        figure 5.21, with 0.15 N, are more than a hundred times the gap at the fold.
+    """)
     ratios = [force / fold / per_gap for force, fold in zip(FORCES, folds, strict=True)]
     yield small("friction over gap is the same at all folds", max(abs(each - 1) for each in ratios), KEPT)
     without = known.orbits.friction
@@ -108,14 +97,14 @@ def balance(known: Evidence) -> Observed:
     loop, predicted = known.twin.loop, known.cycles.equivalent.in_place
     fold = LARGE_GAP * predicted.merger.force_per_gap
     amplitude, frequency = _errors(known)
-    yield text("""
+    yield text(f"""
         Harmonic balance with play and friction each in its place, as in [figure 5.24b](#fig-5.24), puts the
-        fold at [[ fold | f4 ]] N, [[ more | percent2 ]] too high. Up to nine tenths of that friction its
-        amplitudes are within [[ amplitude | percent1 ]] and its frequencies within
-        [[ frequency | percent1 ]] of the exact ones. Besides the fold no special point was found: unlike in
-        the driven trimmer no torus parts and no period doubles, and cutter and guard never stick. A period
-        has two impacts, two separations and two turns of the friction.
-    """).given(fold=fold, more=fold / loop.largest_force - 1, amplitude=amplitude, frequency=frequency)
+        fold at {fold:.4f} N, {fold / loop.largest_force - 1:.2%} too high. Up to nine tenths of that friction
+        its amplitudes are within {amplitude:.1%} and its frequencies within {frequency:.1%} of the exact
+        ones. Besides the fold no special point was found: unlike in the driven trimmer no torus parts and no
+        period doubles, and cutter and guard never stick. A period has two impacts, two separations and two
+        turns of the friction.
+    """)
     yield so("the fold of the exact orbits lies below", loop.largest_force < fold)
     yield equal(
         "kinds of special points between all neighbouring orbits that were followed",

@@ -21,22 +21,18 @@ CALM = (146.0, 164.0)
 CALM_GAP = 180e-6
 
 
-def _all(shares: dict[str, float]) -> float:
-    return sum(shares.values())
-
-
 @observation("twin-shares", source=NUMBERS, title="Gap and friction.")
 def shares(known: Evidence) -> Observed:
     friction = known.twin.friction
     found = friction.shares
-    yield text("""
-        From rest at 110 Hz, over gaps up to 0.5 mm and frictions up to 4 N, [[ one | percent0 ]] of
-        [[ cells ]] cells repeat with the drive and [[ three | percent0 ]] after three drive periods;
-        [[ other | percent0 ]] repeat after other numbers, [[ torus | percent0 ]] are tori,
-        [[ chaotic | percent0 ]] are chaotic, and [[ open | percent0 ]] had not settled within [[ waited ]]
-        drive periods.
-    """).given(cells=friction.cells, waited=WAITED, **found)
-    yield close("the shares add up to the whole", _all(dict(found)), 1.0)
+    yield text(f"""
+        From rest at 110 Hz, over gaps up to 0.5 mm and frictions up to 4 N, {found["one"]:.0%} of
+        {friction.cells} cells repeat with the drive and {found["three"]:.0%} after three drive periods;
+        {found["other"]:.0%} repeat after other numbers, {found["torus"]:.0%} are tori,
+        {found["chaotic"]:.0%} are chaotic, and {found["open"]:.0%} had not settled within {WAITED} drive
+        periods.
+    """)
+    yield close("the shares add up to the whole", sum(found.values()), 1.0)
     yield so(
         "most cells are chaotic, and those with the drive's period come next",
         found["chaotic"] > found["one"] > max(found["three"], found["other"], found["torus"], found["open"]),
@@ -48,22 +44,15 @@ def reach(known: Evidence) -> Observed:
     friction = known.twin.friction
     narrow = friction.within((0.0, NARROW), (SMALL_FORCE, LARGEST_FORCE))
     others = int((narrow & ~friction.single).sum())
-    yield text("""
-        Up to 0.1 mm with 0.5 N or more the motion repeats with the drive in all but [[ others ]] of
-        [[ cells ]] cells: at [[ first | f0 ]] and [[ second | f0 ]] µm with 0.6 N it takes two drive
-        periods, and at 20 µm with 1.6 and 1.7 N it is a torus. Without friction the second smallest gap of
-        the map, [[ smallest | f0 ]] µm, is chaotic already. For 40 µm it takes [[ for_small | f1 ]] N or
-        more, for 0.2 mm [[ for_large | f1 ]] N: friction below 1 N does not bring 0.2 mm to the drive's
+    yield text(f"""
+        Up to 0.1 mm with 0.5 N or more the motion repeats with the drive in all but {others} of
+        {int(narrow.sum())} cells: at {1e6 * _doubled(friction)[0]:.0f} and {1e6 * _doubled(friction)[-1]:.0f}
+        µm with 0.6 N it takes two drive periods, and at 20 µm with 1.6 and 1.7 N it is a torus. Without
+        friction the second smallest gap of the map, {1e6 * float(friction.first[1]):.0f} µm, is chaotic
+        already. For 40 µm it takes {known.twin.friction_for_small_gap:.1f} N or more, for 0.2 mm
+        {known.twin.friction_for_experiment:.1f} N: friction below 1 N does not bring 0.2 mm to the drive's
         period.
-    """).given(
-        others=others,
-        cells=int(narrow.sum()),
-        first=1e6 * _doubled(friction)[0],
-        second=1e6 * _doubled(friction)[-1],
-        smallest=1e6 * float(friction.first[1]),
-        for_small=known.twin.friction_for_small_gap,
-        for_large=known.twin.friction_for_experiment,
-    )
+    """)
     yield so("these are few, and they are those named", others == len(_doubled(friction)) + _tori(friction))
     yield so("the cell without friction is chaotic", bool(friction.chaotic[0, 1]))
     below = friction.within((EXPERIMENT_GAP, EXPERIMENT_GAP), (0.0, 1.0))
@@ -88,23 +77,15 @@ def speed(known: Evidence) -> Observed:
     numbers = known.twin.speed
     calm = numbers.within((0.0, CALM_GAP), CALM)
     at_drive, slower, faster = (1e6 * numbers.reach(each) for each in (110.0, 100.0, 120.0))
-    yield text("""
-        With 0.5 N, over drives from 60 to 200 Hz, [[ one | percent0 ]] of [[ cells ]] cells repeat with the
-        drive and [[ chaotic | percent0 ]] are chaotic. The gap up to which the drive's period lasts changes
-        from [[ slower | f0 ]] µm at 100 Hz over [[ at_drive | f0 ]] µm at 110 Hz to [[ faster | f0 ]] µm at
-        120 Hz: the edge is ragged, and 10 Hz decide. One band is calm: from 146 to 164 Hz all [[ calm ]]
-        cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do, but not at 72 or 76
-        Hz, so nobody should aim at it. Gaps up to [[ common | f0 ]] µm do at all speeds.
-    """).given(
-        cells=numbers.cells,
-        one=numbers.shares["one"],
-        chaotic=numbers.shares["chaotic"],
-        slower=slower,
-        at_drive=at_drive,
-        faster=faster,
-        calm=int(calm.sum()),
-        common=1e6 * numbers.common_reach,
-    )
+    yield text(f"""
+        With 0.5 N, over drives from 60 to 200 Hz, {numbers.shares["one"]:.0%} of {numbers.cells} cells repeat
+        with the drive and {numbers.shares["chaotic"]:.0%} are chaotic. The gap up to which the drive's period
+        lasts changes from {slower:.0f} µm at 100 Hz over {at_drive:.0f} µm at 110 Hz to {faster:.0f} µm at
+        120 Hz: the edge is ragged, and 10 Hz decide. One band is calm: from 146 to 164 Hz all
+        {int(calm.sum())} cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do, but
+        not at 72 or 76 Hz, so nobody should aim at it. Gaps up to {1e6 * numbers.common_reach:.0f} µm do at
+        all speeds.
+    """)
     yield so("every cell of the band repeats with the drive", bool(numbers.single[calm].all()))
     yield so(
         "at 74 Hz every cell does, at 72 and 76 Hz not",
@@ -117,15 +98,11 @@ def speed(known: Evidence) -> Observed:
 def impacts(known: Evidence) -> Observed:
     friction, speeds = known.twin.friction, known.twin.speed
     free = friction.within((0.0, friction.first[-1]), (0.0, 0.0))
-    yield text("""
-        At 110 Hz pin and bridge meet at up to [[ free | f2 ]] m/s where there is no friction, and at up to
-        [[ largest | f2 ]] m/s over all gaps and frictions of the map. Over all speeds, with 0.5 N, it is up
-        to [[ fastest | f2 ]] m/s.
-    """).given(
-        largest=friction.largest("impact_speed"),
-        free=friction.largest("impact_speed", free),
-        fastest=speeds.largest("impact_speed"),
-    )
+    yield text(f"""
+        At 110 Hz pin and bridge meet at up to {friction.largest("impact_speed", free):.2f} m/s where there is
+        no friction, and at up to {friction.largest("impact_speed"):.2f} m/s over all gaps and frictions of
+        the map. Over all speeds, with 0.5 N, it is up to {speeds.largest("impact_speed"):.2f} m/s.
+    """)
     yield so(
         "largest speed of an impact in each cell of both maps",
         friction.largest("impact_speed") > 1.5 * friction.largest("impact_speed", free),

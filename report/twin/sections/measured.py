@@ -19,13 +19,12 @@ def without_play(known: Evidence) -> Observed:
     cases = known.twin.no_gap
     even = max(case.line(order) for case in cases for order in (2, 4, 6))
     third, fifth = (1e6 * cases[1].line(order) for order in (3, 5))
-    yield text("""
+    yield text(f"""
         Compared by order of the drive and by parity alone, since the parameters of the measured trimmer
-        (table C.1) are not given: its spectrum without play has the orders 1, 3 and 5 (table 3.1). So has
-        the twin with friction and no play, [[ third | f0 ]] µm at the third and [[ fifth | f0 ]] µm at the
-        fifth harmonic with 1 N, and no even ones. So has the thesis's model; this measurement decides
-        nothing between them.
-    """).given(third=third, fifth=fifth)
+        (table C.1) are not given: its spectrum without play has the orders 1, 3 and 5 (table 3.1). So has the
+        twin with friction and no play, {third:.0f} µm at the third and {fifth:.0f} µm at the fifth harmonic
+        with 1 N, and no even ones. So has the thesis's model; this measurement decides nothing between them.
+    """)
     yield small("even harmonics of the exact motions with 0 to 4 N", even, VANISHES)
     yield equal("motions of one drive period", {case.period_count for case in cases}, {1})
 
@@ -39,21 +38,16 @@ def with_play(known: Evidence) -> Observed:
     forces = friction.second[at_gap]
     most, gap, force = friction.largest_second
     orders = [len(cells) for cells in TABLE_2.values()]
-    yield text("""
+    share = float(friction.asymmetric.sum() / friction.single.sum())
+    yield text(f"""
         With 0.2 mm of play the measured spectra have the orders 1 to 5 in all three records (table 3.2),
         the even ones too. By parity alone, since the measured trimmer's parameters (table C.1) are not
         given: the thesis's model cannot have even orders, because it settles to one motion, which is
-        symmetric. The twin has them wherever its motion lost its symmetry: in [[ share | percent0 ]] of the
-        cells of the map over gap and friction that repeat with the drive, with up to [[ most | f0 ]] µm of
-        second harmonic (at [[ gap | f2 ]] mm and [[ force | f1 ]] N). At 0.2 mm it repeats with the drive
-        and has even harmonics from [[ from | f1 ]] N on.
-    """).given(
-        share=float(friction.asymmetric.sum() / friction.single.sum()),
-        most=1e6 * most,
-        gap=1e3 * gap,
-        force=force,
-        **{"from": float(forces.min())},
-    )
+        symmetric. The twin has them wherever its motion lost its symmetry: in {share:.0%} of the cells of the
+        map over gap and friction that repeat with the drive, with up to {1e6 * most:.0f} µm of second
+        harmonic (at {1e3 * gap:.2f} mm and {force:.1f} N). At 0.2 mm it repeats with the drive and has even
+        harmonics from {float(forces.min()):.1f} N on.
+    """)
     yield equal("orders that table 3.2 lists for each record", set(orders), {5})
     yield small("even harmonics of the thesis's model in three settled motions", even, 1e-9)
     yield so("cells with a second harmonic of more than a micrometre", most > SEEN and len(forces) > 0)
@@ -62,12 +56,12 @@ def with_play(known: Evidence) -> Observed:
 @observation("twin-mirror", source="report/numbers/twin/cases.py", title="A pair of mirrored motions.")
 def mirrored(known: Evidence) -> Observed:
     case = known.twin.asymmetric
-    yield text("""
-        An example, in the model with the parameters of Listing A.1 and at its 100 Hz: with 0.2 mm and 2 N
-        it repeats with the drive, and its second harmonic has [[ second | f1 ]] µm, its fourth
-        [[ fourth | f0 ]] µm. A mirrored motion exists beside it with the same amplitudes; the start
+    yield text(f"""
+        An example, in the model with the parameters of Listing A.1 and at its 100 Hz: with 0.2 mm and 2 N it
+        repeats with the drive, and its second harmonic has {1e6 * case.line(2):.1f} µm, its fourth
+        {1e6 * case.line(4):.0f} µm. A mirrored motion exists beside it with the same amplitudes; the start
         decides.
-    """).given(second=1e6 * case.line(2), fourth=1e6 * case.line(4))
+    """)
     yield equal("exact periodic motion of one drive period", case.period_count, 1)
     yield so("stable, by its Floquet multipliers", case.largest_multiplier < 1)
     yield small("the mirror image, half a period later, is an exact motion too", known.twin.mirror_miss)
@@ -78,15 +72,15 @@ def mirrored(known: Evidence) -> Observed:
 def between(known: Evidence) -> Observed:
     twin = known.twin.main.twin
     spacing = twin.frequency / twin.period_count
-    yield text("""
+    yield text(f"""
         The thesis found no further frequencies in the measured spectra (section 3.2). A line at a third of
-        the drive would lie [[ spacing | f1 ]] Hz from the next one, [[ bins | f1 ]] bins of [[ bin | f0 ]]
-        Hz: such a record would show it. As far as a record of 0.1 s tells, the measured trimmer, whose
-        parameters are not given, repeated with its drive of 109.945 Hz. By order and parity alone it moved
-        as the twin with Listing A.1 does where its motion keeps the drive's period and has lost its
-        symmetry. A gap that is not centred, or a blade that rubs unequally, would give even harmonics as
-        well: neither model has that, and the spectra do not tell it apart.
-    """).given(spacing=spacing, bins=spacing / RESOLUTION, bin=RESOLUTION)
+        the drive would lie {spacing:.1f} Hz from the next one, {spacing / RESOLUTION:.1f} bins of
+        {RESOLUTION:.0f} Hz: such a record would show it. As far as a record of 0.1 s tells, the measured
+        trimmer, whose parameters are not given, repeated with its drive of 109.945 Hz. By order and parity
+        alone it moved as the twin with Listing A.1 does where its motion keeps the drive's period and has
+        lost its symmetry. A gap that is not centred, or a blade that rubs unequally, would give even
+        harmonics as well: neither model has that, and the spectra do not tell it apart.
+    """)
     yield so("the lines are more than two bins apart", spacing > 2 * RESOLUTION)
     yield equal("lines of the twin at thirds of the drive", twin.period_count, 3)
 

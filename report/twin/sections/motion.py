@@ -6,7 +6,7 @@ from report.judging.parts import close, equal, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP
-from report.numbers.twin_numbers import Comparison
+from report.numbers.twin_numbers import BothModels
 from report.twin.figures.motion import motions, spectra
 from report.twin.observation import Observed, SectionRecord, observation
 from trimmer import MotionKind
@@ -24,7 +24,7 @@ MODERATE = (0.2, 0.8)
 """Frictions between which the thesis's three lie, N; the grid of the map has both."""
 
 
-def _micrometres(case: Comparison, order: int) -> tuple[float, float]:
+def _micrometres(case: BothModels, order: int) -> tuple[float, float]:
     """Return the amplitude of a harmonic in the thesis's model and in the twin, µm."""
     return 1e6 * float(case.frozen.harmonics[order]), 1e6 * case.twin.line(order)
 
@@ -34,26 +34,14 @@ def small_gap(known: Evidence) -> Observed:
     case, again = known.twin.small, known.twin.small_again
     twin = case.twin
     third, fifth = _micrometres(case, 3), _micrometres(case, 5)
-    yield text("""
-        The twin settles within [[ waited ]] drive periods to a motion that repeats with the drive. The pin
-        hits the bridge [[ impacts | f0 ]] times in each period, at up to [[ speed | f2 ]] m/s, and is in
-        contact for [[ contact | percent0 ]] of the time. The stroke is [[ stroke | f3 ]] mm peak to peak
-        against [[ frozen | f3 ]] mm in the thesis's model; the third harmonic has [[ third | f0 ]] µm
-        against [[ frozen_third | f0 ]], the fifth [[ fifth | f0 ]] µm against [[ frozen_fifth | f0 ]]. The
-        force of the bridge reaches [[ force | f1 ]] N.
-    """).given(
-        waited=twin.waited,
-        impacts=twin.impacts,
-        speed=twin.impact_speed,
-        contact=twin.contact_share,
-        stroke=1e3 * twin.peak_to_peak,
-        frozen=1e3 * case.frozen.peak_to_peak,
-        third=third[1],
-        frozen_third=third[0],
-        fifth=fifth[1],
-        frozen_fifth=fifth[0],
-        force=twin.largest_force,
-    )
+    yield text(f"""
+        The twin settles within {twin.waited} drive periods to a motion that repeats with the drive. The pin
+        hits the bridge {twin.impacts:.0f} times in each period, at up to {twin.impact_speed:.2f} m/s, and is
+        in contact for {twin.contact_share:.0%} of the time. The stroke is {1e3 * twin.peak_to_peak:.3f} mm
+        peak to peak against {1e3 * case.frozen.peak_to_peak:.3f} mm in the thesis's model; the third harmonic
+        has {third[1]:.0f} µm against {third[0]:.0f}, the fifth {fifth[1]:.0f} µm against {fifth[0]:.0f}. The
+        force of the bridge reaches {twin.largest_force:.1f} N.
+    """)
     yield equal("exact periodic motion of one drive period", twin.period_count, 1)
     yield so("all Floquet multipliers inside the unit circle", twin.largest_multiplier < 1)
     yield small(f"{RUNGE_KUTTA}: it closes", again.miss)
@@ -64,22 +52,15 @@ def small_gap(known: Evidence) -> Observed:
 def main_case(known: Evidence) -> Observed:
     case, again = known.twin.main, known.twin.main_again
     twin = case.twin
-    yield text("""
-        With the gap of the experiment and 2 N the twin repeats after [[ count ]] drive periods, not after
-        one. Its stroke has lines between the harmonics: [[ third | f0 ]] µm at a third of the drive,
-        [[ five | f0 ]] µm at five thirds and [[ seven | f0 ]] µm at seven thirds, beside [[ first | f0 ]]
-        µm at the drive itself. The second harmonic has [[ second | f0 ]] µm. The thesis's model repeats
-        with the drive for every gap and friction, and has odd harmonics alone. "No limit cycle in a driven
-        trimmer" therefore holds for play that only passes a displacement on, as in the thesis; two-way
-        contact can bring a vibration of its own.
-    """).given(
-        count=twin.period_count,
-        third=1e6 * twin.line(1 / 3),
-        five=1e6 * twin.line(5 / 3),
-        seven=1e6 * twin.line(7 / 3),
-        first=1e6 * twin.line(1),
-        second=1e6 * twin.line(2),
-    )
+    yield text(f"""
+        With the gap of the experiment and 2 N the twin repeats after {twin.period_count} drive periods, not
+        after one. Its stroke has lines between the harmonics: {1e6 * twin.line(1 / 3):.0f} µm at a third of
+        the drive, {1e6 * twin.line(5 / 3):.0f} µm at five thirds and {1e6 * twin.line(7 / 3):.0f} µm at seven
+        thirds, beside {1e6 * twin.line(1):.0f} µm at the drive itself. The second harmonic has
+        {1e6 * twin.line(2):.0f} µm. The thesis's model repeats with the drive for every gap and friction, and
+        has odd harmonics alone. "No limit cycle in a driven trimmer" therefore holds for play that only
+        passes a displacement on, as in the thesis; two-way contact can bring a vibration of its own.
+    """)
     yield equal("exact periodic motion of three drive periods and of no fewer", twin.period_count, 3)
     yield so("all Floquet multipliers inside the unit circle", twin.largest_multiplier < 1)
     yield small(f"{RUNGE_KUTTA}: it closes after three drive periods", again.miss)
@@ -92,20 +73,14 @@ def chaos(known: Evidence) -> Observed:
     exponent = case.twin.lyapunov
     cells = friction.within((EXPERIMENT_GAP, EXPERIMENT_GAP), MODERATE)
     floor = case.twin.highest_between
-    yield text("""
-        At 0.2 mm and 0.5 N the twin is chaotic: neighbouring motions part by a factor of e in about one
-        drive period (Lyapunov exponent between [[ low | f1 ]] and [[ high | f1 ]] per period). All
-        [[ cells ]] cells of the map at that gap from 0.2 to 0.8 N are chaotic, and the frictions of section
-        3.3 lie between them. The thesis's model settles to the drive's period there. The chaos is carried by
-        a large regular motion: its first harmonic has [[ first | f2 ]] mm, the spectrum between the
-        harmonics stays at least [[ below ]] times below it.
-    """).given(
-        low=LYAPUNOV[0],
-        high=LYAPUNOV[1],
-        cells=int(cells.sum()),
-        first=1e3 * case.twin.line(1),
-        below=BELOW,
-    )
+    yield text(f"""
+        At 0.2 mm and 0.5 N the twin is chaotic: neighbouring motions part by a factor of e in about one drive
+        period (Lyapunov exponent between {LYAPUNOV[0]:.1f} and {LYAPUNOV[1]:.1f} per period). All
+        {int(cells.sum())} cells of the map at that gap from 0.2 to 0.8 N are chaotic, and the frictions of
+        section 3.3 lie between them. The thesis's model settles to the drive's period there. The chaos is
+        carried by a large regular motion: its first harmonic has {1e3 * case.twin.line(1):.2f} mm, the
+        spectrum between the harmonics stays at least {BELOW} times below it.
+    """)
     yield equal("kind of motion by exponent and neighbour", case.twin.kind, MotionKind.CHAOTIC)
     yield so("the exponent exceeds three standard errors", exponent.value > ERRORS * exponent.uncertainty)
     yield so(

@@ -16,18 +16,13 @@ FEW = 0.1
 @observation("twin-open-cells", source=MAPS, title="Cells without an answer.")
 def cells(known: Evidence) -> Observed:
     friction, speed = known.twin.friction, known.twin.speed
-    yield text("""
-        [[ open | percent1 ]] of the cells over gap and friction and [[ open_speed | percent1 ]] of those
-        over gap and speed had not settled within 300 drive periods, and no kind could be told. In
-        [[ rounding | percent1 ]] and [[ rounding_speed | percent1 ]] a start one nanometre beside rest led
-        to another motion: there the map shows one of several, and another computer may show another. Torus
-        and chaos are told apart by one neighbour over 100 drive periods; near edges that may err.
-    """).given(
-        open=friction.shares["open"],
-        open_speed=speed.shares["open"],
-        rounding=friction.by_rounding,
-        rounding_speed=speed.by_rounding,
-    )
+    yield text(f"""
+        {friction.shares["open"]:.1%} of the cells over gap and friction and {speed.shares["open"]:.1%} of
+        those over gap and speed had not settled within 300 drive periods, and no kind could be told. In
+        {friction.by_rounding:.1%} and {speed.by_rounding:.1%} a start one nanometre beside rest led to
+        another motion: there the map shows one of several, and another computer may show another. Torus and
+        chaos are told apart by one neighbour over 100 drive periods; near edges that may err.
+    """)
     yield so(
         "each of these is less than a tenth of the cells",
         max(friction.shares["open"], speed.shares["open"], friction.by_rounding, speed.by_rounding) < FEW,
@@ -39,12 +34,12 @@ def starts(known: Evidence) -> Observed:
     numbers = known.twin.starts
     single = numbers.single
     beside = float((numbers.kept.motion_count[single] > 1).mean())
-    yield text("""
-        The maps begin at rest. On a coarser grid of [[ cells ]] cells, eight starts led to more than one
-        motion in [[ several | percent0 ]] of all cells and in [[ beside | percent0 ]] of those that keep
-        the drive's period from rest (mirror images count as two). A jolt may therefore leave a trimmer in
-        another motion than the maps show. Eight starts do not find all there are.
-    """).given(cells=numbers.cells, several=numbers.several, beside=beside)
+    yield text(f"""
+        The maps begin at rest. On a coarser grid of {numbers.cells} cells, eight starts led to more than one
+        motion in {numbers.several:.0%} of all cells and in {beside:.0%} of those that keep the drive's period
+        from rest (mirror images count as two). A jolt may therefore leave a trimmer in another motion than
+        the maps show. Eight starts do not find all there are.
+    """)
     yield so("motions told apart by their exact orbits, of others by kind", min(beside, numbers.several) > 0)
 
 
@@ -53,12 +48,12 @@ def advice(known: Evidence) -> Observed:
     numbers = known.twin.starts
     force = known.twin.friction_for_experiment
     motions = int(numbers.kept.motion_count[numbers.row(force), numbers.column(EXPERIMENT_GAP)])
-    yield text("""
-        What is advised to designers was tried from [[ starts ]] starts each: 40 µm with 0.5 N, a bridge of
-        10 kN/m with 0.2 mm, and 155 Hz with 0.15 mm lead to one motion of the drive's period, mirror images
-        apart. Friction of [[ force | f1 ]] N against 0.2 mm does not stand this test: there the starts led
-        to [[ motions ]] motions.
-    """).given(starts=STARTS, force=force, motions=motions)
+    yield text(f"""
+        What is advised to designers was tried from {STARTS} starts each: 40 µm with 0.5 N, a bridge of 10
+        kN/m with 0.2 mm, and 155 Hz with 0.15 mm lead to one motion of the drive's period, mirror images
+        apart. Friction of {force:.1f} N against 0.2 mm does not stand this test: there the starts led to
+        {motions} motions.
+    """)
     yield equal("the motions that these starts settle to", set(known.twin.advised), {True})
     yield so("motions in that cell of the map from several starts", motions > 1)
 
@@ -66,13 +61,13 @@ def advice(known: Evidence) -> Observed:
 @observation("twin-open-parameters", source="report/numbers/twin/mechanism.py", title="The machine itself.")
 def parameters(known: Evidence) -> Observed:
     friction = known.twin.small.frozen.force
-    yield text("""
+    yield text(f"""
         All numbers are of the parameters of Listing A.1, one contact damping (the 0.4 N s/m of the bridge)
-        and dry friction between blade and guard alone, [[ friction ]] N where one value had to be chosen.
-        The parameters of the measured trimmer are not published, nor is its friction. Static friction above
-        the kinetic one, hair between the blades, play in the motor's bearing and motion across the line are
-        not modelled.
-    """).given(friction=friction)
+        and dry friction between blade and guard alone, {friction} N where one value had to be chosen. The
+        parameters of the measured trimmer are not published, nor is its friction. Static friction above the
+        kinetic one, hair between the blades, play in the motor's bearing and motion across the line are not
+        modelled.
+    """)
     yield so(
         "static and kinetic friction of the twin are the same",
         known.twin.friction.kept.grid.mechanism.frictions["blade"].static_force == friction,

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from report.building.progress import Progress
-from report.building.tasks import Task, done
+from report.building.tasks import BuildTask, done
 from report.cache.stage_store import StageStore
 
 
@@ -21,8 +21,8 @@ def fail() -> None:
     raise ArithmeticError("on purpose")
 
 
-def tasks(key: str, *numbers: int) -> list[Task]:
-    return [Task(f"square-{number}", "square", key, partial(square, number)) for number in numbers]
+def tasks(key: str, *numbers: int) -> list[BuildTask]:
+    return [BuildTask(f"square-{number}", "square", key, partial(square, number)) for number in numbers]
 
 
 def test_results_come_by_name_from_other_processes(tmp_path: Path) -> None:
@@ -36,22 +36,22 @@ def test_results_come_by_name_from_other_processes(tmp_path: Path) -> None:
 def test_what_is_kept_is_not_done_again(tmp_path: Path) -> None:
     store = StageStore(tmp_path)
     done(tasks("a", 1, 2), store, Progress())
-    again = [Task(f"square-{number}", "square", "a", fail) for number in (1, 2)]
+    again = [BuildTask(f"square-{number}", "square", "a", fail) for number in (1, 2)]
     assert done(again, store, Progress())["square-2"][0] == 4
-    changed = [*again[:1], Task("square-2", "square", "b", partial(square, 5))]
+    changed = [*again[:1], BuildTask("square-2", "square", "b", partial(square, 5))]
     assert done(changed, store, Progress())["square-2"][0] == 25
 
 
 def test_a_failure_is_raised_and_nothing_of_the_run_is_kept(tmp_path: Path) -> None:
     store = StageStore(tmp_path)
     with pytest.raises(ArithmeticError, match="on purpose"):
-        done([*tasks("a", 1), Task("wrong", "square", "a", fail)], store, Progress())
+        done([*tasks("a", 1), BuildTask("wrong", "square", "a", fail)], store, Progress())
     assert store.load("square-1", "a") is None
 
 
 def test_the_log_has_the_time_of_each_task(tmp_path: Path) -> None:
     progress = Progress()
-    mixed = [*tasks("a", 1, 2, 3), Task("other", "print", "a", partial(square, 7))]
+    mixed = [*tasks("a", 1, 2, 3), BuildTask("other", "print", "a", partial(square, 7))]
     done(mixed, StageStore(tmp_path), progress)
     assert [name for name, _ in progress.times] == ["tasks"]
     assert {(stage, name) for stage, name, _ in progress.tasks} == {

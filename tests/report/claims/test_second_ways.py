@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from report.chapters.second_ways import by_division_back, by_grid, by_matching_real_parts
-from report.judging.claim import Claim, Part
+from report.judging.claim import Claim, ClaimPart
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.printed import power, power_of
 from report.judging.judge import ContradictionError, judge
@@ -25,7 +25,7 @@ CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index
 def test_a_second_way_that_leads_elsewhere_stops_the_judgement(inventory):
     finding = Assertion(statement="it is so", derived=True, evidence="", method="one way")
     sound, unsound = (
-        Claim("eq-2.1", (Part("", finding, so("another", holds)),), "") for holds in (True, False)
+        Claim("eq-2.1", (ClaimPart("", finding, so("another", holds)),), "") for holds in (True, False)
     )
     (part,) = judge(sound, inventory["eq-2.1"]).parts
     assert part.method == "one way; confirmed by another"

@@ -8,7 +8,7 @@ import pytest
 
 from report.building.collect import ClaimIdError, by_id, collect
 from report.data.statements import FURTHER, PATH, read_inventory
-from report.judging.inventory import InventoryError, filed, read_statements, titled
+from report.judging.inventory import InventoryError, filed, read_statements
 from report.judging.record import ClaimRecord
 from report.judging.verdict import Certainty, Impact, Severity
 
@@ -66,21 +66,7 @@ def test_titles_have_no_ascii_mathematics():
     assert {key: title for key, title in titles.items() if ASCII_MATHEMATICS.search(title)} == {}
 
 
-@pytest.mark.parametrize(
-    ("rows", "message"),
-    [
-        ("eq-2.1,a\neq-2.1,b\n", r"titles\.csv, line 3: the id eq-2\.1 stands there twice"),
-        ("eq-9.99,a\n", r"titles\.csv, line 2: the id eq-9\.99 is not in the inventory"),
-    ],
-)
-def test_a_title_belongs_to_one_statement(tmp_path, rows, message):
-    path = tmp_path / "titles.csv"
-    path.write_text("id,title\n" + rows, encoding="utf-8")
-    with pytest.raises(InventoryError, match=message):
-        titled(read_statements(PATH), path)
-
-
-HEAD = "id,source,impact,first_line,last_line,paragraph,severity,certainty\n"
+HEAD = "id,source,impact,first_line,last_line,paragraph,severity,certainty,title\n"
 
 
 def statement(tmp_path, rows):
@@ -90,22 +76,22 @@ def statement(tmp_path, rows):
 
 
 def test_a_table_says_what_is_known_of_a_statement(tmp_path):
-    full = statement(tmp_path, "eq-2.1,a.py,local,3,7,2,result,proven\n")
+    full = statement(tmp_path, "eq-2.1,a.py,local,3,7,2,result,proven,A title\n")
     assert (full.source, full.impact, full.lines, full.paragraph) == ("a.py", Impact.LOCAL, (3, 7), 2)
-    assert (full.severity, full.certainty) == (Severity.RESULT, Certainty.PROVEN)
-    bare = statement(tmp_path, "eq-2.1,a.py,,,,,,\n")
+    assert (full.severity, full.certainty, full.title) == (Severity.RESULT, Certainty.PROVEN, "A title")
+    bare = statement(tmp_path, "eq-2.1,a.py,,,,,,,\n")
     assert (bare.impact, bare.lines, bare.paragraph) == (Impact.NONE, None, None)
-    assert (bare.severity, bare.certainty) == (None, None)
+    assert (bare.severity, bare.certainty, bare.title) == (None, None, "pin displacement input")
 
 
 @pytest.mark.parametrize(
     ("rows", "message"),
     [
         ("", r"claims\.csv: has one line for each statement; see eq-2\.1"),
-        ("eq-2.1,a,,,,,,\neq-2.1,a,,,,,,\n", r"claims\.csv: has one line for each statement; see eq-2\.1"),
-        ("eq-2.1,a,,,,,,\neq-9,a,,,,,,\n", r"statement; see eq-9$"),
-        ("eq-2.1,a,,1,,,,\n", r"claims\.csv, line 2: invalid literal for int"),
-        ("eq-2.1,a,,1,2,,bad,\n", r"claims\.csv, line 2: 'bad' is not a valid Severity"),
+        ("eq-2.1,a,,,,,,,\neq-2.1,a,,,,,,,\n", r"claims\.csv: has one line for each statement; see eq-2\.1"),
+        ("eq-2.1,a,,,,,,,\neq-9,a,,,,,,,\n", r"statement; see eq-9$"),
+        ("eq-2.1,a,,1,,,,,\n", r"claims\.csv, line 2: invalid literal for int"),
+        ("eq-2.1,a,,1,2,,bad,,\n", r"claims\.csv, line 2: 'bad' is not a valid Severity"),
     ],
 )
 def test_a_table_has_one_line_for_each_statement(tmp_path, rows, message):

@@ -5,17 +5,17 @@ from collections.abc import Mapping
 
 import pytest
 
-from report.data.statements import Section, read_sections
+from report.data.statements import ThesisSection, read_sections
 from report.judging.claim import Kind, Statement
 
 
 @pytest.fixture(scope="module")
-def sections() -> tuple[Section, ...]:
+def sections() -> tuple[ThesisSection, ...]:
     return read_sections()
 
 
 def test_every_section_of_the_inventory_has_a_title(
-    sections: tuple[Section, ...], inventory: Mapping[str, Statement]
+    sections: tuple[ThesisSection, ...], inventory: Mapping[str, Statement]
 ) -> None:
     numbers = Counter(section.number for section in sections)
     assert set(numbers.values()) == {1}
@@ -24,7 +24,7 @@ def test_every_section_of_the_inventory_has_a_title(
 
 
 def test_every_figure_stands_in_one_section_of_its_chapter(
-    sections: tuple[Section, ...], inventory: Mapping[str, Statement]
+    sections: tuple[ThesisSection, ...], inventory: Mapping[str, Statement]
 ) -> None:
     placed = {figure: section for section in sections for figure in section.figures}
     numbered = {
@@ -36,7 +36,7 @@ def test_every_figure_stands_in_one_section_of_its_chapter(
         assert f"{placed[id].number}.".startswith(f"{entry.section}."), id
 
 
-def test_figures_are_numbered_in_the_order_of_the_sections(sections: tuple[Section, ...]) -> None:
+def test_figures_are_numbered_in_the_order_of_the_sections(sections: tuple[ThesisSection, ...]) -> None:
     numbers = [
         [int(part) for part in figure[4:].split(".")] for section in sections for figure in section.figures
     ]

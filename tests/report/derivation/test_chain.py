@@ -14,7 +14,7 @@ from derivations.elements.friction import LEVEL, relay_waveform
 from derivations.elements.harmonics import odd_harmonic
 from derivations.elements.narrative import element_narrative
 from derivations.narrative import narrative
-from derivations.step import Formula, Step
+from derivations.step import Formula, NarrativeStep
 from derivations.symbols import A
 from report.cache.source_closure import ROOT
 from report.data.statements import read_inventory
@@ -61,8 +61,8 @@ def test_every_claim_has_a_step(steps):
 
 def test_a_claim_is_placed_by_its_own_line_then_its_equation_then_its_source():
     steps = (
-        Step("one", "One", "", (Formula("a = b", "2.9"),)),
-        Step("two", "Two", "", ()),
+        NarrativeStep("one", "One", "", (Formula("a = b", "2.9"),)),
+        NarrativeStep("two", "Two", "", ()),
     )
     claims = [finding("eq-2.9", "x.py"), finding("txt-1", "x.py"), finding("txt-2", "y.py")]
     assert places(claims, steps, {"x.py": "two"}) == {"eq-2.9": "one", "txt-1": "two"}

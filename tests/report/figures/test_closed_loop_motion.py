@@ -29,7 +29,7 @@ def test_bins_of_one_second_and_of_a_tenth_peak_at_different_places(drawn_axes, 
     sine = np.asarray(upper.lines[0].get_ydata())
     assert np.abs(sine).max() == pytest.approx(4 * closed.orbits.friction.stable.amplitude, rel=1e-4)
     heights = [line(crest, label)[1].max() for label in ("exact", "rounded")]
-    assert [f"{height:.2f} µm" in loop_motion.small_gap.caption for height in heights] == [True, True]
+    assert [f"{height:.2f} µm" in loop_motion.small_gap.words.caption for height in heights] == [True, True]
     named = {each.get_label(): each for each in lower.lines if not each.get_label().startswith("_")}
     for label, curve in named.items():
         highest = curve.get_xdata()[np.argmax(curve.get_ydata())]

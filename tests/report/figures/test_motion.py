@@ -41,7 +41,7 @@ def test_heights_of_the_fifth_harmonic_are_those_in_the_words(drawn_axes):
     heights = [line(harmonics, f"{force:.2f} N")[1][1] for force in (0.25, 0.5, 0.75)]
     assert (
         f"{heights[0]:.0f} to {heights[2]:.0f} micrometres"
-        in figures.open_loop_with_small_gap.alternative_text
+        in figures.open_loop_with_small_gap.words.alternative_text
     )
 
 

@@ -6,6 +6,7 @@ from string import ascii_lowercase
 import pytest
 
 from report.building.collect import collect
+from report.data.figures import figure_words
 from report.data.statements import read_inventory
 from report.pages.drawing.letters import letter_panels, panels_of, title_of
 from report.pages.drawing.marks import STABLE, UNSTABLE
@@ -27,7 +28,7 @@ def test_panels_are_lettered_in_their_order_and_captions_name_no_others(figure, 
     letters = [title_of(axes)[:3] for axes in panels]
     if len(panels) > 1:
         assert letters == [f"({letter})" for letter in ascii_lowercase[: len(panels)]]
-    named = set(re.findall(r"(?:^|[ ,])\(([a-z])\)", figure.caption))
+    named = set(re.findall(r"(?:^|[ ,])\(([a-z])\)", figure.words.caption))
     if figure.id != "fig-2.15":  # a block diagram, which has its two parts on one canvas
         assert named <= set(ascii_lowercase[: len(panels)] if len(panels) > 1 else "")
 
@@ -49,12 +50,13 @@ def test_limit_cycles_are_full_or_open_and_the_caption_says_what_that_means(figu
     for label, face, word in ((STABLE, "#000000", "full"), (UNSTABLE, "white", "open")):
         chosen = [mark for mark in marks if mark.get_label() == label]
         assert {mark.get_markerfacecolor() for mark in chosen} <= {face}
-        assert not chosen or word in figure.caption.lower()
+        assert not chosen or word in figure.words.caption.lower()
 
 
 def test_every_figure_of_the_thesis_is_drawn_once(inventory):
     expected = [claim_id for claim_id in inventory if claim_id.startswith("fig-")]
     assert sorted([*NOT_DRAWN, *(figure.id for figure in OF_THESIS)]) == sorted(expected)
+    assert figure_words().keys() == conftest.FIGURES.keys()
 
 
 @each_of_thesis
@@ -66,11 +68,11 @@ def test_a_figure_stands_in_the_folder_of_its_chapter(figure):
 
 @each_of_thesis
 def test_words_say_what_to_see_and_name_the_thesis_s_figure(figure):
-    assert figure.id.removeprefix("fig-") in figure.caption
-    assert len(figure.alternative_text) > 40
-    assert figure.caption.count("$") % 2 == 0
+    assert figure.id.removeprefix("fig-") in figure.words.caption
+    assert len(figure.words.alternative_text) > 40
+    assert figure.words.caption.count("$") % 2 == 0
     if figure.id.startswith("fig-3.") and figure.id != "fig-3.5":
-        assert "Listing A.1" in figure.caption
+        assert "Listing A.1" in figure.words.caption
 
 
 @each_of_thesis

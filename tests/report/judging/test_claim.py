@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from report.judging.claim import Claim, Confirmation, CopyFault, Kind, Part, Slip, Statement, Uncheckable
+from report.judging.claim import Claim, ClaimPart, Confirmation, CopyFault, Kind, Slip, Statement, Uncheckable
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.digits import PrintedDigits
 from report.judging.judge import ContradictionError, UngradedError, judge
@@ -12,8 +12,8 @@ from report.judging.shown import Words
 from report.judging.verdict import Certainty, Severity, Verdict
 
 ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject", severity=Severity.RESULT)
-RIGHT = Part("right", PrintedDigits("1.25", 1.2501))
-WRONG = Part("wrong", PrintedDigits("1.25", 2.5))
+RIGHT = ClaimPart("right", PrintedDigits("1.25", 1.2501))
+WRONG = ClaimPart("wrong", PrintedDigits("1.25", 2.5))
 REPEATED = replace(WRONG, label="repeated", slip=Slip("a factor of two", 1.25, Verdict.EXPLAINED))
 MISSING = Uncheckable("missing", Words("0.3 mm"), "the raw data of the experiment")
 

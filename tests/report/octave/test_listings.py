@@ -12,7 +12,7 @@ import pytest
 from derivations.linear_trimmer import derive_linear_trimmer
 from report.data.statements import read_inventory
 from report.octave.archive import archive, files, write_files
-from report.octave.contents import CONTENTS
+from report.octave.contents import contents
 from report.octave.listings import corrected_programs
 from trimmer import TrimmerParameters
 
@@ -39,7 +39,7 @@ def test_one_program_for_each_listing_of_the_thesis(programs):
     listings = [entry.id for entry in read_inventory().values() if entry.id.startswith("lst-A.")]
     assert [program.claim for program in programs] == [*listings, "", ""]
     sections = {entry.id: entry.section for entry in read_inventory().values()}
-    assert [content.section for content in CONTENTS] == [sections[content.claim] for content in CONTENTS]
+    assert [content.section for content in contents()] == [sections[content.claim] for content in contents()]
 
 
 def test_a_file_is_called_as_its_function(programs):

@@ -6,7 +6,7 @@ import dataclasses
 
 import sympy
 
-from report.data.statements import Section
+from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
 from report.document.document import Document
 from report.document.extras import Answer, CorrectedResult, Highlight, Opening, Overview
@@ -176,10 +176,10 @@ def sample() -> Document:
         spread=SPREAD,
         overview=Overview(opening(), answers(), corrected()),
         sections=(
-            Section("2.2.1", "Mechanism & masses"),
-            Section("2.2.2", "Linear system", ("fig-2.3",)),
-            Section("2.3.4", "Describing functions"),
-            Section("5.1.1", "Transfer function", ("fig-5.1",)),
-            Section("5.1.2", "Low-pass filter", ("fig-5.2",)),
+            ThesisSection("2.2.1", "Mechanism & masses"),
+            ThesisSection("2.2.2", "Linear system", ("fig-2.3",)),
+            ThesisSection("2.3.4", "Describing functions"),
+            ThesisSection("5.1.1", "Transfer function", ("fig-5.1",)),
+            ThesisSection("5.1.2", "Low-pass filter", ("fig-5.2",)),
         ),
     )

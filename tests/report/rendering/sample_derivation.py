@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from report.derivation.waveform_svg import Piece, waveform_svg
+from report.derivation.waveform_svg import WaveformPiece, waveform_svg
 from report.document.extras import Explorable, Panel, Slider
 from report.judging.spread import Follows
 from report.pages.figure import CodeLines, Figure
@@ -41,7 +41,9 @@ def picture(identifier: str = "waveform-relay") -> Figure:
     """Return the picture of a relay's waveform."""
     title, words = "Waveform & input", "A sine, and a line that jumps with its sign."
     halves = (np.linspace(0, np.pi, 5), np.linspace(np.pi, 2 * np.pi, 5))
-    pieces = tuple(Piece(phases, np.full(5, sign)) for phases, sign in zip(halves, (0.7, -0.7), strict=True))
+    pieces = tuple(
+        WaveformPiece(phases, np.full(5, sign)) for phases, sign in zip(halves, (0.7, -0.7), strict=True)
+    )
     svg = waveform_svg(identifier, title, words, pieces)
     return Figure(identifier, title, "Drawn for $L = 0.7$.", words, svg)
 

@@ -16,7 +16,7 @@ from report.pages.formats import Format, Paper
 from report.pages.pdf import Head, TypesettingError, typeset
 from report.pages.pieces import Converter
 from report.rendering.markdown import to_markdown
-from report.rendering.pdf import to_pdf
+from report.rendering.render import to_pdf
 from report.rendering.selection import select
 
 

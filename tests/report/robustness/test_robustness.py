@@ -10,9 +10,8 @@ import pytest
 from report.numbers.friction_in_place import friction_branch, largest_force
 from report.numbers.independent.limit_cycles import friction_exactly
 from report.numbers.linear_numbers import solve_linear
-from report.robustness.page import robustness
+from report.robustness.page import PRINTED, left_open, robustness, significant_digits
 from report.robustness.predictions import QUANTITIES, predict
-from report.robustness.printed_parameters import PRINTED, left_open, significant_digits
 from report.robustness.variation import SHARE, random_parameters
 from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, transfer_function
 from trimmer.linear import InputChannels

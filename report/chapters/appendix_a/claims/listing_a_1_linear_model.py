@@ -133,6 +133,7 @@ def linear_listing(known: Evidence) -> Record:
     kept, whole = (complex(response_at(system, LIMIT_CYCLE_OMEGA)) for system in systems)
     ratio = numbers.parameters.c2 / numbers.parameters.k2
     by_factor = kept * (1 + 1j * LIMIT_CYCLE_OMEGA * ratio)
+    lead = math.degrees(math.atan2((whole / kept).imag, (whole / kept).real))
     yield assertion(
         "G = G(1), line 58",
         """
@@ -140,29 +141,24 @@ def linear_listing(known: Evidence) -> Record:
         pin
         """,
         abs(whole - kept) <= 1e-6 * abs(kept),
-        """
-        the pin moves with a velocity too, so the response is $G_1 + sG_2$; at [[ omega ]] rad/s it is
-        [[ larger | f2 ]] % larger than $G_1$ and leads it by [[ lead | f2 ]] degrees
+        f"""
+        the pin moves with a velocity too, so the response is $G_1 + sG_2$; at {LIMIT_CYCLE_OMEGA} rad/s it is
+        {100 * (abs(whole / kept) - 1):.2f} % larger than $G_1$ and leads it by {lead:.2f} degrees
         """,
-        numbers={
-            "omega": LIMIT_CYCLE_OMEGA,
-            "larger": 100 * (abs(whole / kept) - 1),
-            "lead": math.degrees(math.atan2((whole / kept).imag, (whole / kept).real)),
-        },
         method="both transfer functions evaluated",
         second=close(r"$G_1 + sG_2 = (1 + s\,c_2/k_2)\,G_1$", by_factor, whole),
     )
     without, with_it = (control.margin(system)[1] for system in systems)
-    yield text(r"""
+    yield text(rf"""
         The matrices are typed correctly, and the parameters give the eigenvalues of [equation 5.2](#eq-5.2).
         Line 58 keeps the first input alone, and the text gives the choice of output as the reason. An output
         cannot decide which inputs act: they are displacement and velocity of the pin, and a pin that moves
         has both.
 
         Every later prediction uses the pin's displacement alone. The neglected factor $1 + s\,c_2/k_2$ adds
-        phase: at unit gain the loop's phase margin is [[ without | f2 ]] degrees without it and
-        [[ with_it | f2 ]] with it, on which the predicted limit cycles depend.
-    """).given(without=without, with_it=with_it)
+        phase: at unit gain the loop's phase margin is {without:.2f} degrees without it and {with_it:.2f} with
+        it, on which the predicted limit cycles depend.
+    """)
 
 
 @claim("txt-A.2-two-columns")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from report.chapters.second_ways import NEWTON, by_waveform
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -42,15 +43,15 @@ def search(known: Evidence) -> Record:
         f"line {LINE_OF_SEARCH} uses `x0`, line {LINE_OF_START} defines it",
         method="read in the printed lines",
     )
-    yield text(r"""
+    yield text(rf"""
         Real and imaginary part of the condition are right here, unlike [equation 2.54](#eq-2.54), and the
-        search converges to the thesis's numbers: $3.3138\cdot 10^{-4}/(4\cdot 10^{-5}) = 8.2845$ at
-        [[ omega | f1 ]] rad/s. Run from an empty workspace it stops, because the start is defined after the
+        search converges to the thesis's numbers: $3.3138\cdot 10^{{-4}}/(4\cdot 10^{{-5}}) = 8.2845$ at
+        {omega:.1f} rad/s. Run from an empty workspace it stops, because the start is defined after the
         search. It finds one solution for each start, and nothing tells whether there are more.
 
         None once the lines are exchanged. Two starts give the two limit cycles of table 5.1; a search for all
         of them finds no third.
-    """).given(omega=omega)
+    """)
 
 
 @claim("txt-A.10-grid")
@@ -62,16 +63,10 @@ def grid(known: Evidence) -> Record:
         "for the gap of line 5",
         "the plotted locus $-1/N$ shows both limit cycles",
         begins < unstable * LARGE_GAP < pair.stable.amplitude * LARGE_GAP < GRID_END,
-        """
-        it runs from [[ begins | f1 ]] to [[ ends | f0 ]] µm, they are at [[ unstable | f1 ]] and
-        [[ stable | f0 ]] µm
+        f"""
+        it runs from {1e6 * begins:.1f} to {1e6 * GRID_END:.0f} µm, they are at
+        {1e6 * LARGE_GAP * unstable:.1f} and {1e6 * LARGE_GAP * pair.stable.amplitude:.0f} µm
         """,
-        numbers={
-            "begins": 1e6 * begins,
-            "ends": 1e6 * GRID_END,
-            "unstable": 1e6 * LARGE_GAP * unstable,
-            "stable": 1e6 * LARGE_GAP * pair.stable.amplitude,
-        },
         method="arithmetic on the grid of line 9",
         second=so(
             "the two amplitudes by the rounded coefficients of lines 18 to 20",
@@ -84,27 +79,24 @@ def grid(known: Evidence) -> Record:
         "for the smaller gaps of figures 5.6 and 5.8, if they are drawn with it",
         "it shows both as well",
         smallest < SMALL_GAP,
-        r"""
-        it starts at $b/2 + 10^{-6}$ m, so the second limit cycle, at $[[ unstable | f4 ]]\,b$, is on it only
-        for gaps above [[ smallest | power1 ]] m
+        rf"""
+        it starts at $b/2 + 10^{{-6}}$ m, so the second limit cycle, at ${unstable:.4f}\,b$, is on it only for
+        gaps above {power_of(smallest, 1)} m
         """,
-        numbers={"unstable": unstable, "smallest": smallest},
         method="arithmetic on the grid of line 9",
         second=close(at_the_start, smallest / 2 + PLOT_OFFSET, smallest * unstable),
         certainty=Certainty.READING,
     )
-    yield text("""
-        For the gap of the listing the plot is right. But the grid is absolute, in steps of [[ step | f2 ]] µm
-        from a start that does not follow the gap, while the curve depends on $b/A$ alone: for a small gap the
-        plot holds the end of the curve near $-1$ and nothing else, and for gaps above [[ wide | power1 ]] m
-        it ends before the stable limit cycle.
+    step = 1e6 * (GRID_END - begins) / (GRID_POINTS - 1)
+    yield text(f"""
+        For the gap of the listing the plot is right. But the grid is absolute, in steps of {step:.2f} µm from
+        a start that does not follow the gap, while the curve depends on $b/A$ alone: for a small gap the plot
+        holds the end of the curve near $-1$ and nothing else, and for gaps above
+        {power_of(GRID_END / pair.stable.amplitude, 1)} m it ends before the stable limit cycle.
 
         A limit cycle that seems to appear as the gap grows, see [the threshold](#txt-5.2.1-threshold), comes
         into the plotted range; it was there before.
-    """).given(
-        step=1e6 * (GRID_END - begins) / (GRID_POINTS - 1),
-        wide=GRID_END / pair.stable.amplitude,
-    )
+    """)
 
 
 @claim("txt-A.10-coefficients")
@@ -120,13 +112,12 @@ def coefficients(known: Evidence) -> Record:
             second = close("the value that the search uses", float(Fraction(exact)), used, 1e-3)
             yield digits(f"{place}, $s^{power}$", printed, exact, second=second)
     right, rounded = known.cycles.friction.stable, known.cycles.friction_listing.stable
-    yield text("""
+    more = 100 * (rounded.amplitude / right.amplitude - 1)
+    yield text(f"""
         All sixteen coefficients are the exact ones rounded to four digits; the numerator of [equation
         5.1](#eq-5.1) differs and belongs to another output. The rounding moves the predicted amplitude by
-        [[ more | f2 ]] % and the frequency by [[ shift | signed2 ]] Hz.
-    """).given(
-        more=100 * (rounded.amplitude / right.amplitude - 1), shift=rounded.frequency - right.frequency
-    )
+        {more:.2f} % and the frequency by {rounded.frequency - right.frequency:+.2f} Hz.
+    """)
 
 
 @claim("txt-A.10-two-systems")
@@ -141,22 +132,22 @@ def two_systems(known: Evidence) -> Record:
         "line 13, `nyquist(G(1))`, and lines 18 to 20, `G_1`",
         "the intersection is searched on the curve that is drawn",
         abs(drawn - searched) < 1e-6,
-        """
-        at [[ omega | f1 ]] rad/s the two responses are [[ apart | f4 ]] apart, where $G$ is
-        [[ distance | f3 ]] away from $-1$
+        f"""
+        at {cycle.omega:.1f} rad/s the two responses are {abs(drawn - searched):.4f} apart, where $G$ is
+        {abs(searched + 1):.3f} away from $-1$
         """,
-        numbers={"omega": cycle.omega, "apart": abs(drawn - searched), "distance": abs(searched + 1)},
         method="both transfer functions at the intersection that is found",
         second=close("the drawn one from exact coefficients, 40 digits", exact, abs(drawn)),
     )
-    yield text("""
+    off = 100 * (1 - cycle.amplitude / known.cycles.friction.stable.amplitude)
+    yield text(f"""
         Drawn is the transfer function of Listing A.1, searched the one typed in with four digits. On the page
         they look alike. Near $-1$ the small difference matters a little: the amplitude that is found is
-        [[ off | f2 ]] % too small. With `evalfr(G, s)` for `G_1` the listing would find the intersection that
-        it shows.
+        {off:.2f} % too small. With `evalfr(G, s)` for `G_1` the listing would find the intersection that it
+        shows.
 
         Every predicted amplitude of section 5.2.1 carries this difference.
-    """).given(off=100 * (1 - cycle.amplitude / known.cycles.friction.stable.amplitude))
+    """)
 
 
 @claim("txt-A.10-other-functions")
@@ -170,11 +161,10 @@ def other_functions(known: Evidence) -> Record:
         "a function of amplitude and frequency in line 8",
         "the search then solves the condition for harmonic balance as well",
         abs(frozen.frequency - found.frequency) < 0.01,
-        r"""
-        with $M/D$ of 1 ms and $\omega$ set to the drive's it gives [[ frozen | f1 ]] Hz; with the limit
-        cycle's own $\omega$ in $N$ it is [[ found | f1 ]] Hz
+        rf"""
+        with $M/D$ of 1 ms and $\omega$ set to the drive's it gives {frozen.frequency:.1f} Hz; with the limit
+        cycle's own $\omega$ in $N$ it is {found.frequency:.1f} Hz
         """,
-        numbers={"frozen": frozen.frequency, "found": found.frequency},
         method="all solutions of harmonic balance, with and without a fixed frequency in $N$",
         second=by_waveform(system, [(element, found)]),
     )

@@ -22,7 +22,7 @@ from derivations.latex import latex
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims import section_2_3_4_viscous as viscous
 from report.chapters.second_ways import REPEATED, by_quadrature
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, expression, made_here, repeated, same
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -54,7 +54,7 @@ def friction_expression() -> sympy.Expr:
     return real - sympy.I * (1 - ratio**2) / sympy.pi
 
 
-def formula_part() -> Part:
+def formula_part() -> ClaimPart:
     """Return the part on the formula of friction-controlled backlash."""
     waveform, values = friction_waveform(), {A: sympy.Rational(17, 10), GAP: sympy.Rational(6, 7)}
     derived = simplified_describing_function(waveform, A)
@@ -70,18 +70,17 @@ def formula_part() -> Part:
     )
 
 
-def guard_part() -> Part:
+def guard_part() -> ClaimPart:
     """Return the part on lines 5 and 6, which set N to zero where the amplitude is small."""
     inside = friction_listing(0.25, 1.0)
     return assertion(
         "amplitudes inside the dead band",
         "the function returns zero where the pin does not reach the bridge",
         abs(inside) < 1e-12,
-        """
-        the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is
-        [[ inside.real | f2 ]] [[ inside.imag | signed2 ]] j
+        f"""
+        the zeros of line 6 are overwritten by line 12; at a quarter of the gap the value is {inside.real:.2f}
+        {inside.imag:+.2f} j
         """,
-        numbers={"inside": inside},
         method=REPEATED,
         second=close(
             "the square root of a negative number",
@@ -118,7 +117,7 @@ def second_version(_: Evidence) -> Record:
     """)
 
 
-def inertia_parts() -> tuple[Part, Part]:
+def inertia_parts() -> tuple[ClaimPart, ClaimPart]:
     """Return the parts on the listing of inertia-controlled backlash, which is printed twice."""
     ratio = inertia_contact_ratio()
     nested = sympy.sin(CONTACT) + ratio
@@ -140,11 +139,10 @@ def inertia_parts() -> tuple[Part, Part]:
         "with another $w$",
         "the function still returns the describing function",
         abs(two - one) < 1e-9,
-        """
-        at Beta = 1 it returns [[ one.real | f4 ]] [[ one.imag | signed4 ]] j for $w = 1$ and
-        [[ two.real | f4 ]] [[ two.imag | signed4 ]] j for $w = 2$
+        f"""
+        at Beta = 1 it returns {one.real:.4f} {one.imag:+.4f} j for $w = 1$ and {two.real:.4f} {two.imag:+.4f}
+        j for $w = 2$
         """,
-        numbers={"one": one, "two": two},
         method=REPEATED,
         second=close(by_half, inertia_formula(angle / 2, 1.0), two),
         item="argument w of Listings A.4 and A.10",

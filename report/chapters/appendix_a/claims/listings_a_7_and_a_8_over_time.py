@@ -12,7 +12,7 @@ from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from report.chapters.second_ways import REPEATED
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import (
@@ -76,7 +76,7 @@ CLOSE = 0.01
 """Share of the gap by which the block may differ from the waveform that it stands for."""
 
 
-def friction_parts(place: str = "") -> tuple[Part, ...]:
+def friction_parts(place: str = "") -> tuple[ClaimPart, ...]:
     """Return a part for each branch of Listing A.7, held against a load that walls push and never pull.
 
     ``place`` stands before the lines' numbers in the labels.
@@ -161,33 +161,30 @@ def inertia_controlled(_: Evidence) -> Record:
     (output,) = inertia_block_on_a_sine(np.array([instant]))
     beside = min(inertia_block_on_a_sine(instant + np.array([-1e-9, 1e-9]))) > 0
     second = so("a nanosecond before and after, where the output is that of flight and of contact", beside)
+    pin = 1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant)
     yield assertion(
         "conditions of lines 10 to 13",
         "every instant belongs to one of the pieces",
         abs(output) > DRIVE_AMPLITUDE / 2,
-        """
-        at $t$ = [[ instant ]] s, where the pin is at [[ pin | f2 ]] mm, the output is [[ output | f0 ]]: two
+        f"""
+        at $t$ = {LISTED_CONTACT} s, where the pin is at {pin:.2f} mm, the output is {output:.0f}: two
         conditions ask for more and for less, none for equal
         """,
-        numbers={
-            "instant": LISTED_CONTACT,
-            "pin": 1e3 * DRIVE_AMPLITUDE * math.sin(DRIVE_OMEGA * instant),
-            "output": output,
-        },
         method=REPEATED,
         second=second,
     )
 
     lacking = offset - float(LISTED_OFFSET)
-    yield text("""
+    yield text(f"""
         The four pieces are those of the derived waveform, and the contact time is right to every digit. The
-        offset of line 12 is cut to two digits, so the output jumps by [[ jump | f1 ]] µm at half a period,
-        [[ share | f0 ]] % of the gap. Only at the very instants of contact does no line apply, and the block
-        returns zero there. Its flight is a function of time alone, so it is right for the input that the text
-        names and for no other: behind a drive it can stand, in a closed loop it cannot.
+        offset of line 12 is cut to two digits, so the output jumps by {1e6 * lacking:.1f} µm at half a
+        period, {100 * lacking / TIMED_GAP:.0f} % of the gap. Only at the very instants of contact does no
+        line apply, and the block returns zero there. Its flight is a function of time alone, so it is right
+        for the input that the text names and for no other: behind a drive it can stand, in a closed loop it
+        cannot.
 
-        None on figures 4.2 and 5.14, where a drive of [[ frequency | f0 ]] Hz stands before it.
-    """).given(jump=1e6 * lacking, share=100 * lacking / TIMED_GAP, frequency=DRIVE_FREQUENCY)
+        None on figures 4.2 and 5.14, where a drive of {DRIVE_FREQUENCY:.0f} Hz stands before it.
+    """)
 
 
 @claim("txt-A.9-constants")
@@ -202,18 +199,14 @@ def constants(_: Evidence) -> Record:
     second = close("the waveform half a flight after half a period", by_wave, offset, 1e-12)
     label = r"the constant of line 12, $\pi A + b/2$"
     yield digits(label, LISTED_OFFSET, offset, "m", second=second, item=OFFSET_ITEM)
-    yield text(r"""
-        Both are right to their digits, for [[ frequency | f0 ]] Hz: the contact angle is [[ angle | f5 ]]
-        rad, and `phi` is that angle over $\omega$, in seconds. Two digits are few for the second one:
-        [[ offset | f4 ]] mm is meant. The [[ missing | f1 ]] µm that are missing lower every second flight by
-        [[ share | f0 ]] % of the gap, so the output holds even harmonics that backlash cannot make.
-    """).given(
-        frequency=DRIVE_FREQUENCY,
-        angle=angle,
-        offset=1e3 * offset,
-        missing=1e6 * (offset - float(LISTED_OFFSET)),
-        share=100 * (offset - float(LISTED_OFFSET)) / TIMED_GAP,
-    )
+    share = 100 * (offset - float(LISTED_OFFSET)) / TIMED_GAP
+    yield text(rf"""
+        Both are right to their digits, for {DRIVE_FREQUENCY:.0f} Hz: the contact angle is {angle:.5f} rad,
+        and `phi` is that angle over $\omega$, in seconds. Two digits are few for the second one:
+        {1e3 * offset:.4f} mm is meant. The {1e6 * (offset - float(LISTED_OFFSET)):.1f} µm that are missing
+        lower every second flight by {share:.0f} % of the gap, so the output holds even harmonics that
+        backlash cannot make.
+    """)
 
 
 @claim("txt-A.9-equation")
@@ -228,14 +221,14 @@ def equation(_: Evidence) -> Record:
         slip = made_here("equation 2.42 lacks the offset b/2", piece - b / 2)
         item = "third piece without b/2, output of inertia-controlled backlash" if line == 12 else ""
         yield expression(label, printed, piece, left="y", second=second, slip=slip, item=item)
-    yield text("""
+    yield text(f"""
         The text says that the code gives [equation 2.42](#eq-2.42). Three of its pieces do. Line 12 contains
         the offset $b/2$ that the equation has lost, so on the way back the code lies half a gap above it. The
         code is right, up to the digits of its constant.
 
         None on what the code gives. Whoever writes the block anew from the equation gets an output that jumps
-        by half a gap twice a period, here by [[ jump | f1 ]] mm.
-    """).given(jump=1e3 * TIMED_GAP / 2)
+        by half a gap twice a period, here by {1e3 * TIMED_GAP / 2:.1f} mm.
+    """)
 
 
 @claim("txt-A.9-frequency")
@@ -258,11 +251,11 @@ def frequency(_: Evidence) -> Record:
         second=so("its output a whole period of that input later, which is another one", another),
         item=FREQUENCY_ITEM,
     )
-    yield text("""
-        Contact time and period of the listing are those of [[ own | f0 ]] Hz. With the text's frequency the
-        pieces run at [[ own | f0 ]] Hz while the input does not, so the output has the period of neither; the
-        contact time would have to be [[ contact | f7 ]] s. Table 3.1 has [[ measured ]] Hz for the same
-        drive.
+    yield text(f"""
+        Contact time and period of the listing are those of {DRIVE_FREQUENCY:.0f} Hz. With the text's
+        frequency the pieces run at {DRIVE_FREQUENCY:.0f} Hz while the input does not, so the output has the
+        period of neither; the contact time would have to be {angle / (TURN * in_text):.7f} s. Table 3.1 has
+        {MEASURED_DRIVE_FREQUENCY} Hz for the same drive.
 
-        None on figures: what was drawn with the listing was drawn for [[ own | f0 ]] Hz.
-    """).given(own=DRIVE_FREQUENCY, contact=angle / (TURN * in_text), measured=MEASURED_DRIVE_FREQUENCY)
+        None on figures: what was drawn with the listing was drawn for {DRIVE_FREQUENCY:.0f} Hz.
+    """)

@@ -10,7 +10,7 @@ from derivations.equations_of_motion import euler_lagrange
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.trimmer_printed import c1, c2, c3, c4, k1, k2, k3, k4, k5
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import digits, equal, expression, made_here, matrix, same
 from report.judging.record import Record, claim, text
@@ -174,7 +174,7 @@ def rayleigh_function(known: Evidence) -> Record:
     """)
 
 
-def velocity_part() -> Part:
+def velocity_part() -> ClaimPart:
     """Return the part on the printed velocity of the pin."""
     derived = PIN_MOTION.diff(t)
     return expression(
@@ -198,13 +198,14 @@ def output_with_the_slip(known: Evidence) -> float:
 @claim("eq-2.8")
 def pin_velocity(known: Evidence) -> Record:
     yield velocity_part()
-    yield text(r"""
+    yield text(rf"""
         The derivative of $A\sin(2\pi f t)$ keeps the amplitude $A$; the printed line has lost it. The units
         show it too: the printed right side is in 1/s, a velocity is in m/s.
 
         Chapter 5 shows no sign of this slip. Its loop drops the velocity (Listing A.1, line 58), and [figure
-        5.1](#fig-5.1) would have an amplitude of [[ output | f1 ]] mm in place of the printed [[ size ]] mm.
-    """).given(output=1e3 * output_with_the_slip(known), size=1e3 * DRIVE_AMPLITUDE)
+        5.1](#fig-5.1) would have an amplitude of {1e3 * output_with_the_slip(known):.1f} mm in place of the
+        printed {1e3 * DRIVE_AMPLITUDE} mm.
+    """)
 
 
 @claim("txt-2.2.1-single-input-velocity")
@@ -215,19 +216,14 @@ def pin_velocity_in_words(_: Evidence) -> Record:
     yield velocity_part()
     slip = made_here(AMPLITUDE_LOST, RATE)
     yield expression("its amplitude", RATE, amplitude, second=second, slip=slip, item=VELOCITY_ITEM)
-    yield text(r"""
+    yield text(rf"""
         This is the slip of [equation 2.8](#eq-2.8). The amplitude of the printed velocity is $2\pi f$,
-        [[ rate | f1 ]]/s at [[ frequency | f0 ]] Hz. For an eccentricity of [[ size ]] mm it should be $2\pi
-        f A = [[ velocity | f4 ]]$ m/s.
+        {DRIVE_OMEGA:.1f}/s at {DRIVE_FREQUENCY:.0f} Hz. For an eccentricity of {1e3 * DRIVE_AMPLITUDE} mm it
+        should be $2\pi f A = {DRIVE_AMPLITUDE * DRIVE_OMEGA:.4f}$ m/s.
 
         None that can be seen. Equation 3.2 takes the velocity as an input, but the models behind chapter 3
         are not given.
-    """).given(
-        rate=DRIVE_OMEGA,
-        frequency=DRIVE_FREQUENCY,
-        size=1e3 * DRIVE_AMPLITUDE,
-        velocity=DRIVE_AMPLITUDE * DRIVE_OMEGA,
-    )
+    """)
 
 
 @claim("eq-2.9")

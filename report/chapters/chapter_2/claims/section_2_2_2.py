@@ -11,7 +11,7 @@ from derivations.algebra.laplace import transform_of_derivative
 from derivations.dimensions import dimension_of
 from derivations.symbols import DIMENSIONS, s, t, u
 from report.chapters.second_ways import EXACTLY
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.parts import assertion, close, expression, matrix, part
 from report.judging.record import Record, claim, text
@@ -131,7 +131,7 @@ def transform_of_input(_: Evidence) -> Record:
     )
 
 
-def transformed_state_space(known: Evidence) -> tuple[Part, Part, Part]:
+def transformed_state_space(known: Evidence) -> tuple[ClaimPart, ClaimPart, ClaimPart]:
     """Return the parts on the transformed state space, which section 2.2.2 and appendix D print alike."""
     system, solved = known.general, known.transformed
     right_side = sympy.ImmutableMatrix(system.a * solved.state + system.b * system.input_transform)

@@ -6,11 +6,10 @@ import sympy
 from sympy.polys.matrices import DomainMatrix
 
 from derivations.algebra import stability
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import PrintedDigits
 from report.judging.parts import assertion, close, digits, equal, expression, lost_in_the_copy
 from report.judging.record import Record, claim, text
-from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent import examples
 from report.numbers.linear_numbers import exact_values
@@ -43,13 +42,12 @@ def corollary(_: Evidence) -> Record:
         $\gamma \ge 0$
         """,
         sympy.limit(norm, time, sympy.oo) < sympy.oo,
-        r"""
-        the double integrator has $\lambda_{1,2} = 0$ and $\lVert e^{At}\rVert = [[ norm | latex ]]$, which no
-        $K$ bounds. With $\mathrm{Re}\,\lambda_k < 0$ for every $k$ there is a bound with some $\gamma > 0$
+        rf"""
+        the double integrator has $\lambda_{{1,2}} = 0$ and $\lVert e^{{At}}\rVert = {sympy.latex(norm)}$,
+        which no $K$ bounds. With $\mathrm{{Re}}\,\lambda_k < 0$ for every $k$ there is a bound with some
+        $\gamma > 0$
         """,
-        numbers={"norm": norm},
         method="counterexample with its matrix exponential in closed form",
-        certainty=Certainty.PROVEN,
         second=close("SciPy's matrix exponential after 1000 s", growth, late),
     )
     yield text(r"""
@@ -72,7 +70,7 @@ def argument_principle(_: Evidence) -> Record:
     """)
 
 
-def closed_loop_part() -> Part:
+def closed_loop_part() -> ClaimPart:
     """Return the part on the closed loop, which equation 2.24 and figure 2.4 share."""
     linear, nonlinear = stability.LINEAR_PART, stability.NONLINEAR_PART
     in_feedback = stability.closed_loop(feedback=nonlinear, forward=linear)
@@ -107,14 +105,10 @@ def nyquist_statement(_: Evidence) -> Record:
         second=equal("a loop with one unstable pole", example.points_that_agree(), [critical]),
         copy_fault=lost_in_the_copy("the minus sign before the 1", PrintedDigits("-1", critical)),
     )
-    yield text("""
+    stability = "stable" if example.stable_in_loop else "unstable"
+    yield text(f"""
         The critical point solves $1 + GN = 0$: it is $(-1, j0)$, as the observation before the statement and
         all later sections have it. An example decides: $G = 2/(s - 1)$ with unit feedback has one open-loop
-        pole in the right half plane and is [[ stability ]] in closed loop. Its locus turns
-        [[ about_critical ]] time counter-clockwise about $-1$, as the criterion asks, and [[ about_printed ]]
-        times about $+1$.
-    """).given(
-        stability="stable" if example.stable_in_loop else "unstable",
-        about_critical=example.turns[-1],
-        about_printed=example.turns[1],
-    )
+        pole in the right half plane and is {stability} in closed loop. Its locus turns {example.turns[-1]}
+        time counter-clockwise about $-1$, as the criterion asks, and {example.turns[1]} times about $+1$.
+    """)

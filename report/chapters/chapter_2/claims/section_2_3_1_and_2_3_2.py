@@ -88,11 +88,10 @@ def van_der_pol(_: Evidence) -> Record:
         r"$\alpha = 0$",
         "there is a limit cycle, to which other motions tend",
         gained.subs(alpha, 0) != 0,
-        r"""
-        with $v = \dot x$ the energy $(x^2 + v^2)/2$ changes at the rate $[[ gained | latex ]]$, for $\alpha =
-        0$ not at all: every motion keeps its amplitude
+        rf"""
+        with $v = \dot x$ the energy $(x^2 + v^2)/2$ changes at the rate ${sympy.latex(gained)}$, for $\alpha
+        = 0$ not at all: every motion keeps its amplitude
         """,
-        numbers={"gained": gained},
         method="balance of energy",
         certainty=Certainty.PROVEN,
         second=same(
@@ -115,11 +114,12 @@ def van_der_pol(_: Evidence) -> Record:
         ),
     )
     damping = 1.0
-    yield text(r"""
+    third = 100 * van_der_pol_third_harmonic(damping)
+    yield text(rf"""
         The condition is $\alpha > 0$: for $\alpha = 0$ every orbit is closed, and none is a limit cycle by
         the thesis's own definition. An ellipse over position and velocity is a sinusoid, the very shape that
-        the method assumes. If any distorted oval is meant, the sentence is right: at $\alpha =
-        [[ damping | f0 ]]$ the third harmonic of the position has [[ third | f0 ]] % of the first.
+        the method assumes. If any distorted oval is meant, the sentence is right: at $\alpha = {damping:.0f}$
+        the third harmonic of the position has {third:.0f} % of the first.
 
         None: the caution is right, and no number rests on the example.
-    """).given(damping=damping, third=100 * van_der_pol_third_harmonic(damping))
+    """)

@@ -7,7 +7,7 @@ import sympy
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.printed import total
 from report.judging.parts import assertion, close, expression, made_here, same
@@ -49,19 +49,11 @@ def amplitude_only(_: Evidence) -> Record:
         "",
         statement,
         abs(driven - cycling) < 1e-9,
-        """
-        at an amplitude of [[ amplitude | f0 ]] gaps a load with $M/D$ of [[ load | f0 ]] ms has $N =
-        [[ a.real | f3 ]] [[ a.imag | signed3 ]]j$ at [[ drive | f0 ]] rad/s and $[[ b.real | f3 ]]
-        [[ b.imag | signed3 ]]j$ at [[ near | f0 ]] rad/s
+        f"""
+        at an amplitude of {amplitude:.0f} gaps a load with $M/D$ of {1e3 * load:.0f} ms has $N =
+        {driven.real:.3f} {driven.imag:+.3f}j$ at {DRIVE_OMEGA:.0f} rad/s and ${cycling.real:.3f}
+        {cycling.imag:+.3f}j$ at {near_limit_cycle:.0f} rad/s
         """,
-        numbers={
-            "amplitude": amplitude,
-            "load": 1e3 * load,
-            "a": driven,
-            "b": cycling,
-            "drive": DRIVE_OMEGA,
-            "near": near_limit_cycle,
-        },
         method="the describing function of viscous-controlled backlash at two frequencies",
         second=Confirmation("the derived phase of separation", independent),
     )
@@ -94,7 +86,7 @@ def describing_function_block(_: Evidence) -> Record:
     """)
 
 
-def sinusoid_part() -> Part:
+def sinusoid_part() -> ClaimPart:
     """Return the part on the sine written as an exponential, which two claims share."""
     exponential, sine = A * sympy.exp(sympy.I * omega * t), A * sympy.sin(omega * t)
     return expression(
@@ -219,14 +211,14 @@ def ratio_of_signals(_: Evidence) -> Record:
         printed_form=r"N(A, \omega) = \frac{y(t)}{u(t)} = \frac{M\sin(\omega t + \phi)}{A\sin(\omega t)}",
         derived_form=r"N(A, \omega) = \frac{M}{A} e^{j\phi}",
     )
-    yield text(r"""
-        Read as it stands, the ratio of two sines depends on time: for $\phi = [[ phase | latex ]]$ it is
-        [[ early | f2 ]] at $\omega t = [[ first | latex ]]$ and [[ late | f2 ]] at $\omega t =
-        [[ second | latex ]]$. The describing function is the ratio of the phasors, a complex constant. Read
-        as phasors, as the next line of the thesis does, the equation is right.
+    yield text(rf"""
+        Read as it stands, the ratio of two sines depends on time: for $\phi = {sympy.latex(values[angle])}$
+        it is {early:.2f} at $\omega t = {sympy.latex(instants[0])}$ and {late:.2f} at $\omega t =
+        {sympy.latex(instants[1])}$. The describing function is the ratio of the phasors, a complex constant.
+        Read as phasors, as the next line of the thesis does, the equation is right.
 
         None: [equation 2.35](#eq-2.35) takes the ratio of the phasors.
-    """).given(phase=values[angle], early=early, late=late, first=instants[0], second=instants[1])
+    """)
 
 
 @claim("eq-2.35")

@@ -27,7 +27,7 @@ from report.chapters.chapter_2.claims.section_2_3_4_friction import (
     b,
 )
 from report.chapters.second_ways import by_quadrature
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import close, expression, repeated
 from report.judging.record import Record, claim, text
@@ -73,7 +73,9 @@ def integrands(weight: sympy.Expr, *, exchanged: bool) -> tuple[Term, ...]:
     return first, second, third, fourth
 
 
-def integrals(weight: sympy.Expr, held: Term, moving: Term, *, exchanged: bool = False) -> Iterator[Part]:
+def integrals(
+    weight: sympy.Expr, held: Term, moving: Term, *, exchanged: bool = False
+) -> Iterator[ClaimPart]:
     """Yield the parts on integrand and value of each piece, with the values of a held and a moving one."""
     printed, right = integrands(weight, exchanged=exchanged), integrands(weight, exchanged=False)
     pieces = zip(LINES, printed, right, (held, moving) * 2, WAVEFORM.segments, strict=True)
@@ -150,7 +152,7 @@ def sine_integrals(_: Evidence) -> Record:
     """)
 
 
-def cosine_part(label: str) -> Part:
+def cosine_part(label: str) -> ClaimPart:
     """Return the part on a1."""
     derived = sympy.simplify(WAVEFORM.cosine_coefficient())
     return expression(
@@ -164,7 +166,7 @@ def cosine_part(label: str) -> Part:
     )
 
 
-def sine_part(label: str) -> Part:
+def sine_part(label: str) -> ClaimPart:
     """Return the part on b1."""
     derived = sympy.simplify(WAVEFORM.sine_coefficient())
     return expression(

@@ -171,14 +171,14 @@ def waveform(_: Evidence) -> Record:
         sympy.ImmutableMatrix([[*(each.start for each in WAVEFORM.segments), RISING.end]]),
         form=r",\quad ".join(LIMITS),
     )
-    yield text(r"""
+    yield text(rf"""
         After its peak at $\omega t = \pi/2$ the pin lets go and the bridge stays where it is, at $+(A - b)$.
         After the trough it stays at $-(A - b)$. The printed signs are exchanged, so the output would jump by
-        $[[ jump | latex ]]$ at the start of contact, and the bridge would leave the gap.
+        ${sympy.latex(2 * (A - b))}$ at the start of contact, and the bridge would leave the gap.
 
         None on results: the integrals of [equation 2.37](#eq-2.37) repeat the signs, but their values are
         those of the right waveform. So the describing function is not touched.
-    """).given(jump=2 * (A - b))
+    """)
 
 
 def piece_form(index: int, value: str) -> str:
@@ -237,7 +237,6 @@ def frequency_independent(_: Evidence) -> Record:
         omega not in free and free == {A, b},
         "contact angle and output depend on the phase alone, so amplitude and gap are all that is left",
         method="symbols of the derived coefficients",
-        certainty=Certainty.PROVEN,
         second=so(means, change < nearly_without_inertia * fast),
     )
     yield text("""

@@ -20,7 +20,7 @@ from report.chapters.second_ways import by_quadrature
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, expression, made_here, matrix, same, so
 from report.judging.record import Record, claim, text
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain, sampled_gain
@@ -172,7 +172,7 @@ def describing_function(_: Evidence) -> Record:
         "",
         total(product(1 / sympy.pi, real), imaginary),
         derived,
-        form=filled(FUNCTION_FORM),
+        form=one_line(FUNCTION_FORM),
         second=by_quadrature(derived, quadrature_gain(IN_GAP, A, values), values),
     )
     yield text(r"""
@@ -191,8 +191,7 @@ def imaginary_signs(_: Evidence) -> Record:
         "inertia-controlled backlash",
         "the imaginary part is negative",
         sympy.simplify(turned - square) == 0,
-        r"it is $[[ square | latex ]]$, negative for every $0 < \phi_c \le \pi$",
-        numbers={"square": square},
+        rf"it is ${sympy.latex(square)}$, negative for every $0 < \phi_c \le \pi$",
         method="the derived coefficient as minus a square",
         certainty=Certainty.PROVEN,
         second=so(f"the sampled waveform at {len(AMPLITUDES)} amplitudes", lags),
@@ -206,11 +205,10 @@ def imaginary_signs(_: Evidence) -> Record:
         "friction-controlled backlash",
         "the imaginary part is positive",
         beyond.is_negative is not True,
-        """
-        it is $[[ derived | latex ]]$ with the total gap $g$, negative for every $A > g/2$, and
-        $[[ largest | latex ]]$ where it is largest in size
+        f"""
+        it is ${sympy.latex(friction)}$ with the total gap $g$, negative for every $A > g/2$, and
+        ${sympy.latex(friction.subs(GAP, A))}$ where it is largest in size
         """,
-        numbers={"derived": friction, "largest": friction.subs(GAP, A)},
         method="sign of the derived coefficient over the whole domain",
         certainty=Certainty.READING,
         second=so(f"python-control's describing function at {len(AMPLITUDES)} amplitudes", negative),

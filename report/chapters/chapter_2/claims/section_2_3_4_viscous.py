@@ -21,14 +21,14 @@ from derivations.elements.backlash import (
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.second_ways import by_quadrature
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.expression import SameExpression
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import close, expression, lost_in_the_copy, made_here, part, same, so
 from report.judging.record import Record, claim, text
 from report.judging.shown import Words
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_after_flight, contact_by_equation, zero_of_force
 from report.numbers.independent.waveforms import Values, quadrature_gain
@@ -38,7 +38,7 @@ SINE, COSINE = sympy.sin(CONTACT), sympy.cos(CONTACT)
 ROOT = sympy.sqrt(1 + GAMMA**2)
 # A flight has to last: contact after separation, within half a turn.
 VALUES = {GAMMA: sympy.Rational(5, 4), CONTACT: sympy.Rational(9, 4)}
-IN_PHASE = filled(
+IN_PHASE = one_line(
     r"""
     n_p = \frac{2\gamma^2}{\pi(1+\gamma^2)} \left(\frac{1+\gamma^2}{2\gamma^2} (\phi_s - \phi_c + \pi +
     \sin\phi_c \cos\phi_c) + \frac{1}{2\gamma} + \frac{1}{\gamma} \left(\frac{b}{A} - \sqrt{1+\gamma^2}\right)
@@ -48,7 +48,7 @@ IN_PHASE = filled(
 )
 FACTOR = r"\frac{-2\gamma^2}{\pi(1+\gamma^2)}"
 BEHIND = r"1 + \frac{1}{2\gamma^2} + \frac{1-\gamma^2}{2\gamma^2} \sin^2\phi_c"
-LEFT_OUT = filled(
+LEFT_OUT = one_line(
     r"""
     \frac{1}{\gamma} \left(\frac{b}{A} - \sqrt{1+\gamma^2}\right) \left(\frac{1}{\gamma} \sin\phi_c +
     \cos\phi_c\right) + \frac{1}{\gamma} \sin\phi_c \cos\phi_c
@@ -56,7 +56,7 @@ LEFT_OUT = filled(
 )
 """The terms of n_q behind the factor in equation B.4, and those that its bracket leaves out."""
 QUADRATURE = rf"n_q = {FACTOR} \left({BEHIND} + {LEFT_OUT}\right)"
-RIGHT_SIDE = filled(
+RIGHT_SIDE = one_line(
     r"""
     \sin(\phi_c) + \frac{\gamma^2 e^{(1/\gamma)(\tan^{-1} 1/\gamma - \phi_c)}}{\sqrt{1 + \gamma^2}}
     """
@@ -152,10 +152,11 @@ def ratio(_: Evidence) -> Record:
     in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
     second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))
     yield expression("", printed, second / first, form=r"\gamma = \frac{M}{D} \omega")
-    yield text(r"""
+    unit = dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH})
+    yield text(rf"""
         With the phase as variable $M\ddot y + D\dot y = 0$ becomes $\gamma y'' + y' = 0$ with the printed
-        ratio. It is a pure number, with the unit [[ unit ]].
-    """).given(unit=dimension_of(printed, DIMENSIONS | {mass: MASS, damping: FORCE * TIME / LENGTH}))
+        ratio. It is a pure number, with the unit {unit}.
+    """)
 
 
 @claim("eq-2.46")
@@ -199,7 +200,7 @@ def complex_form(_: Evidence) -> Record:
     """)
 
 
-def in_phase_part(label: str, derived: sympy.Expr) -> Part:
+def in_phase_part(label: str, derived: sympy.Expr) -> ClaimPart:
     """Return the part on n_p, which equation B.3 and Listing A.5 print alike."""
     bracket = total(
         (1 + GAMMA**2) / (2 * GAMMA**2) * (separation_angle() - CONTACT + sympy.pi + SINE * COSINE),
@@ -227,7 +228,7 @@ def quadrature_terms() -> tuple[sympy.Expr, sympy.Expr, sympy.Expr]:
     return factor, behind, left_out
 
 
-def quadrature_part(label: str, derived: sympy.Expr) -> Part:
+def quadrature_part(label: str, derived: sympy.Expr) -> ClaimPart:
     """Return the part on n_q as Listing A.5 has it, with the factor before all terms."""
     factor, behind, left_out = quadrature_terms()
     imaginary = sympy.im(derived)

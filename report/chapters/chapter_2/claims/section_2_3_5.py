@@ -14,7 +14,7 @@ from report.judging.comparisons.expression import SameExpression
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, expression, lost_in_the_copy, made_here
 from report.judging.record import Record, claim, text
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent.symbolic import zeros_in_turn
@@ -25,7 +25,7 @@ SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
 SPEED = sympy.Symbol("v", real=True)
 RELAY, FRICTION = relay_waveform(), friction_waveform()
-HALVES = filled(
+HALVES = one_line(
     r"""
     b_1 = \frac{1}{\pi} \int_0^\pi F_c \sin(\omega t)\,d(\omega t) + \frac{1}{\pi} \int_\pi^{2\pi} -F_c
     \sin(\omega t)\,d(\omega t)
@@ -73,17 +73,16 @@ def friction_as_relay(_: Evidence) -> Record:
     relay = Relay(1.0).waveform(phases + np.pi / 2, 1.0)
     overlap = float(np.dot(relay, CoulombFriction(1.0).waveform(phases, 1.0)))
     means = "a relay with the velocity as its input, sampled over a period"
+    work = sympy.pi * A * FRICTION.cosine_coefficient()
     yield assertion(
         "",
         "friction is a relay that switches where the velocity changes its sign",
         switching == zeros_in_turn(COSINE, THETA) and levels == {FORCE, -FORCE},
-        r"""
+        rf"""
         under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
-        [[ angles ]]$; in a period it takes the work $[[ work | latex ]]$
+        {angles}$; in a period it takes the work ${sympy.latex(work)}$
         """,
-        numbers={"angles": angles, "work": sympy.pi * A * FRICTION.cosine_coefficient()},
         method="levels and limits of the derived waveform",
-        certainty=Certainty.PROVEN,
         second=close(means, overlap, float(phases.size)),
     )
     yield text("""

@@ -8,13 +8,13 @@ import control
 import numpy as np
 import sympy
 
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, digits, equal, expression, made_here, part
 from report.judging.record import Record, claim, text
 from report.judging.shown import Words
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import decays, feedback_poles
@@ -34,7 +34,7 @@ REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real
 LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
 POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
 AT_POINT = complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
-REAL_FORM = filled(
+REAL_FORM = one_line(
     r"""
     \mathrm{Re}(N(A, \omega))\mathrm{Re}(G(j, \omega)) - \mathrm{Im}(N(A, \omega))\mathrm{Im}(G(j, \omega))
     """
@@ -109,11 +109,10 @@ def roles(known: Evidence) -> Record:
         "a complex $N$, as of backlash",
         "the imaginary equation alone gives the frequency",
         abs(left) < 1e-9,
-        r"""
-        at the predicted [[ cycle.frequency | f2 ]] Hz it is met at an amplitude of [[ cycle.amplitude | f2 ]]
-        gaps; at twice that $\mathrm{Im}\,NG = [[ left | f4 ]]$
+        rf"""
+        at the predicted {cycle.frequency:.2f} Hz it is met at an amplitude of {cycle.amplitude:.2f} gaps; at
+        twice that $\mathrm{{Im}}\,NG = {left:.4f}$
         """,
-        numbers={"cycle": cycle, "left": left},
         method="the imaginary part at two amplitudes",
         certainty=Certainty.READING,
         second=close("the formula of Listing A.3", by_listing, left),
@@ -129,7 +128,7 @@ def roles(known: Evidence) -> Record:
     """)
 
 
-def solved_for_plant(arguments: str) -> Part:
+def solved_for_plant(arguments: str) -> ClaimPart:
     """Return the part on the condition of harmonic balance solved for G, with the arguments of N."""
     linear, nonlinear = sympy.symbols("G N")
     form = rf"G(j\omega) = -\frac{{1}}{{N({arguments})}}"
@@ -203,12 +202,11 @@ def two_limit_cycles(_: Evidence) -> Record:
         method="both solutions of harmonic balance",
         second=close(means, float(from_between), second, SETTLED),
     )
-    yield text("""
-        The text names no loop, so [[ loop ]] is taken, which has two limit cycles. The operating points
-        beside them are encircled or not as the text says, counted by turns of the locus and by growing poles.
-        With another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves
-        cross.
-    """).given(loop=EXAMPLE)
+    yield text(f"""
+        The text names no loop, so {EXAMPLE} is taken, which has two limit cycles. The operating points beside
+        them are encircled or not as the text says, counted by turns of the locus and by growing poles. With
+        another stable $G$ the same count decides, since along $-1/N$ it changes only where the curves cross.
+    """)
 
 
 @claim("txt-2.3.6-stability-rule")
@@ -220,11 +218,10 @@ def stability_rule(_: Evidence) -> Record:
         "$L_1$",
         "the first limit cycle is unstable",
         not first.stable,
-        """
-        of [[ loop ]], started a tenth below [[ first | f3 ]] gaps it ends at [[ below | f2 ]], started a
-        tenth above it at [[ above | f2 ]]
+        f"""
+        of {EXAMPLE}, started a tenth below {first.amplitude:.3f} gaps it ends at {from_below:.2f}, started a
+        tenth above it at {from_between:.2f}
         """,
-        numbers={"loop": EXAMPLE, "first": first.amplitude, "below": from_below, "above": from_between},
         method="Loeb's criterion",
         second=close("a simulation that leaves it for $L_2$", from_between, second.amplitude, SETTLED),
     )
@@ -244,7 +241,7 @@ def stability_rule(_: Evidence) -> Record:
     """)
 
 
-def side_of_the_crossing() -> Part:
+def side_of_the_crossing() -> ClaimPart:
     """Return the part that proves the rule: Loeb's determinant tells the side to which -1/N crosses G.
 
     N and G and their slopes by amplitude and by frequency are any complex numbers with N G = -1.
@@ -283,12 +280,11 @@ def nyquist_premise(_: Evidence) -> Record:
         "",
         "an open loop can be stable only if the closed loop is",
         not counterexamples,
-        r"""
-        the open loop at $L_1'$ of figure 2.14 is stable, the closed one has [[ growing ]] growing pole;
-        $10/(s + 1)^3$ is stable, and with unit feedback has poles at $[[ real | f3 ]] \pm
-        [[ imaginary | f3 ]]j$
+        rf"""
+        the open loop at $L_1'$ of figure 2.14 is stable, the closed one has {growing} growing pole; $10/(s +
+        1)^3$ is stable, and with unit feedback has poles at ${closed.real.max():.3f} \pm
+        {abs(closed.imag).max():.3f}j$
         """,
-        numbers={"growing": growing, "real": closed.real.max(), "imaginary": abs(closed.imag).max()},
         method="counterexamples, by their poles",
         second=equal(means, encirclements_of(linear, -1.0), in_right_half),
     )

@@ -14,7 +14,7 @@ from derivations.elements.waveform import THETA, describing_function, simplified
 from derivations.symbols import DIMENSIONS, A, omega
 from report.chapters.chapter_2.claims.section_2_3_4_coefficients import BRACKET, printed_sine_terms
 from report.chapters.second_ways import by_quadrature
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, equal, expression, made_here, part, so
@@ -65,7 +65,7 @@ def equivalent(_: Evidence) -> Record:
     """)
 
 
-def printed_backlash_part(label: str) -> Part:
+def printed_backlash_part(label: str) -> ClaimPart:
     """Return the part on N_r, whose slip equations 2.59 and 5.14 share."""
     right = rf"\frac{{A}}{{\pi}} \left({BRACKET}\right)"
     wave = friction_waveform(2 * b)
@@ -159,21 +159,21 @@ def units(_: Evidence) -> Record:
         first == second,
         f"the backlash term is a number, the friction term of equation 5.14 is in {written(second)}",
         method="dimension check of both terms",
-        certainty=Certainty.PROVEN,
         second=so(
             "seconds changed to milliseconds, which leaves the first term and alters the second",
             altered and backlash.subs(in_milliseconds) == backlash,
         ),
     )
-    yield text(r"""
+    stiffness = written(dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))
+    yield text(rf"""
         The thesis adds the two terms and does not speak of their units. Backlash turns a displacement into a
         displacement, friction a velocity into a force. However $A$ is read in equation 2.60, the friction
-        term is no pure number. With the right operator it is a stiffness, $j\,4F_c/(\pi A)$ in
-        [[ stiffness ]], and has to be divided by one, such as $k_2$, before it can be added to a number.
+        term is no pure number. With the right operator it is a stiffness, $j\,4F_c/(\pi A)$ in {stiffness},
+        and has to be divided by one, such as $k_2$, before it can be added to a number.
 
         Every contour of section 5.2.5 adds quantities of different units, so its numbers have no physical
         meaning.
-    """).given(stiffness=written(dimension_of(4 * COULOMB / (sympy.pi * A), UNITS)))
+    """)
 
 
 def written(dimension: Dimension | None) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import LINE, canvas
@@ -21,13 +21,7 @@ FLAT: Final = (1.5, 0.6)
 RADIUS: Final = 0.2
 
 
-@figure(
-    "fig-2.3",
-    "Linear system as a block",
-    caption="""Block diagram of the linear trimmer (thesis, figure 2.3): the output's transform is $G(s)$
-    times the input's.""",
-    alternative_text="An arrow u of t enters a block G of s, an arrow y of t leaves it.",
-)
+@figure("fig-2.3")
 def linear_system(_: Evidence) -> Figure:
     figure, axes = canvas(5.5, 1.3)
     _blocks(axes, {"$G(s)$": (2.75, 0.65)})
@@ -36,14 +30,7 @@ def linear_system(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.4",
-    "General feedback system",
-    caption="""Loop with $G$ ahead and $N$ in the feedback path (thesis, figure 2.4), so that $M = G/(1 +
-    GN)$.""",
-    alternative_text="""A reference U enters a summing junction, then a block G whose output Y is fed back
-    through a block N and subtracted.""",
-)
+@figure("fig-2.4")
 def feedback_system(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 2.6)
     _blocks(axes, {"$G(s)$": (3.4, 1.9), "$N(s)$": (3.4, 0.6)})
@@ -57,14 +44,7 @@ def feedback_system(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.5",
-    "Loop of element and linear system",
-    caption="""The loop in which limit cycles are sought (thesis, figure 2.5). Without reference $e = -y$, and
-    what goes round comes back unchanged only if $1 + NG = 0$.""",
-    alternative_text="""A reference of zero enters a summing junction; its output e goes through a block N of
-    A and omega, then through a block G of j omega, and is subtracted at the junction.""",
-)
+@figure("fig-2.5")
 def loop_without_reference(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 2.2)
     _blocks(axes, {r"$N(A,\omega)$": (2.7, 1.5), r"$G(j\omega)$": (4.8, 1.5)})
@@ -77,14 +57,7 @@ def loop_without_reference(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.6",
-    "Describing function as a block",
-    caption=r"""A sine goes in, a periodic signal comes out (thesis, figure 2.6). $N = (M/A)\,e^{j\varphi}$
-    keeps its first harmonic and drops the others.""",
-    alternative_text="""An arrow A sine omega t enters a block N; an arrow M sine of omega t plus phi, plus
-    higher harmonics, leaves it.""",
-)
+@figure("fig-2.6")
 def describing_function_block(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 1.3)
     _blocks(axes, {r"$N(A,\omega)$": (3.0, 0.65)})
@@ -96,15 +69,7 @@ def describing_function_block(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.15",
-    "Two nonlinearities in parallel",
-    caption="""Friction $N_f$ and backlash $N_r$ fed back from two places (a), and the same loop with both fed
-    from one (b) (thesis, figure 2.15). Friction sees $v = x/G_g$, so its amplitude is that of $v$.""",
-    alternative_text="""Part a: a block Gm with friction around it, then a block Gg, whose output is fed back
-    through backlash. Part b: a block Gm Gg, whose output is fed back through backlash and, in parallel,
-    through one over Gg and friction.""",
-)
+@figure("fig-2.15")
 def parallel_nonlinearities(_: Evidence) -> Figure:
     figure, axes = canvas(6.5, 5.6)
     axes.text(0.1, 5.4, "(a)", va="center")

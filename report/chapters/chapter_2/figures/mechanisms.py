@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing import mechanical_symbols as draw
 from report.pages.drawing.marks import beside, few_ticks, span
@@ -22,16 +22,7 @@ if TYPE_CHECKING:
 PIN_ANGLE: Final = math.radians(35)
 
 
-@figure(
-    "fig-2.1",
-    "Four masses with springs and dampers",
-    caption="""The masses and what ties them, as the energies have it (thesis, figure 2.1b). The pin is
-    displaced by $u(t)$ relative to the motor that carries it. Friction between cutter and guard is not in the
-    linear model.""",
-    alternative_text="""From left to right: a wall, spring k1 and damper c1, motor m1; at the distance u the
-    pin, spring k2 and damper c2, cutter m2; spring k5, guard housing m3; spring k3 and damper c3, a wall. The
-    guard m4 hangs on the guard housing by spring k4 and damper c4.""",
-)
+@figure("fig-2.1")
 def free_body_diagram(_: Evidence) -> Figure:
     figure, axes = draw.canvas(6.5, 3.2)
     draw.wall(axes, 0.2, 1.5, 2.8, -1)
@@ -57,15 +48,7 @@ def free_body_diagram(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.2",
-    "Eccentric pin",
-    caption="""(a) The shaft from above. (b) The pin's displacement over a turn (thesis, figure 2.2). The
-    amplitude is the eccentricity $A$; the bridge's edges are flat, so the size of the pin does not
-    matter.""",
-    alternative_text="""A circle with a small pin at the distance A from its centre, at the angle 2 pi f t
-    from the upright, between two upright lines. Beside it a sine of height A over one turn.""",
-)
+@figure("fig-2.2")
 def eccentric_pin(_: Evidence) -> Figure:
     from matplotlib.patches import Circle
 
@@ -103,15 +86,7 @@ def eccentric_pin(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.7",
-    "Motor and load with play",
-    caption="""A motor moves a load with mass $M$ and damping $D$ through play (thesis, figure 2.7). Here $b$
-    is the clearance on either side and $2b$ all of it; from figure 2.10 on the thesis writes $b$ for all of
-    it.""",
-    alternative_text="""A motor carries a pin between two edges of a load M, with a gap b on either side; a
-    damper D ties the load to a wall.""",
-)
+@figure("fig-2.7")
 def motor_and_load(_: Evidence) -> Figure:
     figure, axes = draw.canvas(6.5, 2.1)
     draw.body(axes, (0.3, 0.2), (1.1, 0.6), "motor", draw.MOTOR)

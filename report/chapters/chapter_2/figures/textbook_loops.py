@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.textbook_loops import STARTS, TextbookLoop, backlash_history, backlash_loop, relay_loop
 from report.pages.drawing.marks import arrow, beside, few_ticks, limit_cycle
@@ -28,16 +28,7 @@ STEPS: Final = (1.15, 2.0)
 """Factors from each limit cycle's amplitude to those of the operating points beside it."""
 
 
-@figure(
-    "fig-2.13",
-    "Graphical harmonic balance",
-    caption=r"""A relay with $1/(s(s+1)(s+2))$, an example in the place of the thesis's figure 2.13, which
-    names no loop. (a) $G$ and $-1/N$ meet at $K$, which is stable (full point); arrows: rising $\omega$ and
-    $A$. (b) Real and imaginary part of $1 + NG$ are zero at the same $K$, $\omega = \sqrt 2$, $A =
-    2/(3\pi)$.""",
-    alternative_text="""Left, the locus of G crosses the negative real axis, along which minus one over N
-    runs, at K. Right, a falling curve and an upright line cross at omega 1.4142 and amplitude 0.2122.""",
-)
+@figure("fig-2.13")
 def one_limit_cycle(_: Evidence) -> Figure:
     loop = relay_loop()
     (cycle,) = loop.limit_cycles()
@@ -66,17 +57,7 @@ def one_limit_cycle(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.14",
-    "Stable and unstable limit cycle",
-    caption=r"""$7/(s + 1)^3$ with friction-controlled backlash, an example in the place of the thesis's
-    figure 2.14. (a), (b) Open point: unstable limit cycle; full point: stable. Triangles: operating points at
-    a larger ($L'$) and a smaller ($L''$) amplitude; arrows: rising $\omega$ and $A$. (c) The loop simulated.
-    It leaves $A_1$ either way and settles at $A_2$ from both sides.""",
-    alternative_text="""The curve of minus one over N enters the shaded region that G encircles at L1,
-    unstable, and leaves it at L2, stable, before it ends at minus one. Amplitudes over time fall to zero from
-    just below A1, and tend to A2 from just above A1 and from above A2.""",
-)
+@figure("fig-2.14")
 def two_limit_cycles(_: Evidence) -> Figure:
     loop = backlash_loop()
     figure = new_figure(5.6)

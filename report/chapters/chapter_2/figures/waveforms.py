@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing.marks import arrow, beside, few_ticks, span
 from report.pages.drawing.style import BLACK, LINES, new_figure, panels
@@ -39,15 +39,7 @@ JOIN: Final[dict[str, Any]] = {"color": "#999999", "linestyle": "solid", "linewi
 SHADE: Final[dict[str, Any]] = {"color": "#56b4e9", "alpha": 0.18, "linewidth": 0}
 
 
-@figure(
-    "fig-2.8",
-    "Characteristic of backlash",
-    caption="""Output over input of friction-controlled backlash (thesis, figure 2.8). From rest the path is
-    $OAB$, then $BCDE$ for ever. A smaller amplitude gives a lower path of the same width $2b$.""",
-    alternative_text="""Two closed parallelograms with upright slope one and horizontal sides of length 2b,
-    run round counter-clockwise; the larger is marked B, C, D, E and a dotted line leads to it from O over
-    A.""",
-)
+@figure("fig-2.8")
 def backlash_characteristic(_: Evidence) -> Figure:
     phases = np.linspace(0, 2 * np.pi, 721)
     small, large = AMPLITUDES
@@ -81,15 +73,7 @@ def backlash_characteristic(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.9",
-    "Friction-controlled backlash",
-    caption=r"""Characteristic, input and output (thesis, figure 2.9), for $2b = 0.6\,A$; thin lines join what
-    belongs together. After the peak $B$ the load stays at $+(A - b)$ until the pin has crossed the gap, at
-    $C$.""",
-    alternative_text="""Three panels that share their axes: a parallelogram B, C, D, E, below it the sine of
-    the input with time downwards, to its right the output, which is flat from B to C and from D to E.""",
-)
+@figure("fig-2.9")
 def friction_controlled(_: Evidence) -> Figure:
     element, phases = FrictionBacklash(GAP), PHASES + np.pi / 2
     pin, load = np.sin(phases), element.waveform(phases, 1.0)
@@ -147,16 +131,7 @@ def _joined(start: Axes, place: tuple[float, float], end: Axes, other: tuple[flo
     start.figure.add_artist(ConnectionPatch(place, other, "data", axesA=start, axesB=end, **JOIN))
 
 
-@figure(
-    "fig-2.10",
-    "Inertia-controlled backlash",
-    caption=r"""A load without friction (thesis, figure 2.10), for $b = 0.6\,A$. It is let go where the pin is
-    fastest, at $0$ and $\pi$, keeps that velocity, and is caught at $\phi$ and $\pi + \phi$. It goes farther
-    than the pin.""",
-    alternative_text="""Positions and velocities of pin and load over a period, and the load's position over
-    the pin's. The load flies along straight lines from zero to phi and from pi to pi plus phi, with velocity
-    plus one and minus one, and jumps to the pin's velocity when it is caught.""",
-)
+@figure("fig-2.10")
 def inertia_controlled(_: Evidence) -> Figure:
     element = InertiaBacklash(GAP)
     pin, load = np.sin(PHASES), element.waveform(PHASES, 1.0)
@@ -183,15 +158,7 @@ def inertia_controlled(_: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-2.11",
-    "Viscous-controlled backlash",
-    caption=r"""Loads with inertia and friction (thesis, figure 2.11), for $b = 0.6\,A$ and three $\gamma =
-    M\omega/D$. The heavier the load, the earlier it is let go at $\phi_s = \arctan(1/\gamma)$ and the farther
-    it flies before it is caught at $\phi_c$.""",
-    alternative_text="""Positions and velocities of pin and load for gamma 0.3, 1 and 4. With 0.3 the let-go
-    load soon stands still, with 4 it keeps most of its velocity.""",
-)
+@figure("fig-2.11")
 def viscous_controlled(_: Evidence) -> Figure:
     figure, grid = panels(4.4, 2, len(GAMMAS), sharex="col", sharey="row")
     for gamma, (positions, velocities) in zip(GAMMAS, grid.T, strict=True):
@@ -252,15 +219,7 @@ def _turning_sense(axes: Axes, pin: Reals, load: Reals, places: tuple[int, ...])
         arrow(axes, (pin[place], load[place]), (pin[place + 3], load[place + 3]))
 
 
-@figure(
-    "fig-2.12",
-    "Coulomb friction",
-    caption="""Friction is a relay in the velocity (thesis, figure 2.12). Over the displacement the same force
-    is a rectangle, run round clockwise; its area $4F_cA$ is the work lost in a period.""",
-    alternative_text="""Three panels: a step from minus one to plus one at zero velocity; a rectangle over the
-    displacement; over a period the force is plus one while the velocity is positive and minus one while it is
-    negative.""",
-)
+@figure("fig-2.12")
 def coulomb_friction(_: Evidence) -> Figure:
     phases = np.linspace(0, 2 * np.pi, 721)
     force = CoulombFriction(1.0).waveform(phases, 1.0)

@@ -6,15 +6,16 @@ from collections.abc import Sequence
 
 from derivations.elements.incremental_dissipation import incremental_dissipation
 from report.judging.claim import Confirmation
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import close, so
-from report.judging.text import filled
+from report.judging.text import one_line
 from report.numbers.driven_motion import FORCES, STARTED_ASIDE, DrivenRun
 from report.numbers.evidence import Evidence
 from report.numbers.independent.harmonics import harmonic_behind, harmonic_of_friction
 from report.numbers.thesis import DRIVE_AMPLITUDE, MEASURED_DRIVE_OMEGA
 from trimmer import FrictionBacklash
 
-METHOD = filled(
+METHOD = one_line(
     """
     energy of the difference of two motions, derived for every positive mass, stiffness and damping, every gap
     and friction force
@@ -90,18 +91,11 @@ def _both(means: str, third: float, fifth: float, run: DrivenRun) -> Confirmatio
 def period_in_words(evidence: Evidence) -> str:
     """Return how the runs agree with the theorem."""
     driven = evidence.motion.driven
-    return filled(
-        """
+    gap = 1e3 * max(run.gap for run in driven.runs)
+    return one_line(f"""
         two motions with the same pin lose the energy of their difference to dampers and friction, so all end
-        with the same velocities, which have the pin's period; in [[ count ]] runs with gaps up to
-        [[ gap | f0 ]] mm the last two periods differ by [[ repeat | power0 ]] of the output at most, and two
-        starts [[ aside | f0 ]] mm apart have lost all but [[ apart | power0 ]] of that energy after
-        [[ time | f1 ]] s
-        """,
-        gap=1e3 * max(run.gap for run in driven.runs),
-        aside=1e3 * STARTED_ASIDE,
-        count=len(driven.runs),
-        repeat=max(run.repeat for run in driven.runs),
-        apart=driven.apart[-1],
-        time=driven.times[-1],
-    )
+        with the same velocities, which have the pin's period; in {len(driven.runs)} runs with gaps up to
+        {gap:.0f} mm the last two periods differ by {power_of(max(run.repeat for run in driven.runs))} of the
+        output at most, and two starts {1e3 * STARTED_ASIDE:.0f} mm apart have lost all but
+        {power_of(driven.apart[-1])} of that energy after {driven.times[-1]:.1f} s
+    """)

@@ -9,7 +9,7 @@ import numpy as np
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.section_3_2 import RAW_DATA
 from report.chapters.chapter_6.claims.sections_6_3_and_6_4 import GAPS_QUOTED
-from report.judging.claim import Part, Uncheckable
+from report.judging.claim import ClaimPart, Uncheckable
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, so, uncheckable
 from report.judging.record import Record, claim, text
@@ -79,11 +79,11 @@ def motions_without_play(known: Evidence) -> Record:
 def motions_with_play(known: Evidence) -> Record:
     shares = guard_shares(driven.runs_with(known, EXPERIMENT_GAP))
     yield measured("measured motions")
-    yield text("""
+    yield text(f"""
         The recorded curves cannot be checked, and the text says no more of them. In the model with play the
-        guard moves [[ least | f1 ]] to [[ most | f1 ]] % as far as the cutter. The figure drawn here has the
-        parameters of Listing A.1, another trimmer's, at the drive of the experiment.
-    """).given(least=100 * min(shares), most=100 * max(shares))
+        guard moves {100 * min(shares):.1f} to {100 * max(shares):.1f} % as far as the cutter. The figure
+        drawn here has the parameters of Listing A.1, another trimmer's, at the drive of the experiment.
+    """)
 
 
 def largest(run: DrivenRun) -> set[int]:
@@ -135,11 +135,11 @@ def spectrum_with_play(known: Evidence) -> Record:
         second=driven.confirm_play(known, EXPERIMENT_GAP),
     )
     yield measured("measured spectra")
-    yield text("""
-        Play of [[ gap | f0 ]] µm raises the odd harmonics in the model of Listing A.1, driven as in the
-        experiment. It adds no even ones, which table 3.2 lists as measured, see [the open
+    yield text(f"""
+        Play of {1e6 * EXPERIMENT_GAP:.0f} µm raises the odd harmonics in the model of Listing A.1, driven as
+        in the experiment. It adds no even ones, which table 3.2 lists as measured, see [the open
         loop](#txt-3.3-open-loop-odd).
-    """).given(gap=1e6 * EXPERIMENT_GAP)
+    """)
 
 
 @claim("fig-3.5")
@@ -170,7 +170,6 @@ def smallest_gap(known: Evidence) -> Record:
         f"even harmonics up to {even} m, which is rounding and what is left of the start",
         method=driven.METHOD,
         second=driven.confirm_odd(known),
-        certainty=Certainty.PROVEN,
     )
     yield simulated()
     yield text("""
@@ -180,7 +179,7 @@ def smallest_gap(known: Evidence) -> Record:
     """)
 
 
-def following_the_drive(known: Evidence) -> Part:
+def following_the_drive(known: Evidence) -> ClaimPart:
     """Return the part on the largest gap, which the pin does not cross."""
     output = max(float(np.abs(run.output).max()) for run in driven.runs_with(known, LARGEST_GAP))
     element = FrictionBacklash(LARGEST_GAP).describing_function(DRIVE_AMPLITUDE)
@@ -214,16 +213,16 @@ def largest_gap(known: Evidence) -> Record:
         second=driven.confirm_play(known, LARGER_GAP),
     )
     yield simulated()
-    yield text("""
-        The stroke of the pin is not given here. If it is the [[ pin ]] mm of section 5.2.1, a play of
-        [[ largest | f0 ]] mm lets it swing freely and nothing moves: then another gap was simulated. If the
-        gap is right, the pin moves by more than a centimetre, or its velocity bypasses the backlash block,
-        which cannot be seen. At [[ larger | f0 ]] mm the model of Listing A.1 has two additional oscillations
-        as described, the third and the fifth harmonic.
+    yield text(f"""
+        The stroke of the pin is not given here. If it is the {1e3 * DRIVE_AMPLITUDE} mm of section 5.2.1, a
+        play of {1e3 * LARGEST_GAP:.0f} mm lets it swing freely and nothing moves: then another gap was
+        simulated. If the gap is right, the pin moves by more than a centimetre, or its velocity bypasses the
+        backlash block, which cannot be seen. At {1e3 * LARGER_GAP:.0f} mm the model of Listing A.1 has two
+        additional oscillations as described, the third and the fifth harmonic.
 
         It is open what section 3.3 shows for its largest gap, and the oscillations do not suggest a limit
         cycle: harmonics of the drive look the same.
-    """).given(pin=1e3 * DRIVE_AMPLITUDE, largest=1e3 * LARGEST_GAP, larger=1e3 * LARGER_GAP)
+    """)
 
 
 @claim("fig-3.8")
@@ -236,23 +235,22 @@ def spectrum_of_the_largest_gap(known: Evidence) -> Record:
         "a spectrum that begins with the start",
         "beside harmonics of the drive it shows another frequency",
         abs(peak / MEASURED_DRIVE_FREQUENCY - round(peak / MEASURED_DRIVE_FREQUENCY)) > OFF_A_HARMONIC,
-        """
-        with a gap of [[ gap | f0 ]] mm what dies out after the start has a peak at [[ peak | f0 ]] Hz; the
-        settled motion holds harmonics only, its last two periods differ by [[ repeat ]]
+        f"""
+        with a gap of {1e3 * run.gap:.0f} mm what dies out after the start has a peak at {peak:.0f} Hz; the
+        settled motion holds harmonics only, its last two periods differ by {power_of(run.repeat)}
         """,
-        numbers={"gap": 1e3 * run.gap, "peak": peak, "repeat": power_of(run.repeat)},
         method=AT_THE_DRIVE,
         second=close("the second natural mode", mode, peak, 0.01),
     )
     yield simulated()
-    yield text("""
+    yield text(f"""
         With the printed gap and the stroke of section 5.2.1 the spectrum would be empty, see [figure
         3.7](#fig-3.7). With a gap that is crossed it holds the odd harmonics and, if the record begins with
-        the start, natural modes that die out. With Listing A.1 one has its peak at [[ mode | f0 ]] Hz; the
-        peak of the experiment's trimmer is at [[ printed ]] Hz.
+        the start, natural modes that die out. With Listing A.1 one has its peak at {mode:.0f} Hz; the peak of
+        the experiment's trimmer is at {OPEN_LOOP_PEAK} Hz.
 
         Whether that peak is a limit cycle is judged [at the peak](#txt-3.3-peak-366).
-    """).given(mode=mode, printed=OPEN_LOOP_PEAK)
+    """)
 
 
 @claim("fig-3.9")
@@ -277,9 +275,9 @@ def released_loop(known: Evidence) -> Record:
     )
     yield simulated(f"{PARAMETERS}; and from which state the loop was released")
     lasting = released.released(LARGEST_GAP, least, OUTSIDE)
-    yield text("""
+    yield text(f"""
         All that the text reads from the figure also happens when only a natural mode dies out. A limit cycle
-        would do the same at another frequency, with Listing A.1 at [[ frequency | f0 ]] Hz, and with an
-        amplitude of [[ amplitude | f0 ]] mm in a gap of [[ gap | f0 ]] mm. Which of the two it is, is judged
-        at [the peak near 350 Hz](#txt-3.3-peak-350).
-    """).given(frequency=lasting.frequency, amplitude=1e3 * lasting.amplitude, gap=1e3 * LARGEST_GAP)
+        would do the same at another frequency, with Listing A.1 at {lasting.frequency:.0f} Hz, and with an
+        amplitude of {1e3 * lasting.amplitude:.0f} mm in a gap of {1e3 * LARGEST_GAP:.0f} mm. Which of the two
+        it is, is judged at [the peak near 350 Hz](#txt-3.3-peak-350).
+    """)

@@ -25,10 +25,9 @@ def nearest_bin(frequency: float | str, samples: int = FRAMES_OF_TABLES) -> int:
     return round(Fraction(frequency) * samples / SAMPLE_RATE)
 
 
-def on_a_bin(printed: str, samples: int = FRAMES_OF_TABLES) -> bool:
+def on_a_bin(printed: str) -> bool:
     """Tell whether a bin rounds to the printed digits."""
-    centre = nearest_bin(printed, samples) * Fraction(SAMPLE_RATE, samples)
-    return PrintedDigits(printed, centre).compare().agrees
+    return PrintedDigits(printed, nearest_bin(printed) * BIN).compare().agrees
 
 
 def common_drive(bins: Mapping[int, int], within: Fraction) -> tuple[float, float]:

@@ -75,26 +75,16 @@ def bins_of_the_tables(_: Evidence) -> Record:
         item=LENGTH,
     )
     tens = sum(Decimal(cell) % 10 == 0 for cell in cells)
-    yield text("""
-        [[ whole ]] of the [[ cells ]] frequencies in tables 3.1 and 3.2 are, to every digit, multiples of
-        [[ spacing | f4 ]] Hz, the bins of [[ frames ]] frames. [[ tens ]] is a multiple of [[ resolution ]]
-        Hz, as the bins of [[ stated ]] frames are. So the record seems to hold both of its ends, 0 and
-        [[ duration ]] s. The others, [[ misfits ]], are judged at [table 3.1](#tab-3.1) and [table
-        3.2](#tab-3.2).
+    misfits = ", ".join(sorted(set(cells) - set(whole)))
+    yield text(f"""
+        {len(whole)} of the {len(cells)} frequencies in tables 3.1 and 3.2 are, to every digit, multiples of
+        {float(BIN):.4f} Hz, the bins of {frames} frames. {tens or "None"} is a multiple of {RESOLUTION} Hz,
+        as the bins of {FRAMES} frames are. So the record seems to hold both of its ends, 0 and {DURATION} s.
+        The others, {misfits}, are judged at [table 3.1](#tab-3.1) and [table 3.2](#tab-3.2).
 
-        None: the resolution is [[ resolution ]] Hz either way. The three decimals are those of the bins, and
-        each peak is known to half a bin.
-    """).given(
-        whole=len(whole),
-        cells=len(cells),
-        spacing=float(BIN),
-        frames=frames,
-        tens=tens or "None",
-        resolution=RESOLUTION,
-        stated=FRAMES,
-        duration=DURATION,
-        misfits=", ".join(sorted(set(cells) - set(whole))),
-    )
+        None: the resolution is {RESOLUTION} Hz either way. The three decimals are those of the bins, and each
+        peak is known to half a bin.
+    """)
 
 
 @claim("txt-3.1-output-sign")

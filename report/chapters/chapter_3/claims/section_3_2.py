@@ -65,11 +65,11 @@ def odd_harmonics(known: Evidence) -> Record:
         method=driven.BY_LISTING,
         second=driven.confirm_friction(known),
     )
-    yield text("""
+    yield text(f"""
         For friction between any of the bodies and a sinusoidal pin the model has odd harmonics only. With
         Listing A.1, driven at the measured frequency, the fifth is larger than the third, because it meets
-        the natural mode at [[ mode | f1 ]] Hz.
-    """).given(mode=known.numbers.modes[2].frequency)
+        the natural mode at {known.numbers.modes[2].frequency:.1f} Hz.
+    """)
 
 
 @claim("tab-3.1")
@@ -89,17 +89,14 @@ def first_table(_: Evidence) -> Record:
     number = 2 * peaks.DRIVE_BIN
     for label in ("$f_3 - f_1$", "$f_5 - f_3$"):
         yield digits(label, DIFFERENCE, number * peaks.BIN, "Hz", second=by_numpy(number))
-    yield text("""
-        The peaks are the bins [[ bins ]] of [[ spacing | f4 ]] Hz, so $f_5$ is [[ fifth | f3 ]] Hz. In the
-        copy it is [[ printed ]] Hz, which is no bin, is not five times the first, and contradicts the
+    bins = ", ".join(str(order * peaks.DRIVE_BIN) for order in peaks.TABLE_1)
+    yield text(f"""
+        The peaks are the bins {bins} of {float(peaks.BIN):.4f} Hz, so $f_5$ is
+        {float(5 * peaks.DRIVE_BIN * peaks.BIN):.3f} Hz. In the copy it is {peaks.TABLE_1[5]} Hz, which is no
+        bin, is not five times the first, and contradicts the
         difference beside it. With that one digit put right the three are odd multiples of one frequency, as
         the text says. The difference is right, so the digit may have been misread in the copy.
-    """).given(
-        bins=", ".join(str(order * peaks.DRIVE_BIN) for order in peaks.TABLE_1),
-        spacing=float(peaks.BIN),
-        fifth=float(5 * peaks.DRIVE_BIN * peaks.BIN),
-        printed=peaks.TABLE_1[5],
-    )
+    """)
 
 
 def by_numpy(number: int) -> Confirmation:
@@ -133,16 +130,16 @@ def second_table(_: Evidence) -> Record:
         method="intervals of the drive's frequency, intersected over the five peaks",
         second=so(search, all(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
     )
-    yield text("""
-        All cells but two are bins of [[ spacing | f4 ]] Hz to the last digit. In those two [[ misprint ]]
-        stands for [[ meant ]]; the same slip twice is hardly a fault of the copy. The text puts unequal
-        differences down to the resolution, which is right: with peaks one bin off, a common drive fits each
-        measurement. With the nearest bins none does, so peaks were shifted, by leakage or because the motor
-        did not run evenly.
+    yield text(f"""
+        All cells but two are bins of {float(peaks.BIN):.4f} Hz to the last digit. In those two
+        {TABLE_2["M2"][0]} stands for {TABLE_2["M1"][0]}; the same slip twice is hardly a fault of the copy.
+        The text puts unequal differences down to the resolution, which is right: with peaks one bin off, a
+        common drive fits each measurement. With the nearest bins none does, so peaks were shifted, by leakage
+        or because the motor did not run evenly.
 
         The two cells change nothing else. That $f_2$ and $f_4$ are there at all matters more, see the
         [comparison with the model](#txt-3.3-open-loop-odd).
-    """).given(spacing=float(peaks.BIN), misprint=TABLE_2["M2"][0], meant=TABLE_2["M1"][0])
+    """)
 
 
 @claim("txt-3.2-drive-frequency")
@@ -163,22 +160,15 @@ def drive_frequency(_: Evidence) -> Record:
     )
     odd = {order: order * peaks.DRIVE_BIN for order in peaks.TABLE_1}
     low, high = peaks.common_drive(odd, Fraction(1, 2))
-    yield text("""
-        The first two peaks of table 3.1 are 1 and 3 times [[ right ]] Hz. The text calls them multiples of
-        [[ other ]] Hz, which has one digit wrong, and table 3.2 has [[ misprint ]] Hz twice; neither is a bin
-        of these spectra. By the bins of experiment 1 the drive lies between [[ low | f2 ]] and
-        [[ high | f2 ]] Hz, so the three decimals carry no information.
+    yield text(f"""
+        The first two peaks of table 3.1 are 1 and 3 times {QUOTED[0][1]} Hz. The text calls them multiples of
+        {QUOTED[1][1]} Hz, which has one digit wrong, and table 3.2 has {QUOTED[2][1]} Hz twice; neither is a
+        bin of these spectra. By the bins of experiment 1 the drive lies between {low:.2f} and {high:.2f} Hz,
+        so the three decimals carry no information.
 
-        None on results: section 5.2.1 and appendix A.9 quote [[ other ]] Hz again, and the models of chapters
-        4 and 5 run at [[ models | f0 ]] Hz.
-    """).given(
-        models=DRIVE_FREQUENCY,
-        right=QUOTED[0][1],
-        other=QUOTED[1][1],
-        misprint=QUOTED[2][1],
-        low=low,
-        high=high,
-    )
+        None on results: section 5.2.1 and appendix A.9 quote {QUOTED[1][1]} Hz again, and the models of
+        chapters 4 and 5 run at {DRIVE_FREQUENCY:.0f} Hz.
+    """)
 
 
 @claim("txt-3.2-play-place")
@@ -188,11 +178,10 @@ def place_of_the_play(known: Evidence) -> Record:
         "experiment 2",
         "the play lies between driving bridge and cutter",
         bodies == len(MOVING_PARTS),
-        """
+        f"""
         sections 1.1, 2.3.4 and 3.1 have it between pin and driving bridge; bridge and cutter are one of the
-        [[ bodies ]] bodies, with one displacement, so there is no joint between them that could have play
+        {bodies} bodies, with one displacement, so there is no joint between them that could have play
         """,
-        numbers={"bodies": bodies},
         method="rank of the mass matrix against the parts that the text names",
         second=equal("a count of the bodies", len(known.derivation.mechanism.bodies), bodies),
     )
@@ -210,14 +199,14 @@ def place_of_the_play(known: Evidence) -> Record:
 def predicted_frequency(known: Evidence) -> Record:
     missing = "the parameters of the experiment's trimmer (table C.1) and figure C.3, both confidential"
     yield uncheckable("frequency of the prediction", "488 Hz", missing)
-    yield text("""
+    yield text(f"""
         The number cannot be checked; for another trimmer, that of Listing A.1, the two limit cycles lie at
-        [[ pair.unstable.frequency | f1 ]] and [[ pair.stable.frequency | f1 ]] Hz. It belongs to a loop that
-        feeds the output back to the pin. In the experiment a motor moves the pin, and in the thesis's model
-        of that no motion of another frequency can last. So the missing peak neither contradicts the
-        describing function nor shows that friction suppressed a limit cycle, see [the missing limit
-        cycle](#txt-3.2-no-limit-cycle).
-    """).given(pair=known.cycles.friction)
+        {known.cycles.friction.unstable.frequency:.1f} and {known.cycles.friction.stable.frequency:.1f} Hz. It
+        belongs to a loop that feeds the output back to the pin. In the experiment a motor moves the pin, and
+        in the thesis's model of that no motion of another frequency can last. So the missing peak neither
+        contradicts the describing function nor shows that friction suppressed a limit cycle, see [the missing
+        limit cycle](#txt-3.2-no-limit-cycle).
+    """)
 
 
 @claim("txt-3.2-no-limit-cycle")

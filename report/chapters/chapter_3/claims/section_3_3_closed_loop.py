@@ -43,19 +43,11 @@ def peak_350(known: Evidence) -> Record:
         "why it should be a limit cycle",
         "a frequency that does not depend on the gap belongs to a limit cycle",
         abs(large - small) > BIN or any(run.goes_on for run in inside),
-        """
-        released inside of its play the loop dies out, with peaks at [[ small | f1 ]] and [[ large | f1 ]] Hz
-        for gaps of [[ gap ]] and [[ largest ]] mm; released outside it has its limit cycle, at
-        [[ goes_on | f1 ]] and [[ scaled | f1 ]] Hz
+        f"""
+        released inside of its play the loop dies out, with peaks at {small:.1f} and {large:.1f} Hz for gaps
+        of {f"{1e3 * EXPERIMENT_GAP:g}"} and {f"{1e3 * LARGEST_GAP:g}"} mm; released outside it has its limit
+        cycle, at {goes_on:.1f} and {scaled:.1f} Hz
         """,
-        numbers={
-            "small": small,
-            "large": large,
-            "gap": f"{1e3 * EXPERIMENT_GAP:g}",
-            "largest": f"{1e3 * LARGEST_GAP:g}",
-            "goes_on": goes_on,
-            "scaled": scaled,
-        },
         method=f"{driven.BY_LISTING}, two starts for each gap",
         second=close("the second natural mode, which knows no gap", mode, small, 5e-3),
         item="350 Hz, peak of figure 3.9 for every gap read as a limit cycle",
@@ -72,16 +64,16 @@ def peak_350(known: Evidence) -> Record:
     yield uncheckable(
         "which it is in the experiment's trimmer", "this peak belongs to a limit cycle", missing
     )
-    yield text("""
+    yield text(f"""
         The text takes the peak for a limit cycle because it is there for every gap. Natural modes do not know
         the gap either: the loop with Listing A.1, released inside of its play, dies out with a peak at its
         second natural mode, whatever the gap and the sooner the more friction. Released outside it goes on at
-        [[ lasting | f0 ]] Hz. For the experiment's trimmer section 3.2 itself predicts a limit cycle at
-        [[ predicted ]] Hz, not near [[ peak ]] Hz.
+        {goes_on:.0f} Hz. For the experiment's trimmer section 3.2 itself predicts a limit cycle at
+        {PREDICTED} Hz, not near {PEAK} Hz.
 
         The peak reads as a natural mode that is dying out. Chapter 7 takes from this section that friction
         suppresses limit cycles.
-    """).given(lasting=goes_on, predicted=PREDICTED, peak=PEAK)
+    """)
 
 
 @claim("txt-3.3-friction-suppresses")
@@ -127,20 +119,15 @@ def suppression(known: Evidence) -> Record:
         certainty=Certainty.PROVEN,
     )
     least, *_, most = (released.released(LARGEST_GAP, force, OUTSIDE) for force in FORCES_OF_FIGURE)
-    yield text("""
+    share = 100 * (1 - most.amplitude / least.amplitude)
+    yield text(f"""
         With friction between cutter and guard that resists their motion all of it holds, and the force that
-        is needed is proportional to the gap. With Listing A.1 and [[ gap ]] mm the limit cycle lasts up to
-        [[ force ]] N: the forces below [[ assumed ]] N that the text assumes weaken it and do not end it. For
-        [[ largest_gap ]] mm the largest force of figure 3.9 takes [[ share | f1 ]] % of its
-        [[ amplitude | f0 ]] mm, which no figure shows; what was suppressed there seems to be another peak.
-    """).given(
-        gap=f"{1e3 * EXPERIMENT_GAP:g}",
-        force=lasting[-1].force,
-        assumed=ASSUMED_FORCE,
-        largest_gap=f"{1e3 * LARGEST_GAP:g}",
-        share=100 * (1 - most.amplitude / least.amplitude),
-        amplitude=1e3 * least.amplitude,
-    )
+        is needed is proportional to the gap. With Listing A.1 and {f"{1e3 * EXPERIMENT_GAP:g}"} mm the limit
+        cycle lasts up to {lasting[-1].force} N: the forces below {ASSUMED_FORCE} N that the text assumes
+        weaken it and do not end it. For {f"{1e3 * LARGEST_GAP:g}"} mm the largest force of figure 3.9 takes
+        {share:.1f} % of its {1e3 * least.amplitude:.0f} mm, which no figure shows; what was suppressed there
+        seems to be another peak.
+    """)
 
 
 @claim("txt-3.3-friction-frequency")
@@ -169,18 +156,16 @@ def frequency_under_friction(known: Evidence) -> Record:
         certainty=Certainty.READING,
     )
     of_text = next(run for run in lasting if run.force == FORCES[-1])
-    yield text("""
+    amplitude = 100 * (1 - of_text.amplitude / without.amplitude)
+    frequency = 100 * (1 - of_text.frequency / without.frequency)
+    yield text(f"""
         The observation is right: friction lowers the peaks and does not move them, as harmonics of a drive
         behave. A self-sustained oscillation does not keep its frequency exactly: backlash acts by the ratio
-        of amplitude and gap, so a smaller one is slower. With Listing A.1 and [[ gap ]] mm the text's largest
-        force, [[ force ]] N, takes [[ amplitude | f0 ]] % of its amplitude and [[ frequency | f1 ]] % of its
-        frequency. Read as what can be seen in a time response, the reason given is right.
+        of amplitude and gap, so a smaller one is slower. With Listing A.1 and {f"{1e3 * EXPERIMENT_GAP:g}"}
+        mm the text's largest force, {of_text.force} N, takes {amplitude:.0f} % of its amplitude and
+        {frequency:.1f} % of its frequency. Read as what can be seen in a time response, the reason given is
+        right.
 
         None on numbers. But a peak that stays while friction changes is no sign of a limit cycle: a harmonic
         of the drive stays as well, and exactly.
-    """).given(
-        gap=f"{1e3 * EXPERIMENT_GAP:g}",
-        force=of_text.force,
-        amplitude=100 * (1 - of_text.amplitude / without.amplitude),
-        frequency=100 * (1 - of_text.frequency / without.frequency),
-    )
+    """)

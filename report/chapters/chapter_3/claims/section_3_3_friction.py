@@ -51,21 +51,16 @@ def equations_of_motion(known: Evidence) -> Record:
             item=SIGN_OF_FRICTION if force != 0 else "",
         )
     run, opposite = known.motion.printed_friction.as_printed[0], known.motion.printed_friction.opposite
-    yield text("""
+    yield text(f"""
         The linear terms are those of equation 2.9. The friction of the first two lines has the wrong sign: it
         pushes either body the way it already slides. Simulated as printed, with a pin that never reaches the
-        bridge, the trimmer gains energy: [[ start | f0 ]] µJ become [[ end | f0 ]] µJ in [[ time | f1 ]] s
-        with [[ force ]] N. With the signs turned less than [[ turned | f2 ]] µJ are left.
+        bridge, the trimmer gains energy: {1e6 * run.energy[0]:.0f} µJ become {1e6 * run.energy[-1]:.0f} µJ in
+        {run.times[-1]:.1f} s with {run.force} N. With the signs turned less than
+        {1e6 * opposite.energy[-1]:.2f} µJ are left.
 
         A model built as printed oscillates by itself, with an amplitude that grows with $F_c$. The text
         reports amplitudes that fall, so the model that was simulated seems to have had the right sign.
-    """).given(
-        start=1e6 * run.energy[0],
-        end=1e6 * run.energy[-1],
-        time=run.times[-1],
-        force=run.force,
-        turned=1e6 * opposite.energy[-1],
-    )
+    """)
 
 
 @claim("txt-3.3-friction-force")
@@ -96,13 +91,13 @@ def force_of_friction(known: Evidence) -> Record:
         second=so(energy, gain > 0 > loss),
         item=SIGN_OF_FRICTION,
     )
-    yield text("""
+    yield text(f"""
         Equation 3.2 lets motor and cutter rub on each other. Section 2.3.5 and the text of 3.3 speak of
         cutter and guard, whose forces belong into the second and fourth line. The sign is that of [equation
         3.2](#eq-3.2): the force feeds the motion. Even with a pin that never reaches the bridge the trimmer
-        then oscillates at [[ first.frequency | f0 ]] Hz, a natural mode, by [[ least | f0 ]] µm for
-        [[ first.force ]] N and by [[ most | f0 ]] µm for [[ last.force ]] N.
+        then oscillates at {first.frequency:.0f} Hz, a natural mode, by {1e6 * first.amplitude:.0f} µm for
+        {first.force} N and by {1e6 * last.amplitude:.0f} µm for {last.force} N.
 
         This report simulates friction between cutter and guard, against their motion. Between motor and
         cutter it would act much alike, since the guard moves little.
-    """).given(first=first, last=last, least=1e6 * first.amplitude, most=1e6 * last.amplitude)
+    """)

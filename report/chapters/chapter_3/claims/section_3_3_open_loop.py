@@ -64,17 +64,18 @@ def odd_harmonics(known: Evidence) -> Record:
         second=second,
         certainty=Certainty.PROVEN,
     )
-    yield text("""
+    yield text(f"""
         With any parameters the model has odd harmonics only, and so has the experiment without play. With
         play the experiment shows the second and fourth as well, yet the text finds the two in agreement; its
         next paragraph weakens this to some extent. Even harmonics take something that is not symmetric, such
         as friction that differs by direction, a spring that is stiffer to one side, or a pin that does not
         move as a sine; a play that is off centre only shifts the mean. With Listing A.1, driven at the
-        measured frequency, the fifth harmonic is large because a mode at [[ mode | f1 ]] Hz lies next to it.
+        measured frequency, the fifth harmonic is large because a mode at
+        {known.numbers.modes[2].frequency:.1f} Hz lies next to it.
 
         The model lacks what makes the even harmonics, so the agreement cannot carry the conclusions on larger
         gaps.
-    """).given(mode=known.numbers.modes[2].frequency)
+    """)
 
 
 @claim("txt-3.3-peak-366")
@@ -106,19 +107,18 @@ def peak_366(known: Evidence) -> Record:
     yield uncheckable("which natural mode of the experiment's trimmer it is", f"{OPEN_LOOP_PEAK} Hz", missing)
     *peaks, last = transient_peaks(known.motion.driven.run(LARGER_GAP, FORCES[0]))
     mode = known.numbers.modes[1]
-    yield text("""
+    yield text(f"""
         A driven trimmer has no limit cycle where play only passes the pin's displacement on, with any
         friction that resists the motion. What is left beside harmonics is the start: with Listing A.1 the
-        motion that dies out after it has peaks at [[ peaks ]] and [[ last | f0 ]] Hz, near natural modes. A
-        spectrum that begins with the start shows the second of them, at [[ mode | f1 ]] Hz with a time
-        constant of [[ constant | f0 ]] ms. With friction as equation 3.2 has it a trimmer could oscillate by
-        itself, but friction would then raise the peak, which the text does not see.
+        motion that dies out after it has peaks at {driven.listed(peaks)} and {last:.0f} Hz, near natural
+        modes. A spectrum that begins with the start shows the second of them, at {mode.frequency:.1f} Hz with
+        a time constant of {-1000 / mode.eigenvalue.real:.0f} ms. With friction as equation 3.2 has it a
+        trimmer could oscillate by itself, but friction would then raise the peak, which the text does not
+        see.
 
         The evidence for a limit cycle in the open loop is gone. A spectrum of the settled motion, or of two
         records of different length, would have told a transient from an oscillation that lasts.
-    """).given(
-        peaks=driven.listed(peaks), last=last, mode=mode.frequency, constant=-1000 / mode.eigenvalue.real
-    )
+    """)
 
 
 @claim("txt-3.3-peak-550")
@@ -134,12 +134,12 @@ def peak_550(known: Evidence) -> Record:
         method=driven.METHOD,
         second=driven.confirm_odd(known),
     )
-    yield text("""
+    yield text(f"""
         It is the fifth harmonic. The trimmer of Listing A.1, another one, would magnify it by its natural
-        mode at [[ mode | f1 ]] Hz. The text calls it a subharmonic, which is [judged
-        apart](#txt-3.3-subharmonic). [[ fifth ]] and [[ other ]] Hz read like bins of [[ bin | f0 ]] Hz with
-        one sample too many, as in the experiment's tables.
-    """).given(mode=known.numbers.modes[2].frequency, fifth=FIFTH, other=OPEN_LOOP_PEAK, bin=BIN_OF_FIGURE)
+        mode at {known.numbers.modes[2].frequency:.1f} Hz. The text calls it a subharmonic, which is [judged
+        apart](#txt-3.3-subharmonic). {FIFTH} and {OPEN_LOOP_PEAK} Hz read like bins of {BIN_OF_FIGURE:.0f} Hz
+        with one sample too many, as in the experiment's tables.
+    """)
 
 
 @claim("txt-3.3-subharmonic")

@@ -43,15 +43,16 @@ def three_panels(known: Evidence) -> Record:
         method=section_5_2_5.BY_LISTING,
         second=by_matching_real_parts(system, -OTHER_FORCE / DRIVE_OMEGA / LARGER_GAP, len(found)),
     )
-    yield text(r"""
+    share = OTHER_FORCE / LARGER_GAP / known.numbers.parameters.k2
+    yield text(rf"""
         The contours are those of Listing A.6 with its [wrong friction term](#txt-5.2.5-coulomb-term);
         equation 5.14 would give others. With $A$ in gaps the listing's function contains $F_c/(\omega b)$
-        alone, so the panels show one family three times. The right term gives one family too, with
-        $F_c/(k_2 b)$ in its place, [[ share | f4 ]] here, bent the other way and without frequency.
+        alone, so the panels show one family three times. The right term gives one family too, with $F_c/(k_2
+        b)$ in its place, {share:.4f} here, bent the other way and without frequency.
 
         The dependence on frequency is that of the wrong factor. The likeness to viscous-controlled backlash
         comes from the wrong sign, which makes friction a lag, as inertia is.
-    """).given(share=OTHER_FORCE / LARGER_GAP / known.numbers.parameters.k2)
+    """)
 
 
 @claim("fig-5.22")
@@ -67,16 +68,17 @@ def without_force(known: Evidence) -> Record:
     second, slip = close(NEWTON, turning / TURN, stable.frequency), repeated(ROUNDED, rounded.frequency)
     item = section_5_2_1_predictions.FREQUENCY
     yield digits("frequency", "733.3", stable.frequency, "Hz", second=second, slip=slip, item=item)
-    yield text(r"""
+    inner = 1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude
+    yield text(rf"""
         Without force the listing's function is that of backlash, and the intersections are those of figure
         5.8, as the text says. The amplitude and the frequency are those of the [rounded
         coefficients](#txt-5.2.1-prediction). The shorter path that the text mentions is a shorter range of
-        amplitudes. The second intersection, at [[ inner | f2 ]] µm, would be missing on both curves if they
-        begin as in Listing A.9, at $b/2 + [[ offset | f0 ]]$ µm.
+        amplitudes. The second intersection, at {inner:.2f} µm, would be missing on both curves if they begin
+        as in Listing A.9, at $b/2 + {1e6 * PLOT_OFFSET:.0f}$ µm.
 
-        None beyond the last digits. Equation 5.14 cannot have drawn this figure, as its real part lacks
-        the factor $A/\pi$.
-    """).given(inner=1e6 * SMALL_GAP * known.cycles.friction.unstable.amplitude, offset=1e6 * PLOT_OFFSET)
+        None beyond the last digits. Equation 5.14 cannot have drawn this figure, as its real part lacks the
+        factor $A/\pi$.
+    """)
 
 
 @claim("fig-5.23")
@@ -85,21 +87,17 @@ def one_force(known: Evidence) -> Record:
     yield section_5_2_5.intersections_part(numbers)
     yield section_5_2_5.frequency_part(numbers)
     yield from section_5_2_5.peak_parts(known, "b: ")
-    yield text(r"""
+    both = len(numbers.over_stiffness_both_channels)
+    yield text(f"""
         The one intersection comes from line 18 of Listing A.6. It is gone with the right friction term
-        ([[ right ]] limit cycles), with the sign of that line turned ([[ turned ]]), and with the pin's
-        velocity as second input ([[ both ]]). For this gap a limit cycle bears at most [[ most | f4 ]] N
-        between cutter and guard; the force in the caption is [[ times | f0 ]] times as large.
+        ({len(numbers.over_stiffness)} limit cycles), with the sign of that line turned
+        ({len(numbers.sign_turned)}), and with the pin's velocity as second input ({both}). For this gap a
+        limit cycle bears at most {numbers.force_of_merger:.4f} N between cutter and guard; the force in the
+        caption is {FORCE / numbers.force_of_merger:.0f} times as large.
 
         The peaks of part b are free vibrations of the loop, [as in the text](#txt-5.2.5-fft): for a start
         much larger than the gap it is linear.
-    """).given(
-        right=len(numbers.over_stiffness),
-        turned=len(numbers.sign_turned),
-        both=len(numbers.over_stiffness_both_channels),
-        most=numbers.force_of_merger,
-        times=FORCE / numbers.force_of_merger,
-    )
+    """)
 
 
 @claim("fig-5.24")
@@ -112,19 +110,18 @@ def forces(known: Evidence) -> Record:
         "stable intersection",
         "more friction moves it to a higher frequency",
         by_right,
-        """
-        from [[ first | f2 ]] Hz without friction it falls to [[ last | f2 ]] Hz at the largest force that has
-        a limit cycle
+        f"""
+        from {right[0]:.2f} Hz without friction it falls to {right[-1]:.2f} Hz at the largest force that has a
+        limit cycle
         """,
-        numbers={"first": right[0], "last": right[-1]},
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
         slip=repeated(section_5_2_5.LINE_18, by_listing),
     )
-    yield text("""
-        The listing's contours move the intersection up, from [[ first | f2 ]] to [[ last | f2 ]] Hz at
-        [[ force ]] N, as the text says. With the [right friction term](#txt-5.2.5-coulomb-term) the frequency
-        falls as the force grows, and the amplitude with it.
+    yield text(f"""
+        The listing's contours move the intersection up, from {listing[0]:.2f} to {listing[-1]:.2f} Hz at
+        {FORCES[-1]} N, as the text says. With the [right friction term](#txt-5.2.5-coulomb-term) the
+        frequency falls as the force grows, and the amplitude with it.
 
         The difference of 0.5705 % that the text explains by friction has the wrong direction.
-    """).given(first=listing[0], last=listing[-1], force=FORCES[-1])
+    """)

@@ -10,7 +10,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
 from report.chapters.chapter_5.claims.section_5_2_3 import band_parts
 from report.chapters.chapter_5.claims.section_5_2_4 import crossings_part
 from report.chapters.second_ways import LOEB, NEWTON, by_waveform
-from report.judging.claim import Part, Slip
+from report.judging.claim import ClaimPart, Slip
 from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, equal, made_here, so, uncheckable
 from report.judging.record import Record, claim, text
@@ -52,30 +52,24 @@ def second_implementation(known: Evidence) -> Record:
         "the outer intersection",
         "the library finds its amplitude and frequency by itself",
         error < 0.01 and abs(omega / stable.omega - 1) < 0.001,
-        """
-        it gives [[ first | f3 ]] mm at [[ frequency | f1 ]] Hz; right for its coefficients is
-        [[ right | f3 ]] mm at [[ stable.frequency | f1 ]] Hz
+        f"""
+        it gives {1e3 * first:.3f} mm at {omega / TURN:.1f} Hz; right for its coefficients is
+        {1e3 * LIBRARY_GAP * stable.amplitude:.3f} mm at {stable.frequency:.1f} Hz
         """,
-        numbers={
-            "first": 1e3 * first,
-            "frequency": omega / TURN,
-            "right": 1e3 * LIBRARY_GAP * stable.amplitude,
-            "stable": stable,
-        },
         method="python-control, run on the coefficients of Listing A.9",
         second=close(NEWTON, first / LIBRARY_GAP, by_newton, 0.01),
     )
-    yield text("""
+    yield text(f"""
         Listing and library agree to rounding where they are drawn, so the formula is right. The numbers of
-        figure 5.5b are not in the text. The library interpolates on the grid it is given: on [[ steps ]]
-        equal steps of the range of Listing A.9 it finds the outer limit cycle to [[ error | f1 ]] %, and
-        gives the inner one an amplitude of [[ inner | f0 ]] mm.
-    """).given(steps=LIBRARY_GRID.size, error=100 * error, inner=1e3 * second)
+        figure 5.5b are not in the text. The library interpolates on the grid it is given: on
+        {LIBRARY_GRID.size} equal steps of the range of Listing A.9 it finds the outer limit cycle to
+        {100 * error:.1f} %, and gives the inner one an amplitude of {1e3 * second:.0f} mm.
+    """)
 
 
 def intersections_part(
     known: Evidence, gap: str, printed: str, item: str, slip: Slip | None = None, what: str = "intersections"
-) -> Part:
+) -> ClaimPart:
     """Return the part on how often the locus for a gap meets G."""
     element = FrictionBacklash(float(gap))
     found = limit_cycles(known.cycles.listing, element)
@@ -106,14 +100,15 @@ def tiny_gaps(known: Evidence) -> Record:
         method="all solutions of harmonic balance for that gap",
         second=equal("the coefficients of Listing A.9", len(listed), len(found)),
     )
-    yield text(r"""
+    start = 1e9 * EDGE * known.cycles.friction_listing.stable.amplitude
+    yield text(rf"""
         All three gaps have two intersections, at the same two points of the locus: the whole curve is the
         same, only the amplitudes along it change. What the figure shows depends on where the plotted
-        amplitudes begin. A curve that begins at [[ start | f0 ]] nm touches for $2\times10^{-8}$ m and shows
+        amplitudes begin. A curve that begins at {start:.0f} nm touches for $2\times10^{{-8}}$ m and shows
         what the text describes; one that begins as in Listing A.9 shows none of the three.
 
-        The threshold of $2\times10^{-8}$ m in section 5.2.1 and chapter 6 is read from this figure.
-    """).given(start=1e9 * EDGE * known.cycles.friction_listing.stable.amplitude)
+        The threshold of $2\times10^{{-8}}$ m in section 5.2.1 and chapter 6 is read from this figure.
+    """)
 
 
 @claim("fig-5.8")
@@ -123,12 +118,12 @@ def one_intersection(known: Evidence) -> Record:
     plotted = sum(SMALL_GAP * cycle.amplitude >= start for cycle in (unstable, stable))
     item, slip = section_5_2_1_predictions.SECOND_ONLY_LATER, made_here(PLOTTED, plotted)
     yield intersections_part(known, "4e-6", "1", item, slip)
-    yield text("""
-        There are two, as for every gap. The second lies at [[ inner | f2 ]] µm. The curve that Listing A.9
-        plots begins at [[ start | f2 ]] µm, so the figure shows the first one only.
+    yield text(f"""
+        There are two, as for every gap. The second lies at {1e6 * SMALL_GAP * unstable.amplitude:.2f} µm. The
+        curve that Listing A.9 plots begins at {1e6 * start:.2f} µm, so the figure shows the first one only.
 
         It makes the second limit cycle of figure 5.10 look like an effect of the larger gap.
-    """).given(inner=1e6 * SMALL_GAP * unstable.amplitude, start=1e6 * start)
+    """)
 
 
 @claim("fig-5.10")
@@ -178,14 +173,14 @@ def inertia(known: Evidence) -> Record:
     yield digits(r"intersections for $\beta$ up to 2", "1", below_two, second=second)
     label, second = "angular frequency of the stable one", close(NEWTON, omega, stable.omega)
     yield digits(label, "5.12e3", stable.omega, "rad/s", second=second, item=section_5_2_2.FREQUENCY)
-    yield text(r"""
+    yield text(rf"""
         Within the range that the section gives, $\beta$ up to 2, the curve of equation 2.43 meets the locus
-        once, at [[ stable.omega | f0 ]] rad/s; it meets it once more [beyond that
-        range](#txt-5.2.2-beta-range). What was drawn to give 5120 rad/s could not be found.
+        once, at {stable.omega:.0f} rad/s; it meets it once more [beyond that range](#txt-5.2.2-beta-range).
+        What was drawn to give 5120 rad/s could not be found.
 
         See the [prediction](#txt-5.2.2-prediction) in section 5.2.2 and the band of [equation
         5.10](#eq-5.10).
-    """).given(stable=stable)
+    """)
 
 
 @claim("fig-5.15")
@@ -240,27 +235,28 @@ def viscous(known: Evidence) -> Record:
         method="right describing function at both ends of the range",
         second=close(f"{FIRST_LINE} at the last of these points", sampled, ends[-1], 1e-6),
     )
-    yield text("""
+    yield text(f"""
         Viscous contours begin at $-1$, as those of friction and inertia do, and cross the outer circle
         between theirs. Listing A.5 repeated, with its complex angles, gives contours that begin away from
-        $-1$, run to the right and meet $G$ at [[ first | f0 ]] to [[ last | f0 ]] Hz only; that is what the
-        text describes. The right contours meet the inner circle too, at [[ low | f1 ]] to [[ high | f1 ]] Hz,
-        and are unstable there.
+        $-1$, run to the right and meet $G$ at {min(listing) / TURN:.0f} to {max(listing) / TURN:.0f} Hz only;
+        that is what the text describes. The right contours meet the inner circle too, at {min(inner):.1f} to
+        {max(inner):.1f} Hz, and are unstable there.
 
         The text concludes that every viscous limit cycle is unstable and moves to another element's. Each
         load has a stable one of its own. The band of section 5.2.3 holds all the same.
-    """).given(first=min(listing) / TURN, last=max(listing) / TURN, low=min(inner), high=max(inner))
+    """)
 
 
 @claim("fig-5.17")
 def band(known: Evidence) -> Record:
     yield from band_parts(known)
-    yield text("""
-        The arrow ends at the two limits of the load. The upper one is wrong: it is [[ high | f1 ]] Hz, [as at
-        equation 5.10](#eq-5.10). The band between them is as the section says, and narrower.
+    yield text(f"""
+        The arrow ends at the two limits of the load. The upper one is wrong: it is
+        {known.cycles.inertia.stable.frequency:.1f} Hz, [as at equation 5.10](#eq-5.10). The band between them
+        is as the section says, and narrower.
 
         See equation 5.10.
-    """).given(high=known.cycles.inertia.stable.frequency)
+    """)
 
 
 @claim("fig-5.18")

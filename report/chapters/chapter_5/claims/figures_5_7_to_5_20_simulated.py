@@ -11,6 +11,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_simulated import peak_part a
 from report.chapters.chapter_5.claims.section_5_2_2_simulated import peak_parts as peaks_of_inertia
 from report.chapters.second_ways import TWO_DURATIONS, by_harmonics
 from report.judging.claim import Confirmation
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, repeated, so
 from report.judging.record import Record, claim, text
 from report.numbers.evidence import Evidence
@@ -33,16 +34,12 @@ def three_gaps(known: Evidence) -> Record:
     sizes = [run.amplitude / run.gap for run in strong]
     exact = known.orbits.friction.stable.amplitude
     yield one_impulse_part(known)
+    amplitudes = " and ".join(f"{1e9 * run.amplitude:.1f} nm" for run in strong[1:])
     yield assertion(
         r"for $2\times10^{-8}$ and $3\times10^{-8}$ m",
         "a very small oscillation goes on, and a larger one",
         strong[1].amplitude < strong[2].amplitude and min(sizes) > 1,
-        "after [[ impulse | power0 ]] m s it is [[ amplitudes ]], [[ size | f3 ]] gaps each",
-        numbers={
-            "impulse": strong[0].impulse,
-            "amplitudes": " and ".join(f"{1e9 * run.amplitude:.1f} nm" for run in strong[1:]),
-            "size": sizes[0],
-        },
+        f"after {power_of(strong[0].impulse)} m s it is {amplitudes}, {sizes[0]:.3f} gaps each",
         method="exact simulation of the three gaps with one impulse",
         second=close("the exact orbit, by shooting", exact, sizes[0], 1e-4),
     )
@@ -84,39 +81,31 @@ def small_gap(known: Evidence) -> Record:
         method=BY_COEFFICIENTS,
         second=others_by_balance(known),
     )
-    yield text("""
+    yield text(f"""
         The exact oscillation is its own mirror image half a period later, so both readings should be
-        [[ exact | power4 ]] m. The upper one is what rounded coefficients give, [[ rounded | power4 ]] m, cut
-        after four digits. The lower one is [[ smaller | f1 ]] % smaller: it misses the peak, or the motion
-        had not settled. That one line stands out is right, since this limit cycle is nearly a sine.
+        {power_of(exact, 4)} m. The upper one is what rounded coefficients give, {power_of(rounded, 4)} m, cut
+        after four digits. The lower one is {100 * (1 - 3.2961e-5 / 3.303e-5):.1f} % smaller: it misses the
+        peak, or the motion had not settled. That one line stands out is right, since this limit cycle is
+        nearly a sine.
 
-        The amplitude of the simulation is [[ off | f1 ]] % off, more than the prediction that it tests.
-    """).given(
-        exact=exact,
-        rounded=rounded,
-        smaller=100 * (1 - 3.2961e-5 / 3.303e-5),
-        off=100 * (exact / 3.29955e-5 - 1),
-    )
+        The amplitude of the simulation is {100 * (exact / 3.29955e-5 - 1):.1f} % off, more than the
+        prediction that it tests.
+    """)
 
 
 @claim("fig-5.11")
 def driven_response(known: Evidence) -> Record:
     closed = known.motion.closed.reference.from_rest
     yield size_part(known, "output of the linear block")
-    yield text("""
+    yield text(f"""
         The text describes ±1 mm with an oscillation on top. The whole output of the loop with the drive as
-        its reference is of that size: [[ base | f2 ]] mm at 100 Hz and [[ line | f2 ]] mm at
-        [[ frequency | f1 ]] Hz. Behind an open loop the output is the drive, with harmonics of
-        [[ ripple | f0 ]] µm. Read as a rough 1.5 mm, which the text says it corresponds to, the base is that
-        of the open loop; see the [text on this figure](#txt-5.2.1-open-loop-output).
+        its reference is of that size: {1e3 * closed.base:.2f} mm at 100 Hz and {1e3 * closed.line:.2f} mm at
+        {closed.frequency:.1f} Hz. Behind an open loop the output is the drive, with harmonics of
+        {1e6 * open_loop(known).ripple:.0f} µm. Read as a rough 1.5 mm, which the text says it corresponds to,
+        the base is that of the open loop; see the [text on this figure](#txt-5.2.1-open-loop-output).
 
         In the first reading it is no picture of the driven trimmer, whose output is not fed back to the pin.
-    """).given(
-        base=1e3 * closed.base,
-        line=1e3 * closed.line,
-        frequency=closed.frequency,
-        ripple=1e6 * open_loop(known).ripple,
-    )
+    """)
 
 
 @claim("fig-5.12")
@@ -145,13 +134,13 @@ def driven_spectrum(known: Evidence) -> Record:
 def inertia(known: Evidence) -> Record:
     read, size = known.motion.closed.timed_block.largest_other_line
     yield from peaks_of_inertia(known)
-    yield text("""
+    yield text(f"""
         As for friction-controlled backlash, what is printed belongs to a closed loop with the drive as
         reference, here with the block of Listing A.8 in it. Beside multiples of 100 Hz its largest line
-        stands at [[ read | f1 ]] Hz, with [[ size | f0 ]] µm. The open loop has no such line.
+        stands at {read:.1f} Hz, with {1e6 * size:.0f} µm. The open loop has no such line.
 
         See the [peak at 659 Hz](#txt-5.2.2-open-loop-659) in section 5.2.2.
-    """).given(read=read, size=1e6 * size)
+    """)
 
 
 @claim("fig-5.19")
@@ -164,11 +153,10 @@ def relay(known: Evidence) -> Record:
         "in open loop, as the caption has it",
         "an oscillation besides the drive's harmonics goes on",
         decay >= 0,
-        r"""
+        rf"""
         a relay turns a sine into a square wave of the same period, and behind it free motions decay as
-        $e^{[[ decay | f0 ]]\,t}$ or faster
+        $e^{{{decay:.0f}\,t}}$ or faster
         """,
-        numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=so(means, difference < REPEATS),
         item=section_5_2_4.OSCILLATION,

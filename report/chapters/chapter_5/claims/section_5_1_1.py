@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, digits
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -17,7 +17,7 @@ from trimmer.linear import steady_state
 SMALL_DEVIATION = 0.01
 
 
-def amplitude_part(numbers: LinearNumbers) -> Part:
+def amplitude_part(numbers: LinearNumbers) -> ClaimPart:
     settled = steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude
     simulated = numbers.start.settled_amplitude
     second = close("half of peak to peak of a simulation", simulated, settled, 1e-5)
@@ -30,17 +30,14 @@ def amplitude(known: Evidence) -> Record:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
     settled = steady_state(system, DRIVE_OMEGA, DRIVE_AMPLITUDE)
     yield amplitude_part(known.numbers)
-    yield text("""
-        At 100 Hz the gain is [[ gain | f5 ]], so the amplitudes agree to the printed digits; the output lags
-        by [[ lag | f2 ]] degrees. It happens to be so at this frequency: a slow drive gives [[ slow | f1 ]] %
-        of the pin's amplitude, and the gain rises from there towards the resonances. With the pin's velocity
-        as second input it is [[ with_velocity | f5 ]].
-    """).given(
-        gain=settled.amplitude / DRIVE_AMPLITUDE,
-        lag=-math.degrees(settled.phase),
-        slow=100 * steady_state(system, TURN, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE,
-        with_velocity=steady_state(both, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE,
-    )
+    slow = 100 * steady_state(system, TURN, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE
+    with_velocity = steady_state(both, DRIVE_OMEGA, DRIVE_AMPLITUDE).amplitude / DRIVE_AMPLITUDE
+    yield text(f"""
+        At 100 Hz the gain is {settled.amplitude / DRIVE_AMPLITUDE:.5f}, so the amplitudes agree to the
+        printed digits; the output lags by {-math.degrees(settled.phase):.2f} degrees. It happens to be so at
+        this frequency: a slow drive gives {slow:.1f} % of the pin's amplitude, and the gain rises from there
+        towards the resonances. With the pin's velocity as second input it is {with_velocity:.5f}.
+    """)
 
 
 @claim("fig-5.1")
@@ -52,24 +49,21 @@ def time_response(known: Evidence) -> Record:
         "from rest, in the first period",
         "the output follows the input precisely",
         deviation <= SMALL_DEVIATION * DRIVE_AMPLITUDE,
-        """
-        in the first period the output is up to [[ deviation | f2 ]] mm away from the pin, [[ share | f0 ]] %
-        of the amplitude
+        f"""
+        in the first period the output is up to {1e3 * deviation:.2f} mm away from the pin,
+        {100 * deviation / DRIVE_AMPLITUDE:.0f} % of the amplitude
         """,
-        numbers={"deviation": 1e3 * deviation, "share": 100 * deviation / DRIVE_AMPLITUDE},
         method=f"simulation from rest; asked for: {100 * SMALL_DEVIATION:.0f} % of the amplitude",
         second=close("SciPy's DOP853 over that period", integrated, deviation, 1e-5),
         certainty=Certainty.READING,
     )
-    yield text("""
-        For the settled motion the statement holds to the printed digits. For the quoted command, which
-        starts from rest, it does not: the start excites the natural modes, and the slowest of them decays
-        with [[ slowest | f0 ]]/s, so it shows for several periods. After that the output lags by
-        [[ lag | f2 ]] degrees.
+    slowest = min(-mode.eigenvalue.real for mode in numbers.modes)
+    lag = -math.degrees(steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).phase)
+    yield text(f"""
+        For the settled motion the statement holds to the printed digits. For the quoted command, which starts
+        from rest, it does not: the start excites the natural modes, and the slowest of them decays with
+        {slowest:.0f}/s, so it shows for several periods. After that the output lags by {lag:.2f} degrees.
 
         No prediction changes. The spectrum of such a run has peaks at the natural frequencies that no
         nonlinearity caused, unless the start is cut off.
-    """).given(
-        slowest=min(-mode.eigenvalue.real for mode in numbers.modes),
-        lag=-math.degrees(steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).phase),
-    )
+    """)

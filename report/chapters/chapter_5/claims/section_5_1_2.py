@@ -8,7 +8,7 @@ import control
 import numpy as np
 
 from report.chapters.second_ways import EXACTLY
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -36,7 +36,7 @@ ROLL_OFF_FROM = 4700.0
 HIGH_OMEGA = 1e8
 
 
-def no_encirclement_part(numbers: LinearNumbers) -> Part:
+def no_encirclement_part(numbers: LinearNumbers) -> ClaimPart:
     system = numbers.displacement_only
     turns = encirclements(system, -1.0)
     second = equal("python-control's Nyquist count", control.nyquist_response(system).count, turns)
@@ -101,44 +101,34 @@ def filtering(known: Evidence) -> Record:
         second=close(EXACTLY, gain_ratio(numbers, LIMIT_CYCLE_OMEGA, 3), third),
         item=item,
     )
+    odd = linear_trimmer.highest_unfiltered(system, range(3, 40, 2))
     yield assertion(
         "at every frequency, as equation 2.26 asks",
         r"$|G(j\omega)| \gg |G(jn\omega)|$ for $n = 2, 3, \dots$",
         every == 0.0,
-        """
-        below [[ every | f1 ]] Hz some harmonic passes better than the fundamental (odd ones: below
-        [[ odd | f1 ]] Hz); at the drive's 100 Hz the fifth passes [[ fifth | f2 ]] times better
+        f"""
+        below {every:.1f} Hz some harmonic passes better than the fundamental (odd ones: below {odd:.1f} Hz);
+        at the drive's 100 Hz the fifth passes {fifth:.2f} times better
         """,
-        numbers={
-            "every": every,
-            "odd": linear_trimmer.highest_unfiltered(system, range(3, 40, 2)),
-            "fifth": fifth,
-        },
         method=f"search over 10 Hz to 2 kHz, harmonics up to {HARMONICS[-1]}",
         second=close(EXACTLY, gain_ratio(numbers, DRIVE_OMEGA, 5), fifth),
         item=item,
         certainty=Certainty.READING,
     )
-    yield text("""
+    second = float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 2))
+    fifth_measured = float(filtering_ratio(system, measured, 5))
+    highest = max(resonance_peaks(system), key=lambda peak: peak.magnitude).omega / TURN
+    yield text(f"""
         The text does not say at which frequency. Where the limit cycle is predicted, the hypothesis holds:
-        the third harmonic passes [[ third | f3 ]] times as well as the fundamental, the second
-        [[ second | f3 ]] times. At every frequency it does not: at 100 Hz the fifth harmonic passes
-        [[ fifth | f1 ]] times better than the drive itself. In this model, whose parameters are not those of
-        the measured trimmer (table C.1 is not given), it would be [[ fifth_measured | f0 ]] times at the
-        measured [[ measured ]] Hz.
+        the third harmonic passes {third:.3f} times as well as the fundamental, the second {second:.3f} times.
+        At every frequency it does not: at 100 Hz the fifth harmonic passes {fifth:.1f} times better than the
+        drive itself. In this model, whose parameters are not those of the measured trimmer (table C.1 is not
+        given), it would be {fifth_measured:.0f} times at the measured {MEASURED_DRIVE_FREQUENCY} Hz.
 
-        Predictions of limit cycles near [[ cycle | f0 ]] Hz keep their basis. A describing function must not
-        be used at the drive's frequency. In driven spectra a harmonic near [[ highest | f0 ]] Hz stands out
-        without any limit cycle.
-    """).given(
-        third=third,
-        second=float(filtering_ratio(system, LIMIT_CYCLE_OMEGA, 2)),
-        fifth=fifth,
-        measured=MEASURED_DRIVE_FREQUENCY,
-        fifth_measured=float(filtering_ratio(system, measured, 5)),
-        cycle=LIMIT_CYCLE_OMEGA / TURN,
-        highest=max(resonance_peaks(system), key=lambda peak: peak.magnitude).omega / TURN,
-    )
+        Predictions of limit cycles near {LIMIT_CYCLE_OMEGA / TURN:.0f} Hz keep their basis. A describing
+        function must not be used at the drive's frequency. In driven spectra a harmonic near {highest:.0f} Hz
+        stands out without any limit cycle.
+    """)
 
 
 @claim("fig-5.2")
@@ -150,12 +140,11 @@ def bode_plot(known: Evidence) -> Record:
     second = equal("the gain on a grid of 0.5 rad/s", on_grid, len(clear))
     label = "peaks that are clearly visible (more than twice the pin's motion)"
     yield digits(label, "2", len(clear), second=second)
-    yield text("""
-        The redrawn plot shows the two clear peaks, at [[ clear[0].omega | f1 ]] and [[ clear[1].omega | f1 ]]
-        rad/s, and two faint ones, at [[ peaks[0].omega | f1 ]] and [[ peaks[1].omega | f1 ]] rad/s, on either
-        side of a shallow valley. What the text reads from it about slope and cutoff is judged under those
-        statements.
-    """).given(clear=clear, peaks=peaks)
+    yield text(f"""
+        The redrawn plot shows the two clear peaks, at {clear[0].omega:.1f} and {clear[1].omega:.1f} rad/s,
+        and two faint ones, at {peaks[0].omega:.1f} and {peaks[1].omega:.1f} rad/s, on either side of a
+        shallow valley. What the text reads from it about slope and cutoff is judged under those statements.
+    """)
 
 
 @claim("txt-5.1.2-cutoff")
@@ -180,16 +169,16 @@ def cutoff(known: Evidence) -> Record:
             second=second,
             slip=wrong,
             item=item,
-            certainty=Certainty.READING,
         )
-    yield text("""
+    yield text(f"""
         The printed number is the highest frequency at which $|G| = 1$; above it the output is smaller than
         the input. As a rule the cutoff is where the gain is 3 dB below its static value. That is so first at
-        [[ first | f1 ]] rad/s, in the valley between two resonances, and last at [[ last | f1 ]] rad/s.
+        {first:.1f} rad/s, in the valley between two resonances, and last at {last:.1f} rad/s.
 
-        The number is not used again. It lies [[ above | f1 ]] % above the predicted limit cycle, and not by
-        accident: where the play is small beside the amplitude, $|N|$ and so $|G|$ are close to one.
-    """).given(first=first, last=last, above=100 * (unity / LIMIT_CYCLE_OMEGA - 1))
+        The number is not used again. It lies {100 * (unity / LIMIT_CYCLE_OMEGA - 1):.1f} % above the
+        predicted limit cycle, and not by accident: where the play is small beside the amplitude, $|N|$ and so
+        $|G|$ are close to one.
+    """)
 
 
 @claim("txt-5.1.2-roll-off")
@@ -208,20 +197,15 @@ def roll_off(known: Evidence) -> Record:
     second = equal("the degrees of the polynomials", degrees, -slope / 20)
     slip = made_here(misread, -chord / 20)
     yield digits("filter order", "1", -slope / 20, second=second, slip=slip, item=item)
-    yield text("""
-        The transfer function has two poles more than zeros, so in the end the gain falls by
-        [[ fall | f0 ]] dB per decade. Above [[ start | f0 ]] rad/s it falls nowhere by less than
-        [[ least | f1 ]]. From $10^3$ to $10^4$ rad/s the curve as a whole drops by [[ drop | f1 ]] dB, which
-        may have been read as the slope.
+    with_velocity = asymptotic_roll_off(numbers.both_channels)
+    corner = numbers.parameters.k2 / numbers.parameters.c2
+    yield text(f"""
+        The transfer function has two poles more than zeros, so in the end the gain falls by {-slope:.0f} dB
+        per decade. Above {ROLL_OFF_FROM:.0f} rad/s it falls nowhere by less than
+        {-float(steepness.max()):.1f}. From $10^3$ to $10^4$ rad/s the curve as a whole drops by {-chord:.1f}
+        dB, which may have been read as the slope.
 
         The linear part filters better than the thesis says; section 6.2 calls it on the edge of filtering,
-        for its order of 1. With the pin's velocity as second input the slope is [[ with_velocity | f0 ]] dB
-        per decade, but only far above [[ corner | f0 ]] rad/s.
-    """).given(
-        fall=-slope,
-        start=ROLL_OFF_FROM,
-        least=-float(steepness.max()),
-        drop=-chord,
-        with_velocity=asymptotic_roll_off(numbers.both_channels),
-        corner=numbers.parameters.k2 / numbers.parameters.c2,
-    )
+        for its order of 1. With the pin's velocity as second input the slope is {with_velocity:.0f} dB per
+        decade, but only far above {corner:.0f} rad/s.
+    """)

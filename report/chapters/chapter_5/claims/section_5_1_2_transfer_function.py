@@ -13,7 +13,6 @@ from report.judging.comparisons.digits import PrintedDigits
 from report.judging.comparisons.printed import power
 from report.judging.parts import assertion, close, digits, equal, lost_in_the_copy, repeated
 from report.judging.record import Record, claim, text
-from report.judging.verdict import Certainty
 from report.numbers.evidence import Evidence
 from report.numbers.independent import linear_trimmer
 from trimmer import linear_model
@@ -33,12 +32,12 @@ def transfer_function(known: Evidence) -> Record:
     wrong_output = numbers.combined_numerator({CUTTER: 1, GUARD: 1})
     converted = np.trim_zeros(np.round(control.ss2tf(model[0, 0]).num[0][0], 0), "f")
     highest = len(PRINTED_NUMERATOR) - 1
-    of_the_sum = "coefficients of s^3 to s^0 above the bar in equation 5.1"
+    judged_together = "coefficients of s^3 to s^0 above the bar in equation 5.1"
     above = zip(PRINTED_NUMERATOR, numbers.numerator, wrong_output, converted[-highest - 1 :], strict=True)
     for place, (printed, derived, wrong, other) in enumerate(above):
         second = close("conversion of the state space", other, float(derived), 1e-6)
         slip = repeated("the output is q2 + q4 instead of q2 - q4", wrong)
-        item = "" if derived == wrong else of_the_sum
+        item = "" if derived == wrong else judged_together
         label = f"above the bar, $s^{{{highest - place}}}$"
         form = _as_in_the_copy(printed)
         yield digits(label, printed, derived, second=second, slip=slip, item=item, printed_form=form)
@@ -60,18 +59,17 @@ def transfer_function(known: Evidence) -> Record:
         second=close("ten factors in exact fractions", in_fractions, as_printed),
         copy_fault=lost_in_the_copy(name, PrintedDigits("1.233e10", float(numbers.numerator[1]))),
     )
-    yield text("""
+    static = numbers.denominator[-1]
+    of_the_sum, right = float(wrong_output[-1] / static), float(numbers.numerator[-1] / static)
+    yield text(f"""
         The last four coefficients of the numerator belong to $q_2 + q_4$, not to the output $q_2 - q_4$ of
         equation 2.14; the first three are the same for both. In the copy the powers of ten stand as powers of
         the digits before them, and once, in 7.0767, as a further digit. The machine that read the page may
         have done that; the page would decide it.
 
-        The printed function has a static gain of [[ printed | f4 ]] instead of [[ right | f4 ]]. Listing A.9,
-        which computes the limit cycles, has the right coefficients, so no prediction changes.
-    """).given(
-        printed=float(wrong_output[-1] / numbers.denominator[-1]),
-        right=float(numbers.numerator[-1] / numbers.denominator[-1]),
-    )
+        The printed function has a static gain of {of_the_sum:.4f} instead of {right:.4f}. Listing A.9, which
+        computes the limit cycles, has the right coefficients, so no prediction changes.
+    """)
 
 
 def _as_in_the_copy(printed: str) -> str:
@@ -100,9 +98,9 @@ def order(known: Evidence) -> Record:
     seen = linear_trimmer.states_in_use(linear_model(numbers.parameters)[0, 0])
     nearest = min(abs(pole - zero) / abs(pole) for pole in system.poles() for zero in system.zeros())
     second = equal("the Popov-Belevitch-Hautus test of every eigenvalue", seen, minimal)
-    yield digits("", "8", minimal, second=second, certainty=Certainty.PROVEN)
-    yield text("""
+    yield digits("", "8", minimal, second=second)
+    yield text(f"""
         Numerator and denominator have no common factor in exact arithmetic, so all eight states count. One
-        pair of poles comes within [[ nearest | f3 ]] % of a pair of zeros, which hides a resonance and keeps
+        pair of poles comes within {100 * nearest:.3f} % of a pair of zeros, which hides a resonance and keeps
         the order.
-    """).given(nearest=100 * nearest)
+    """)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from report.chapters.second_ways import EXACTLY
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.parts import assertion, close, digits, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -48,7 +48,7 @@ def printed_eigenvalues(known: Evidence) -> Record:
 
 def peak_part(
     index: str, printed: str, omega: float, second: Confirmation, certainty: Certainty | None = None
-) -> Part:
+) -> ClaimPart:
     """Hold the frequency of a peak against an eigenvalue's imaginary part, as well as a plot can be read."""
     distance = omega / float(printed) - 1
     return assertion(
@@ -83,22 +83,21 @@ def hidden_peak(known: Evidence) -> Record:
         rf"peak near $\mathrm{{Im}}\,\lambda_{{{hidden}}}$",
         "the output $x_2 - x_4$ shows no peak near 7159.7 rad/s",
         all(abs(each.omega / float(place) - 1) >= 0.2 for each in peaks),
-        """
-        a pair of zeros lies [[ apart | f2 ]] rad/s from the pair of poles, [[ share | f3 ]] % of their size,
-        and takes the peak away
+        f"""
+        a pair of zeros lies {apart:.2f} rad/s from the pair of poles, {100 * apart / abs(pole):.3f} % of
+        their size, and takes the peak away
         """,
-        numbers={"apart": apart, "share": 100 * apart / abs(pole)},
         method="all local maxima of the gain",
         second=so("the gain falls from 0.99 to 1.01 times that frequency", falls),
     )
     *others, last = (100 * (omega / float(printed) - 1) for printed, omega in found.items())
     (stray,) = (each.omega for each in peaks if each.omega not in found.values())
-    yield text("""
+    yield text(f"""
         One resonance is hidden, as the text says, because zeros all but cancel its poles. The other peaks
-        stand at the imaginary parts, two of them within [[ others | f1 ]] %. The faint one next to a valley
-        stands [[ last | f1 ]] % above its [[ mode | f0 ]] rad/s, less than half a millimetre in a plot. A
-        further faint maximum, at [[ stray | f1 ]] rad/s, belongs to no eigenvalue.
-    """).given(others=max(map(abs, others)), last=last, stray=stray, mode=numbers.modes[0].omega_damped)
+        stand at the imaginary parts, two of them within {max(map(abs, others)):.1f} %. The faint one next to
+        a valley stands {last:.1f} % above its {numbers.modes[0].omega_damped:.0f} rad/s, less than half a
+        millimetre in a plot. A further faint maximum, at {stray:.1f} rad/s, belongs to no eigenvalue.
+    """)
 
 
 @claim("txt-5.1.3-first-resonance")
@@ -119,18 +118,14 @@ def first_resonance(known: Evidence) -> Record:
         item="the resonances do not matter, as the drive lies below them",
         certainty=Certainty.READING,
     )
-    yield text("""
-        The number is right: the first eigenfrequency is [[ ratio | f1 ]] times the drive. The conclusion
-        holds for a sinusoidal motion. It does not hold for the trimmer, where play and friction make
-        harmonics of the drive.
+    highest = max(resonance_peaks(system), key=lambda each: each.magnitude).omega / TURN
+    yield text(f"""
+        The number is right: the first eigenfrequency is {frequency / DRIVE_FREQUENCY:.1f} times the drive.
+        The conclusion holds for a sinusoidal motion. It does not hold for the trimmer, where play and
+        friction make harmonics of the drive.
 
-        A peak near [[ highest | f0 ]] Hz in a driven spectrum of this model needs no limit cycle: a harmonic
-        of the drive is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for
-        a fifth harmonic too, which fits the measured drive of [[ measured ]] Hz ([[ fifth | f1 ]] Hz), though
-        the parameters of the measured trimmer (table C.1) are not given.
-    """).given(
-        ratio=frequency / DRIVE_FREQUENCY,
-        highest=max(resonance_peaks(system), key=lambda each: each.magnitude).omega / TURN,
-        measured=measured,
-        fifth=5 * measured,
-    )
+        A peak near {highest:.0f} Hz in a driven spectrum of this model needs no limit cycle: a harmonic of
+        the drive is amplified there more than anywhere else. Section 3.3 takes its peak at 549.999 Hz for a
+        fifth harmonic too, which fits the measured drive of {measured} Hz ({5 * measured:.1f} Hz), though the
+        parameters of the measured trimmer (table C.1) are not given.
+    """)

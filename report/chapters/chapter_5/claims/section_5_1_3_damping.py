@@ -55,20 +55,20 @@ def output_matrix(known: Evidence) -> Record:
         left=sympy.Symbol("C"),
         second=small("the numeric model with each displacement as an output", float(difference)),
         slip=made_here("the four rows are added up into one", added),
-        certainty=Certainty.READING,
     )
     system = lightly_damped_response(parameters)
     highest = known.numbers.undamped[-1].omega
     beside = abs(response_at(system, highest * np.array([1 - READING_ACCURACY, 1 + READING_ACCURACY])))
     spike = nearest(resonance_peaks(system), highest)
-    yield text("""
+    decibels = 20 * math.log10(spike.magnitude / float(beside.max()))
+    yield text(f"""
         Tracking four positions, as the text means to, takes four rows. Read as one output in which every body
         takes part, the printed row is right: it is the sum $x_1 + x_2 + x_3 + x_4$, in which motions of
         opposite sign cancel.
 
         Figure 5.4 shows the sum, and its four peaks are those of the modes. With a thousandth of the damping
-        $x_2 - x_4$ shows the highest too, but only as a narrow spike of [[ spike | f0 ]] dB.
-    """).given(spike=20 * math.log10(spike.magnitude / float(beside.max())))
+        $x_2 - x_4$ shows the highest too, but only as a narrow spike of {decibels:.0f} dB.
+    """)
 
 
 @claim("txt-5.1.3-damping")
@@ -123,12 +123,12 @@ def damping(known: Evidence) -> Record:
         item=item,
         certainty=Certainty.READING,
     )
-    yield text("""
+    yield text(f"""
         Damping lowers the peaks, as the text says, and hides the highest one. It hardly moves the
-        eigenfrequencies, by [[ highest | f2 ]] % at most. Of the peaks it moves the one at [[ first | f0 ]]
-        rad/s farthest, by [[ largest | f1 ]] %, less than half a millimetre between two plots. Chapter 7
-        [sums this up the other way round](#txt-7-damping).
-    """).given(largest=max(map(abs, shifts)), highest=max(map(abs, of_modes)), first=first)
+        eigenfrequencies, by {max(map(abs, of_modes)):.2f} % at most. Of the peaks it moves the one at
+        {first:.0f} rad/s farthest, by {max(map(abs, shifts)):.1f} %, less than half a millimetre between two
+        plots. Chapter 7 [sums this up the other way round](#txt-7-damping).
+    """)
 
 
 @claim("fig-5.4")
@@ -140,11 +140,11 @@ def bode_plot_without_damping(known: Evidence) -> Record:
         farthest = max(farthest, abs(omega / float(printed) - 1))
         second = close("the undamped eigenvalue problem", omega, mode.omega, 1e-4)
         yield peak_part(index, printed, omega, second)
-    yield text("""
+    yield text(f"""
         With a thousandth of the damping the sum of the displacements has four sharp peaks, at the natural
-        frequencies without damping. They agree with the printed imaginary parts to [[ farthest | f1 ]] %,
+        frequencies without damping. They agree with the printed imaginary parts to {100 * farthest:.1f} %,
         too little to see in a plot. The thesis does not say how small its damping was.
-    """).given(farthest=100 * farthest)
+    """)
 
 
 @claim("txt-5.1.3-antiresonances")
@@ -174,12 +174,12 @@ def valleys(known: Evidence) -> Record:
         method="zeros with all and with a thousandth of the damping",
         second=close(free, of_output, undamped[1], 1e-4),
     )
-    yield text("""
+    yield text(f"""
         Resonances belong to the system, antiresonances to the output that is looked at. Figure 5.2 shows a
         difference of two displacements, figure 5.4 the sum of all four. Both have three valleys, which may be
-        all that the text means. They do not stand at the same places: the one at [[ first | f0 ]] rad/s is at
-        [[ other | f0 ]] rad/s in figure 5.4.
+        all that the text means. They do not stand at the same places: the one at {first[1]:.0f} rad/s is at
+        {other[1]:.0f} rad/s in figure 5.4.
 
         None, since no later number uses an antiresonance. For one and the same output damping hardly moves
         them, as the text says.
-    """).given(first=first[1], other=other[1])
+    """)

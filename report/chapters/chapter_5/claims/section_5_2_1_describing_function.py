@@ -29,15 +29,15 @@ def domain(known: Evidence) -> Record:
     second = close("the contact angle exists", least_amplitude_with_contact(), edge)
     slip = made_here("b is taken for half of the gap, as in section 2.3.4", 2 * edge)
     yield digits("edge of the domain over the gap $b$ of this section", "1.0", edge, second=second, slip=slip)
-    yield text(r"""
+    yield text(rf"""
         With $b$ as half of the gap, as in section 2.3.4, the condition is right. With $b$ as the whole gap,
         as footnote 8 has it and the listings and tables of this section use it, the pin reaches the bridge as
-        soon as $A > b/2$. Table 5.1 itself has a limit cycle at $A = [[ cycle.amplitude | f3 ]]\,b$, where
-        the equation has no describing function.
+        soon as $A > b/2$. Table 5.1 itself has a limit cycle at $A =
+        {known.cycles.friction.unstable.amplitude:.3f}\,b$, where the equation has no describing function.
 
         No number of the thesis follows from it. Whoever takes the condition from here loses the second limit
         cycle.
-    """).given(cycle=known.cycles.friction.unstable)
+    """)
 
 
 @claim("eq-5.5")
@@ -45,19 +45,15 @@ def proportionality(_: Evidence) -> Record:
     function = describing_function(friction_waveform(), A)
     at_one, at_ten = (complex((function * A / GAP).subs({GAP: 1, A: ratio})) for ratio in (1, 10))
     by_library = 10 * LIBRARY.describing_function(10.0)
+    limit = sympy.limit(function.subs(GAP, 1), A, sympy.oo)
     yield assertion(
         "",
         "$N$ is proportional to $b/A$, so $-1/N$ is proportional to $-A/b$",
         abs(at_one - at_ten) < 1e-9,
-        r"""
-        $NA/b$ is [[ at_one | f2 ]] in size at $A = b$ and [[ at_ten | f2 ]] at $A = 10b$; for large
-        amplitudes $N \to [[ limit | latex ]]$
+        rf"""
+        $NA/b$ is {abs(at_one):.2f} in size at $A = b$ and {abs(at_ten):.2f} at $A = 10b$; for large
+        amplitudes $N \to {sympy.latex(limit)}$
         """,
-        numbers={
-            "at_one": abs(at_one),
-            "at_ten": abs(at_ten),
-            "limit": sympy.limit(function.subs(GAP, 1), A, sympy.oo),
-        },
         method="the derived describing function at two amplitudes, and its limit",
         second=close("python-control's describing function at $A = 10b$", by_library, at_ten),
     )
@@ -103,11 +99,10 @@ def locus_directions(_: Evidence) -> Record:
         "with growing gap at fixed amplitude",
         r"$-1/N$ tends to $(-\infty, -\infty j)$",
         nearer.real < near.real < 0 and nearer.imag < near.imag < 0,
-        """
-        it runs from [[ near.real | f0 ]] [[ near.imag | signed0 ]] j to [[ nearer.real | f0 ]]
-        [[ nearer.imag | signed0 ]] j as the gap comes from 1 % to 0.01 % below twice the amplitude
+        f"""
+        it runs from {near.real:.0f} {near.imag:+.0f} j to {nearer.real:.0f} {nearer.imag:+.0f} j as the gap
+        comes from 1 % to 0.01 % below twice the amplitude
         """,
-        numbers={"near": near, "nearer": nearer},
         method="the describing function near the edge of the dead band",
         second=close(means, nearer_by_library, nearer, 1e-6),
     )

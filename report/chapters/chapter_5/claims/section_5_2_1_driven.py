@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.parts import assertion, close, made_here, small, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -64,7 +64,7 @@ def open_loop_repeats(known: Evidence) -> Confirmation:
     )
 
 
-def size_part(known: Evidence, label: str) -> Part:
+def size_part(known: Evidence, label: str) -> ClaimPart:
     """Return the part on the size of the output, which the open loop exceeds and the closed one has."""
     opened, base = 1e3 * float(np.abs(open_loop(known).output).max()), 1e3 * open_loop(known).harmonics[1]
     closed = 1e3 * known.motion.closed.reference.from_rest.largest
@@ -86,7 +86,7 @@ def size_part(known: Evidence, label: str) -> Part:
     )
 
 
-def line_part(known: Evidence, label: str) -> Part:
+def line_part(known: Evidence, label: str) -> ClaimPart:
     """Return the part on the line at the limit cycle's frequency, which only the closed loop has."""
     opened, closed = open_loop(known), known.motion.closed.reference.from_rest
     cycle = known.orbits.friction.stable
@@ -97,19 +97,12 @@ def line_part(known: Evidence, label: str) -> Part:
         label,
         "the open loop has a line at the frequency of the limit cycle",
         decay >= 0 or abs(nearest - cycle.frequency) < NEAR,
-        r"""
-        backlash repeats with the drive, and behind it every free motion decays as $e^{[[ decay | f0 ]]\,t}$
-        or faster: what stays are multiples of 100 Hz, the nearest at [[ nearest | f0 ]] Hz with
-        [[ size | f1 ]] µm. With the drive as reference there is one at [[ frequency | f2 ]] Hz with
-        [[ line | f0 ]] µm
+        rf"""
+        backlash repeats with the drive, and behind it every free motion decays as $e^{{{decay:.0f}\,t}}$ or
+        faster: what stays are multiples of 100 Hz, the nearest at {nearest:.0f} Hz with
+        {1e6 * opened.harmonics[order]:.1f} µm. With the drive as reference there is one at
+        {closed.frequency:.2f} Hz with {1e6 * closed.line:.0f} µm
         """,
-        numbers={
-            "decay": decay,
-            "nearest": nearest,
-            "size": 1e6 * opened.harmonics[order],
-            "frequency": closed.frequency,
-            "line": 1e6 * closed.line,
-        },
         method="periodic input of a stable linear system; exact simulation",
         second=harmonic_in_open_loop(known, order),
         slip=made_here(LOOP_CLOSED, abs(closed.frequency - cycle.frequency) < NEAR),
@@ -131,18 +124,18 @@ def output(known: Evidence) -> Record:
         method="harmonics of the settled open loop",
         second=harmonic_in_open_loop(known, orders[0]),
     )
-    yield text("""
+    yield text(f"""
         Behind backlash of 40 µm the open loop passes a drive of 1.5 mm nearly unchanged, with harmonics of
-        [[ ripple | f0 ]] µm that hardly show in it. The loop with the output fed back has [[ base | f2 ]] mm
-        at 100 Hz and on it the limit cycle with [[ line | f2 ]] mm, so its whole output goes to about
-        the printed ±1 mm. But the text takes ±1 mm for the base and says that it corresponds to the drive;
-        read as a rough 1.5 mm, it is that of the open loop. The second line of the spectrum, [at the limit
-        cycle](#txt-5.2.1-open-loop-peak), speaks for the loop with a reference. Figure C.5, which would
-        decide it, was not at hand.
+        {1e6 * opened.ripple:.0f} µm that hardly show in it. The loop with the output fed back has
+        {1e3 * closed.base:.2f} mm at 100 Hz and on it the limit cycle with {1e3 * closed.line:.2f} mm, so its
+        whole output goes to about the printed ±1 mm. But the text takes ±1 mm for the base and says that it
+        corresponds to the drive; read as a rough 1.5 mm, it is that of the open loop. The second line of the
+        spectrum, [at the limit cycle](#txt-5.2.1-open-loop-peak), speaks for the loop with a reference.
+        Figure C.5, which would decide it, was not at hand.
 
         If the loop has a reference, figures 5.11 and 5.12b say nothing on the open loop, nor on the
         experiment.
-    """).given(ripple=1e6 * opened.ripple, base=1e3 * closed.base, line=1e3 * closed.line)
+    """)
 
 
 @claim("txt-5.2.1-open-loop-peak")
@@ -157,15 +150,16 @@ def peak(known: Evidence) -> Record:
         method="exact simulation",
         second=harmonic_in_open_loop(known, 1),
     )
-    yield text("""
+    line = known.motion.closed.reference.from_rest.frequency
+    yield text(f"""
         Without feedback there is no limit cycle: a stable linear system behind play ends with the drive's
         period, whatever its start, and play adds odd harmonics only. The same two blocks give two lines, at
-        100 Hz and near [[ line | f0 ]] Hz, when the output is subtracted from the drive. If figure C.5, which
-        was not at hand, shows that feedback, the lines are right and the name open loop is wrong.
+        100 Hz and near {line:.0f} Hz, when the output is subtracted from the drive. If figure C.5, which was
+        not at hand, shows that feedback, the lines are right and the name open loop is wrong.
 
         In neither case does it follow that a limit cycle may be evaluated in the open loop as well. Chapter 7
         and the reading of the experiment's peaks use it.
-    """).given(line=known.motion.closed.reference.from_rest.frequency)
+    """)
 
 
 @claim("txt-5.2.1-drive-amplitude")
@@ -211,14 +205,14 @@ def drive_amplitude(known: Evidence) -> Record:
         item=item,
         certainty=Certainty.READING,
     )
-    yield text("""
+    yield text(f"""
         Read as it stands, for the open loop, there is no limit cycle that could keep its amplitude. Read for
-        the closed loop with the drive as reference, the statement holds up to 1.5 mm, [[ gaps | f1 ]] gaps; a
-        drive of 15 mm puts the limit cycle out. A drive smaller than half of the gap cannot start it from
-        rest.
+        the closed loop with the drive as reference, the statement holds up to 1.5 mm,
+        {DRIVE_AMPLITUDE / LARGE_GAP:.1f} gaps; a drive of 15 mm puts the limit cycle out. A drive smaller
+        than half of the gap cannot start it from rest.
 
         The conclusion of chapter 7 holds for weak drives of a closed loop, not for the trimmer's.
-    """).given(gaps=DRIVE_AMPLITUDE / LARGE_GAP)
+    """)
 
 
 def _unaltered(lines: Sequence[float]) -> bool:

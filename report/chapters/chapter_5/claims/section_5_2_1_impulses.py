@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, equal
 from report.judging.record import Record, claim, text
@@ -31,15 +31,10 @@ def touching(known: Evidence) -> Record:
         r"the curves for $2\times10^{-8}$ m",
         "they just touch, so that no limit cycle is predicted",
         all(cycle.near_tangency for cycle in predicted),
-        """
-        they cross [[ times ]] times, at [[ angle | f0 ]] degrees for the stable one, with
-        [[ amplitude | f1 ]] nm
+        f"""
+        they cross {len(predicted)} times, at {math.degrees(stable.crossing_angle):.0f} degrees for the stable
+        one, with {1e9 * stable.amplitude:.1f} nm
         """,
-        numbers={
-            "times": len(predicted),
-            "angle": math.degrees(stable.crossing_angle),
-            "amplitude": 1e9 * stable.amplitude,
-        },
         method="all solutions of harmonic balance for that gap",
         second=equal("the coefficients of Listing A.9", len(listed), len(predicted)),
         item=SMALLEST_GAP,
@@ -63,7 +58,7 @@ def touching(known: Evidence) -> Record:
     """)
 
 
-def one_impulse_part(known: Evidence) -> Part:
+def one_impulse_part(known: Evidence) -> ClaimPart:
     """Return the part on one impulse for several gaps."""
     numbers = known.motion.closed.impulses
     means = f"events in the first {1e3 * CHECKED:.0f} ms after {ABOVE} thresholds, by SciPy's DOP853"
@@ -71,12 +66,11 @@ def one_impulse_part(known: Evidence) -> Part:
         "with one impulse for all gaps",
         r"there is one after which the loop dies out for $10^{-8}$ m and goes on for $3\times10^{-8}$ m",
         not numbers.one_threshold,
-        r"""
-        impulse over gap alone decides: of [[ count ]] impulses over nine decades those below
-        [[ threshold | f2 ]] µs die out and those above go on, so $10^{-8}$ m goes on wherever
-        $3\times10^{-8}$ m does
+        rf"""
+        impulse over gap alone decides: of {len(numbers.impulses)} impulses over nine decades those below
+        {1e6 * numbers.threshold:.2f} µs die out and those above go on, so $10^{{-8}}$ m goes on wherever
+        $3\times10^{{-8}}$ m does
         """,
-        numbers={"count": len(numbers.impulses), "threshold": 1e6 * numbers.threshold},
         method="scaling of the model; exact simulation over the whole range",
         second=equal(means, *numbers.counted),
         item=NO_OSCILLATION,
@@ -95,26 +89,22 @@ def impulse(known: Evidence) -> Record:
         r"what is left for $10^{-8}$ m after an impulse that $3\times10^{-8}$ m goes on after",
         "no oscillation",
         smallest.amplitude < smallest.gap / 2,
-        r"""
-        [[ smallest | f1 ]] nm, beside [[ middle | f1 ]] nm for $2\times10^{-8}$ m and [[ largest | f1 ]] nm
-        for $3\times10^{-8}$ m
+        rf"""
+        {1e9 * smallest.amplitude:.1f} nm, beside {1e9 * middle.amplitude:.1f} nm for $2\times10^{{-8}}$ m and
+        {1e9 * largest.amplitude:.1f} nm for $3\times10^{{-8}}$ m
         """,
-        numbers={
-            "smallest": 1e9 * smallest.amplitude,
-            "middle": 1e9 * middle.amplitude,
-            "largest": 1e9 * largest.amplitude,
-        },
         method=f"exact simulation of the three gaps with {power_of(strongest)} m s",
         second=close("the exact orbit for $10^{-8}$ m, by shooting", exact, smallest.amplitude, 1e-4),
         item=NO_OSCILLATION,
     )
-    yield text(r"""
+    yield text(rf"""
         The text names one impulse input and gives no size. Impulse, gap and motion times one factor are again
-        a motion, so with one impulse it is the larger gap that dies out, if any: $3\times10^{-8}$ m does
-        below [[ threshold | power2 ]] m s, $10^{-8}$ m below a third of that. Where all go on, they oscillate
-        as 1 : 2 : 3 after a first swing of [[ peak | f0 ]]/s times the impulse, beside which the smallest is
-        easily not seen. If the impulse was smaller for the smaller gap, any outcome is possible.
+        a motion, so with one impulse it is the larger gap that dies out, if any: $3\times10^{{-8}}$ m does
+        below {power_of(3e-8 * numbers.threshold, 2)} m s, $10^{{-8}}$ m below a third of that. Where all go
+        on, they oscillate as 1 : 2 : 3 after a first swing of {numbers.peak:.0f}/s times the impulse, beside
+        which the smallest is easily not seen. If the impulse was smaller for the smaller gap, any outcome is
+        possible.
 
         In neither case does the simulation support a threshold in the gap, which chapters 6 and 7 quote. What
         matters is how hard the loop is struck.
-    """).given(threshold=3e-8 * numbers.threshold, peak=numbers.peak)
+    """)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from report.chapters.second_ways import LOEB, NEWTON, by_floquet, by_waveform
-from report.judging.claim import Confirmation, Part
-from report.judging.comparisons.printed import power
+from report.judging.claim import ClaimPart, Confirmation
+from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, made_here, repeated
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
@@ -54,7 +54,7 @@ def predicted(known: Evidence) -> tuple[Predicted, Predicted]:
     return unstable, stable
 
 
-def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: str) -> Part:
+def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: str) -> ClaimPart:
     derived = gap * of.exact.amplitude
     second, slip = close(NEWTON, gap * of.ratio, derived), repeated(ROUNDED, gap * of.listing.amplitude)
     return digits(label, printed, derived, "m", second=second, slip=slip, item=item)
@@ -62,7 +62,7 @@ def amplitude_part(label: str, printed: str, gap: float, of: Predicted, item: st
 
 def all_parts(
     prefix: str, gap: float, of: Predicted, printed: tuple[str, str, str], item: str
-) -> Iterator[Part]:
+) -> Iterator[ClaimPart]:
     """Yield the parts on amplitude (m), angular frequency and frequency, which are printed in this order.
 
     ``item`` is that of the amplitude; the two frequencies are one printed thing wherever they stand.
@@ -77,7 +77,7 @@ def all_parts(
     yield digits(label, frequency, exact.frequency, "Hz", second=second, slip=slip, item=FREQUENCY)
 
 
-def second_frequency(label: str, unstable: Predicted) -> Part:
+def second_frequency(label: str, unstable: Predicted) -> ClaimPart:
     """Return the part on the frequency of the second limit cycle, printed with one digit wrong."""
     exact, listed = unstable.exact, f"{unstable.listing.frequency:.2f}"
     name = f"{ROUNDED}, and the second digit is written 3 instead of 5"
@@ -92,22 +92,17 @@ def prediction(known: Evidence) -> Record:
     _, stable = predicted(known)
     right, listing, both = stable.exact, stable.listing, known.cycles.friction_both_channels.stable
     yield from all_parts("", SMALL_GAP, stable, ("3.3138e-05", "4.6077e+03", "733.3"), AMPLITUDE)
-    yield text("""
+    shift = 100 * (listing.amplitude / right.amplitude - 1)
+    less = 100 * (1 - both.amplitude / right.amplitude)
+    yield text(f"""
         The printed numbers come out with the coefficients that Listing A.9 rounds to four digits. With exact
-        ones the prediction is $A = [[ amplitude | f4 ]]$ µm at [[ frequency | f2 ]] Hz. Rounding moves the
-        amplitude by as much as [[ shift | f2 ]] %, because the loop passes close to $-1$.
+        ones the prediction is $A = {1e6 * SMALL_GAP * right.amplitude:.4f}$ µm at {right.frequency:.2f} Hz.
+        Rounding moves the amplitude by as much as {shift:.2f} %, because the loop passes close to $-1$.
 
         Every prediction of section 5.2.1 carries this small shift. The velocity of the pin, which the loop
-        leaves out, weighs far more: with it the amplitude is [[ with_velocity | f2 ]] µm, [[ less | f0 ]] %
-        less, at [[ both.frequency | f2 ]] Hz.
-    """).given(
-        amplitude=1e6 * SMALL_GAP * right.amplitude,
-        frequency=right.frequency,
-        shift=100 * (listing.amplitude / right.amplitude - 1),
-        with_velocity=1e6 * SMALL_GAP * both.amplitude,
-        less=100 * (1 - both.amplitude / right.amplitude),
-        both=both,
-    )
+        leaves out, weighs far more: with it the amplitude is {1e6 * SMALL_GAP * both.amplitude:.2f} µm,
+        {less:.0f} % less, at {both.frequency:.2f} Hz.
+    """)
 
 
 @claim("txt-5.2.1-stable")
@@ -124,20 +119,19 @@ def stability(known: Evidence) -> Record:
         "in the exact loop",
         statement,
         orbit.stable,
-        """
-        no disturbance keeps more than [[ largest | f4 ]] of itself over a period of the orbit at
-        [[ orbit.frequency | f2 ]] Hz
+        f"""
+        no disturbance keeps more than {largest:.4f} of itself over a period of the orbit at
+        {orbit.frequency:.2f} Hz
         """,
-        numbers={"largest": largest, "orbit": orbit},
         method="Floquet multipliers of the exact orbit",
         second=close(outward, known.orbits.left_by[1], orbit.amplitude, 1e-5),
         item=item,
     )
-    yield text("""
+    yield text(f"""
         A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again; a smaller one
         grows. That is the thesis's own argument on the describing function, and the multipliers of the exact
-        limit cycle agree. Disturbances decay slowly, with [[ decay | f0 ]]/s.
-    """).given(decay=-math.log(largest) / orbit.period)
+        limit cycle agree. Disturbances decay slowly, with {-math.log(largest) / orbit.period:.0f}/s.
+    """)
 
 
 @claim("txt-5.2.1-second-limit-cycle")
@@ -160,15 +154,16 @@ def second_limit_cycle(known: Evidence) -> Record:
         severity=Severity.RESULT,
         certainty=Certainty.PROVEN,
     )
-    yield text(r"""
+    yield text(rf"""
         Scaling gap and amplitude by one factor changes nothing in $1 + NG = 0$, so both limit cycles exist
         for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$.
-        Listing A.9 plots the curve from $b/2 + 10^{-6}$ m on, and so shows it only for gaps above
-        [[ seen_from | power1 ]] m: for $4\times10^{-5}$ m, but not for $4\times10^{-6}$ m.
+        Listing A.9 plots the curve from $b/2 + 10^{{-6}}$ m on, and so shows it only for gaps above
+        {power_of(PLOT_OFFSET / (right.amplitude - 0.5), 1)} m: for $4\times10^{{-5}}$ m, but not for
+        $4\times10^{{-6}}$ m.
 
         A trimmer with a small gap has the same two limit cycles as one with a large gap, in proportion. The
         unstable one is a threshold: what starts below it decays.
-    """).given(seen_from=PLOT_OFFSET / (right.amplitude - 0.5))
+    """)
 
 
 @claim("tab-5.1")
@@ -183,15 +178,14 @@ def two_limit_cycles(known: Evidence) -> Record:
     yield digits(label, "733.33", derived, "Hz", second=second, slip=slip, item=FREQUENCY)
     yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable, SECOND_AMPLITUDE)
     yield second_frequency("second: frequency", unstable)
-    yield text("""
-        With the coefficients of Listing A.9 the second limit cycle lies at
-        [[ unstable.listing.frequency | f2 ]] Hz, with exact ones at [[ unstable.exact.frequency | f2 ]] Hz;
-        the printed 533.22 Hz has one digit wrong, here and in the text. The other cells come out with the
-        rounded coefficients. For 733.33 Hz a number was cut off as well; the section's percent error has it
-        rounded, as 733.34 Hz.
+    yield text(f"""
+        With the coefficients of Listing A.9 the second limit cycle lies at {unstable.listing.frequency:.2f}
+        Hz, with exact ones at {unstable.exact.frequency:.2f} Hz; the printed 533.22 Hz has one digit wrong,
+        here and in the text. The other cells come out with the rounded coefficients. For 733.33 Hz a number
+        was cut off as well; the section's percent error has it rounded, as 733.34 Hz.
 
         None: the comparisons of the section rest on the first limit cycle.
-    """).given(unstable=unstable)
+    """)
 
 
 @claim("tab-5.2")
@@ -200,15 +194,15 @@ def ten_gaps(known: Evidence) -> Record:
     for gap, printed in TABLE_5_2.items():
         item = f"{printed} m, amplitude for b = {gap} m in table 5.2"
         yield from all_parts(f"$b$ = {power(gap)} m, ", float(gap), stable, (printed, "4.6e3", "733"), item)
-    yield text(r"""
-        Every amplitude is [[ exact.amplitude | f4 ]] times the gap and every frequency
-        [[ exact.frequency | f2 ]] Hz, in any row. With the rounded coefficients of Listing A.9 they are
-        [[ listing.amplitude | f4 ]] gaps and [[ listing.frequency | f2 ]] Hz, which gives all printed cells.
-        With exact ones the amplitudes for $5\times10^{-4}$ m and $8\times10^{-4}$ m and the frequencies round
-        to another last digit.
+    yield text(rf"""
+        Every amplitude is {stable.exact.amplitude:.4f} times the gap and every frequency
+        {stable.exact.frequency:.2f} Hz, in any row. With the rounded coefficients of Listing A.9 they are
+        {stable.listing.amplitude:.4f} gaps and {stable.listing.frequency:.2f} Hz, which gives all printed
+        cells. With exact ones the amplitudes for $5\times10^{{-4}}$ m and $8\times10^{{-4}}$ m and the
+        frequencies round to another last digit.
 
         None beyond the last digit. The ten rows hold one result, since only the scale changes.
-    """).given(exact=stable.exact, listing=stable.listing)
+    """)
 
 
 def at_the_tiny_gap(known: Evidence, cycle: LimitCycle) -> Confirmation:

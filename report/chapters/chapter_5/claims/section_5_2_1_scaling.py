@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import SCALING, TINY_GAP, at_the_tiny_gap
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
@@ -25,7 +26,7 @@ def stable_at_the_tiny_gap(cycles: LimitCycleNumbers) -> float:
     return cycle.amplitude / TINY_GAP
 
 
-def proportional_part(known: Evidence) -> Part:
+def proportional_part(known: Evidence) -> ClaimPart:
     """Return the part on proportion, which section 5.2.1 and chapter 7 share."""
     cycles, cycle = known.cycles, known.cycles.friction.stable
     listed = cycles.friction_listing.stable.amplitude
@@ -59,7 +60,7 @@ def proportional_in_chapter_7(known: Evidence) -> Record:
     """)
 
 
-def smallest_gap_part(known: Evidence) -> Part:
+def smallest_gap_part(known: Evidence) -> ClaimPart:
     """Return the part on the smallest gap, which section 5.2.1 and chapter 6 share."""
     listed = known.cycles.friction_listing.stable.amplitude
     means = "the scaling law, at a gap of a thousandth of that"
@@ -72,16 +73,16 @@ def smallest_gap_part(known: Evidence) -> Part:
 def threshold(known: Evidence) -> Record:
     stable = known.cycles.friction.stable.amplitude
     yield smallest_gap_part(known)
-    yield text("""
+    yield text(f"""
         There is no threshold. $N$ depends on $b/A$ alone, so if one gap has a limit cycle, every gap has one
-        with an amplitude in proportion: at $b = 10^{-8}$ m it is [[ at_1e_8 | power2 ]] m. A curve that is
-        plotted from $b/2 + 10^{-6}$ m on, as in Listing A.9, meets $G$ only for gaps above
-        [[ seen_from | power1 ]] m; another start gives another apparent threshold.
+        with an amplitude in proportion: at $b = 10^{{-8}}$ m it is {power_of(stable * 1e-8, 2)} m. A curve
+        that is plotted from $b/2 + 10^{{-6}}$ m on, as in Listing A.9, meets $G$ only for gaps above
+        {power_of(PLOT_OFFSET / (stable - 0.5), 1)} m; another start gives another apparent threshold.
 
         Chapters 6 and 7 and the answer to the main question rest on this threshold. No gap is small enough to
-        exclude the predicted limit cycle. What remains is its size, [[ size | f1 ]] times the gap, and
-        whether friction and drive let it start.
-    """).given(at_1e_8=stable * 1e-8, seen_from=PLOT_OFFSET / (stable - 0.5), size=stable)
+        exclude the predicted limit cycle. What remains is its size, {stable:.1f} times the gap, and whether
+        friction and drive let it start.
+    """)
 
 
 @claim("txt-6-threshold")

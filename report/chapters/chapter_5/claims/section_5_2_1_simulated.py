@@ -8,7 +8,8 @@ from fractions import Fraction
 import numpy as np
 
 from report.chapters.second_ways import TWO_DURATIONS
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, made_here, repeated, so
 from report.judging.record import Record, claim, text
 from report.numbers.evidence import Evidence
@@ -27,7 +28,7 @@ SIMULATED_AMPLITUDE = "3.2995e-5 m, simulated amplitude for 4e-6 m"
 """Thing that is printed for two gaps."""
 
 
-def peak_part(orbits: ExactOrbits, label: str) -> Part:
+def peak_part(orbits: ExactOrbits, label: str) -> ClaimPart:
     """Return the part on the peak of figure 5.9b."""
     exact = orbits.friction.stable.frequency
     second = close(TWO_DURATIONS, orbits.friction_by_durations[1], exact)
@@ -36,7 +37,7 @@ def peak_part(orbits: ExactOrbits, label: str) -> Part:
     return digits(label, PEAK, exact, "Hz", second=second, slip=slip, item=item)
 
 
-def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> Part:
+def amplitude_part(orbits: ExactOrbits, label: str, printed: str, gap: float) -> ClaimPart:
     """Return the part on a simulated amplitude."""
     exact = gap * orbits.friction.stable.amplitude
     second = close(TWO_DURATIONS, gap * orbits.friction_by_durations[0], exact)
@@ -53,18 +54,15 @@ def amplitude(known: Evidence) -> Record:
     label, item = "half of the difference of the readings", SIMULATED_AMPLITUDE
     yield digits(label, "3.2995e-05", half, "m", second=second, item=item)
     yield amplitude_part(orbits, "amplitude of the limit cycle", "3.2995e-05", SMALL_GAP)
-    yield text("""
-        Half of the distance of the two readings is right. The exact limit cycle has [[ exact | power4 ]] m,
-        [[ more | f2 ]] % more; with the rounded coefficients of Listing A.9 it has [[ rounded | power4 ]] m.
-        It reaches equally far both ways. The unequal readings therefore hold something else too: steps of the
-        solver, or a start that had not died out.
+    rounded = SMALL_GAP * orbits.friction_listing.stable.amplitude
+    yield text(f"""
+        Half of the distance of the two readings is right. The exact limit cycle has {power_of(exact, 4)} m,
+        {100 * (exact / half - 1):.2f} % more; with the rounded coefficients of Listing A.9 it has
+        {power_of(rounded, 4)} m. It reaches equally far both ways. The unequal readings therefore hold
+        something else too: steps of the solver, or a start that had not died out.
 
         The error of the prediction is smaller than the section finds.
-    """).given(
-        exact=exact,
-        more=100 * (exact / half - 1),
-        rounded=SMALL_GAP * orbits.friction_listing.stable.amplitude,
-    )
+    """)
 
 
 @claim("txt-5.2.1-amplitude-error")
@@ -74,10 +72,10 @@ def amplitude_error(known: Evidence) -> Record:
     in_fractions = float(Fraction("3.3138e-5") / Fraction("3.2995e-5") - 1)
     second = close("exact fractions", in_fractions, quotient)
     yield digits("", "0.4334", 100 * quotient, "%", second=second)
-    yield text("""
+    yield text(f"""
         The quotient of the printed numbers is right. Prediction and exact limit cycle of the same loop differ
-        by only [[ error | f2 ]] %; the rest is the reading of the simulation.
-    """).given(error=100 * (predicted / exact - 1))
+        by only {100 * (predicted / exact - 1):.2f} %; the rest is the reading of the simulation.
+    """)
 
 
 @claim("txt-5.2.1-simulated-frequency")
@@ -85,17 +83,14 @@ def frequency(known: Evidence) -> Record:
     orbits = known.orbits
     exact = orbits.friction.stable.frequency
     yield peak_part(orbits, "frequency of the limit cycle")
-    yield text("""
-        The exact limit cycle has [[ exact | f3 ]] Hz, and [[ rounded | f3 ]] Hz with the rounded coefficients
-        of Listing A.9. The printed number is the nearest line of a spectrum over one second. In a spectrum
-        with lines 10 Hz apart, as the section has it, the nearest one is at [[ coarse | f2 ]] Hz.
+    yield text(f"""
+        The exact limit cycle has {exact:.3f} Hz, and {orbits.friction_listing.stable.frequency:.3f} Hz with
+        the rounded coefficients of Listing A.9. The printed number is the nearest line of a spectrum over one
+        second. In a spectrum with lines 10 Hz apart, as the section has it, the nearest one is at
+        {STATED.nearest(exact):.2f} Hz.
 
         The quoted prediction error is only the bin width of the spectrum.
-    """).given(
-        exact=exact,
-        rounded=orbits.friction_listing.stable.frequency,
-        coarse=STATED.nearest(exact),
-    )
+    """)
 
 
 @claim("txt-5.2.1-frequency-error")
@@ -107,14 +102,14 @@ def frequency_error(known: Evidence) -> Record:
     name = "733.00 Hz is used for the simulated frequency, printed as 734.00"
     slip = made_here(name, 100 * abs(listing - 733.00) / 733.00)
     yield digits("", "0.046", quoted, "%", second=by_logarithms, slip=slip)
-    yield text("""
-        From the two printed frequencies the error is [[ quoted | f3 ]] %, twice what is printed. The printed
+    yield text(f"""
+        From the two printed frequencies the error is {quoted:.3f} %, twice what is printed. The printed
         number comes out with a simulated 733.00 Hz, which the text does not have. In a spectrum over one
         second it is the line nearest to the limit cycle with rounded coefficients.
 
-        None. Prediction and exact limit cycle of the same loop differ by [[ error | f4 ]] %, less
-        than a line of the spectrum can show.
-    """).given(quoted=quoted, error=100 * (predicted / exact - 1))
+        None. Prediction and exact limit cycle of the same loop differ by {100 * (predicted / exact - 1):.4f}
+        %, less than a line of the spectrum can show.
+    """)
 
 
 @claim("txt-5.2.1-sampling")

@@ -8,7 +8,7 @@ import numpy as np
 import sympy
 
 from report.chapters.second_ways import LOEB, NEWTON, by_division_back, by_floquet
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.printed import total
 from report.judging.parts import assertion, close, digits, expression, so
 from report.judging.record import Record, claim, text
@@ -32,7 +32,7 @@ THICK_BAND = (4.6e3, 5.38e3)
 HARMONICS = range(3, 40, 2)
 
 
-def balance_part(printed_form: str) -> Part:
+def balance_part(printed_form: str) -> ClaimPart:
     """Return the part on the condition for harmonic balance, which equation 5.11 repeats."""
     element, linear = sympy.symbols("N G")
     return expression(
@@ -54,7 +54,7 @@ def harmonic_balance(_: Evidence) -> Record:
     """)
 
 
-def thickness_part(known: Evidence) -> Part:
+def thickness_part(known: Evidence) -> ClaimPart:
     """Return the part on the thickness that harmonics give the curve, of which figure 5.15 is an example."""
     system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
     element = InertiaBacklash(1.0)
@@ -68,11 +68,10 @@ def thickness_part(known: Evidence) -> Part:
         "as the range in which the limit cycle may lie",
         "harmonics make the curve thick enough to meet $G$ over the whole band",
         max(low, high) <= thickness,
-        """
-        at the ends $G$ is [[ low | f3 ]] and [[ high | f3 ]] away from the curve; all harmonics that come
-        back together are [[ returned | f2 ]] % of the fundamental, a thickness of [[ thickness | f4 ]]
+        f"""
+        at the ends $G$ is {low:.3f} and {high:.3f} away from the curve; all harmonics that come back together
+        are {100 * returned:.2f} % of the fundamental, a thickness of {thickness:.4f}
         """,
-        numbers={"low": low, "high": high, "returned": 100 * returned, "thickness": thickness},
         method=f"harmonics 3 to {HARMONICS[-1]} of the element, each with the response of $G$",
         second=so(means, exact < min(low, high)),
         item=BAND,
@@ -80,7 +79,7 @@ def thickness_part(known: Evidence) -> Part:
     )
 
 
-def converted(label: str, printed: str, omega: float, item: str = "") -> Part:
+def converted(label: str, printed: str, omega: float, item: str = "") -> ClaimPart:
     """Return the part on a conversion from rad/s."""
     frequency = omega / TURN
     second = by_division_back(omega, frequency)
@@ -99,25 +98,25 @@ def band(known: Evidence) -> Record:
         "as limit cycles side by side",
         "with higher harmonics, stable limit cycles of one gap fill a band of frequencies",
         bool(np.abs(multipliers - 1).min() < ISOLATED),
-        """
-        with all harmonics there is one, at [[ frequency | f2 ]] Hz, and it stands alone: a disturbance keeps
-        at most [[ kept | f4 ]] of itself over a period
+        f"""
+        with all harmonics there is one, at {orbit.frequency:.2f} Hz, and it stands alone: a disturbance keeps
+        at most {np.abs(multipliers).max():.4f} of itself over a period
         """,
-        numbers={"frequency": orbit.frequency, "kept": np.abs(multipliers).max()},
         method="Floquet multipliers of the exact orbit",
         second=second,
         item=BAND,
         certainty=Certainty.READING,
     )
-    yield text("""
+    beside = abs(orbit.frequency - known.cycles.inertia.stable.frequency)
+    yield text(f"""
         The conversions are right. The band is read from figure 5.15, which footnote 10 calls an example. Read
         as the range in which the limit cycle may lie, it is far too wide: the harmonics that come back move
         the curve by a small part of what the band asks for. Read as limit cycles side by side, it does not
-        exist: the exact orbit holds all harmonics and is one point, [[ beside | f2 ]] Hz from the prediction.
+        exist: the exact orbit holds all harmonics and is one point, {beside:.2f} Hz from the prediction.
 
         Higher harmonics do not explain the distance of a peak that [section 5.2.2](#txt-5.2.2-error)
         computes.
-    """).given(beside=abs(orbit.frequency - known.cycles.inertia.stable.frequency))
+    """)
 
 
 @claim("txt-5.2.2-beta-range")
@@ -135,7 +134,8 @@ def beta_range(known: Evidence) -> Record:
         second=close("half of pi", math.pi / 2, largest / 2),
         item=item,
     )
-    yield text(r"""
+    beta = 1 / known.cycles.inertia.unstable.amplitude
+    yield text(rf"""
         The text gives the gap as $2b$, so that the bound would be $\pi/2$; in the derivation and the listing
         $b$ is the whole gap, and it is $\pi$. With $b$ the whole gap, 2 is where the pin no longer reaches a
         bridge that stays put. A bridge with inertia flies on, and meets the other side within half a period
@@ -143,8 +143,8 @@ def beta_range(known: Evidence) -> Record:
         2.3.4 exchanged: there $b$ is half of the gap for friction and all of it for inertia.
 
         The range from 2 to $\pi$ is left out, and with it a second, unstable limit cycle at $\beta =
-        [[ beta | f1 ]]$ that the section does not mention.
-    """).given(beta=1 / known.cycles.inertia.unstable.amplitude)
+        {beta:.1f}$ that the section does not mention.
+    """)
 
 
 @claim("txt-5.2.2-prediction")
@@ -155,21 +155,19 @@ def prediction(known: Evidence) -> Record:
     yield digits("angular frequency", "5.12e3", cycle.omega, "rad/s", second=second, item=FREQUENCY)
     yield digits("frequency", "814.9", cycle.frequency, "Hz", second=second, item=FREQUENCY)
     yield converted("conversion of 5120 rad/s", "814.9", PRINTED_OMEGA, FREQUENCY)
-    yield text(r"""
+    width = cycle.frequency - cycles.friction.stable.frequency
+    both = cycles.inertia_both_channels.stable.frequency
+    yield text(rf"""
         With the thesis's own loop and its own describing function the stable solution lies at
-        [[ cycle.omega | f1 ]] rad/s, [[ cycle.frequency | f2 ]] Hz, with $A = [[ cycle.amplitude | f3 ]]\,b$.
-        A second, unstable one lies at [[ other | f2 ]] Hz. Listing A.4, called with a second argument other
-        than one, moves the intersection up to about 5050 rad/s; what gives 5120 rad/s could not be found.
+        {cycle.omega:.1f} rad/s, {cycle.frequency:.2f} Hz, with $A = {cycle.amplitude:.3f}\,b$. A second,
+        unstable one lies at {cycles.inertia.unstable.frequency:.2f} Hz. Listing A.4, called with a second
+        argument other than one, moves the intersection up to about 5050 rad/s; what gives 5120 rad/s could
+        not be found.
 
-        Friction- and inertia-controlled backlash lie [[ width | f1 ]] Hz apart instead of 82 Hz, and so do
-        the ends of the band in equation 5.10, which the conclusions quote. With the pin's velocity as second
-        input the stable solution is at [[ both | f2 ]] Hz.
-    """).given(
-        cycle=cycle,
-        both=cycles.inertia_both_channels.stable.frequency,
-        other=cycles.inertia.unstable.frequency,
-        width=cycle.frequency - cycles.friction.stable.frequency,
-    )
+        Friction- and inertia-controlled backlash lie {width:.1f} Hz apart instead of 82 Hz, and so do the
+        ends of the band in equation 5.10, which the conclusions quote. With the pin's velocity as second
+        input the stable solution is at {both:.2f} Hz.
+    """)
 
 
 @claim("txt-5.2.2-stable")

@@ -12,7 +12,7 @@ from derivations.elements.steps.limits import step as limits_step
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2
 from report.chapters.chapter_5.claims.section_5_2_2 import balance_part
 from report.chapters.second_ways import ALL_LOADS, NEWTON, by_division_back, by_floquet, by_waveform
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.assertion import Assertion
 from report.judging.parts import assertion, close, digits, expression, repeated
 from report.judging.record import Record, claim, text
@@ -29,7 +29,7 @@ UPPER_END = "815"
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 
-def band_parts(known: Evidence) -> tuple[Part, Part]:
+def band_parts(known: Evidence) -> tuple[ClaimPart, ClaimPart]:
     """Return the parts on the two ends of the band, which equation 5.10 and figure 5.17 share."""
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     by_friction = close(NEWTON, friction_exactly(known.numbers, low)[1], low.omega)
@@ -58,20 +58,16 @@ def band_parts(known: Evidence) -> tuple[Part, Part]:
 def band(known: Evidence) -> Record:
     low, high = known.cycles.friction.stable, known.cycles.inertia.stable
     yield from band_parts(known)
-    yield text("""
-        The ends are the two limits of the load: [[ low.frequency | f1 ]] Hz without inertia and
-        [[ high.frequency | f1 ]] Hz without friction. The upper one repeats the wrong
+    low_both = known.cycles.friction_both_channels.stable
+    high_both = known.cycles.inertia_both_channels.stable
+    yield text(f"""
+        The ends are the two limits of the load: {low.frequency:.1f} Hz without inertia and
+        {high.frequency:.1f} Hz without friction. The upper one repeats the wrong
         [prediction](#txt-5.2.2-prediction) of section 5.2.2.
 
-        The band is [[ width | f0 ]] Hz wide instead of 82 Hz. With the pin's velocity as second input it runs
-        from [[ low_both.frequency | f1 ]] to [[ high_both.frequency | f1 ]] Hz.
-    """).given(
-        low=low,
-        high=high,
-        width=high.frequency - low.frequency,
-        low_both=known.cycles.friction_both_channels.stable,
-        high_both=known.cycles.inertia_both_channels.stable,
-    )
+        The band is {high.frequency - low.frequency:.0f} Hz wide instead of 82 Hz. With the pin's velocity as
+        second input it runs from {low_both.frequency:.1f} to {high_both.frequency:.1f} Hz.
+    """)
 
 
 @claim("eq-5.11")
@@ -119,12 +115,12 @@ def only_between(known: Evidence) -> Record:
         method=ALL_LOADS,
         second=by_waveform(system, list(zip(loads, stable, strict=True))),
     )
-    yield text("""
+    yield text(f"""
         For this trimmer there is exactly one stable limit cycle for every load, and its frequency lies
         between the limits, of which [equation 5.10](#eq-5.10) has the upper one wrong. The amplitude is not
-        bounded by them: it reaches [[ largest | f2 ]] gaps, where the limits have [[ friction | f2 ]] and
-        [[ inertia | f2 ]].
-    """).given(largest=cycles.largest_viscous.amplitude, friction=low.amplitude, inertia=high.amplitude)
+        bounded by them: it reaches {cycles.largest_viscous.amplitude:.2f} gaps, where the limits have
+        {low.amplitude:.2f} and {high.amplitude:.2f}.
+    """)
 
 
 @claim("txt-5.2.3-identify-760")
@@ -146,12 +142,13 @@ def identify(known: Evidence) -> Record:
             "the band of equation 5.10 is taken, which ends at 815 Hz", float(UPPER_END) >= example
         ),
     )
-    yield text("""
+    width = limit.frequency - known.cycles.friction.stable.frequency
+    yield text(f"""
         The conversion is right. The frequency is an example of the thesis, chosen within its own band of
         [equation 5.10](#eq-5.10). With the right band no load gives it.
 
-        The proposed experiment keeps its sense, but has [[ width | f0 ]] Hz to resolve instead of 82 Hz.
-    """).given(width=limit.frequency - known.cycles.friction.stable.frequency)
+        The proposed experiment keeps its sense, but has {width:.0f} Hz to resolve instead of 82 Hz.
+    """)
 
 
 @claim("eq-5.9")

@@ -12,7 +12,7 @@ from derivations.elements.friction import FORCE, friction_waveform, relay_wavefo
 from derivations.elements.waveform import describing_function
 from derivations.symbols import DIMENSIONS, A, k2, m2, s
 from report.chapters.second_ways import by_grid, by_harmonics, by_quadrature
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, expression, made_here, so
 from report.judging.record import Record, claim, text
@@ -96,22 +96,21 @@ def no_crossing(known: Evidence) -> Record:
         "what follows for friction",
         "harmonic balance predicts no limit cycle from Coulomb friction",
         max(on_the_axis) < 0,
-        """
+        f"""
         with the right operator $G$ would have to cross the positive imaginary axis; where it is imaginary, at
-        [[ frequencies ]] frequencies, it lies on the negative one
+        {len(on_the_axis)} frequencies, it lies on the negative one
         """,
-        numbers={"frequencies": len(on_the_axis)},
         method="all roots of the real part, from exact coefficients",
         second=so(means, highest < math.pi / 2),
     )
-    yield text("""
-        $G$ meets the real axis at [[ crossings ]] frequencies, always on its positive side. The conclusion
-        stands, though for friction the axis to look at is another one. Friction
-        between parts that rub only takes energy, so it cannot keep anything moving.
-    """).given(crossings=len(crossings))
+    yield text(f"""
+        $G$ meets the real axis at {len(crossings)} frequencies, always on its positive side. The conclusion
+        stands, though for friction the axis to look at is another one. Friction between parts that rub only
+        takes energy, so it cannot keep anything moving.
+    """)
 
 
-def crossings_part(known: Evidence) -> Part:
+def crossings_part(known: Evidence) -> ClaimPart:
     """Return the part on crossings of the negative real axis, which figure 5.18 and the text share."""
     system = known.numbers.displacement_only
     negative = sum(crossing.value < 0 for crossing in real_axis_crossings(system))
@@ -126,7 +125,7 @@ def at_the_merger(known: Evidence) -> Confirmation:
     return close("both responses at the last solution, where the loop closes", loop, -1.0, 1e-6)
 
 
-def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Part:
+def relay_part(numbers: RelayNumbers, label: str) -> ClaimPart:
     """Return the part on the oscillation of the loop with an ideal relay."""
     growth = [run.growth for run in numbers.runs]
     means = "a third of the damping that G has at high frequency"
@@ -134,24 +133,18 @@ def relay_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Pa
         label,
         "an oscillation of high frequency remains",
         min(growth) < STEADY,
-        r"""
-        the swings become smaller and faster without end: after impulses of [[ weakest | power0 ]] to
-        [[ strongest | g ]] s per unit of the relay the frequency grows as $e^{[[ growth | f2 ]]\,t}$ and the
-        swings fall as $e^{[[ fall | f1 ]]\,t}$
+        rf"""
+        the swings become smaller and faster without end: after impulses of
+        {power_of(numbers.runs[0].impulse)} to {numbers.runs[-1].impulse:g} s per unit of the relay the
+        frequency grows as $e^{{{growth[0]:.2f}\,t}}$ and the swings fall as $e^{{{-2 * growth[0]:.1f}\,t}}$
         """,
-        numbers={
-            "weakest": numbers.runs[0].impulse,
-            "strongest": numbers.runs[-1].impulse,
-            "growth": growth[0],
-            "fall": -2 * growth[0],
-        },
         method="exact simulation of the loop with an ideal relay",
         second=close(means, numbers.damping / 3, growth[0], 1e-3),
-        item=item,
+        item=OSCILLATION,
     )
 
 
-def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> Part:
+def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) -> ClaimPart:
     """Return the part on the loop with friction and viscous friction of the output's velocity."""
     last = max(run.last_turn for run in numbers.friction)
     means = f"Moreau's steps of {1e9 * FINE_STEP:.0f} ns, in which a velocity of zero needs no event"
@@ -159,11 +152,10 @@ def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) ->
         label,
         "an oscillation remains",
         last > DURATION / 2,
-        """
-        it turns for the last time within [[ last | f0 ]] µs, and then sticks or creeps one way for the rest
-        of [[ duration | f0 ]] ms
+        f"""
+        it turns for the last time within {1e6 * last:.0f} µs, and then sticks or creeps one way for the rest
+        of {1e3 * DURATION:.0f} ms
         """,
-        numbers={"last": 1e6 * last, "duration": 1e3 * DURATION},
         method="exact simulation with true stick, impulses over six decades",
         second=close(means, max(numbers.last_turn_in_steps), last, 0.02),
         item=item,
@@ -172,23 +164,20 @@ def friction_part(numbers: RelayNumbers, label: str, item: str = OSCILLATION) ->
 
 def candidates_part(
     candidates: PeriodicCandidates, label: str, statement: str, second: Confirmation, item: str = ""
-) -> Part:
+) -> ClaimPart:
     """Return the part on periodic motions with all harmonics."""
     method = "Tsypkin's condition in closed form, which is exact for two switchings a period"
     derived = not all(candidates.in_phase)
+    frequencies = " and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies)
     return assertion(
         label,
         statement,
         derived,
-        """
-        from [[ low | g ]] Hz to [[ high | power0 ]] Hz a square wave returns with zeros at its jumps at
-        [[ frequencies ]] Hz only, and there in phase with itself, so the relay would work against it
+        f"""
+        from {0.5 / HALF_PERIODS[-1]:g} Hz to {power_of(0.5 / HALF_PERIODS[0])} Hz a square wave returns with
+        zeros at its jumps at {frequencies} Hz only, and there in phase with itself, so the relay would work
+        against it
         """,
-        numbers={
-            "low": 0.5 / HALF_PERIODS[-1],
-            "high": 0.5 / HALF_PERIODS[0],
-            "frequencies": " and ".join(f"{frequency:.1f}" for frequency in candidates.frequencies),
-        },
         method=method,
         second=second,
         item=item,
@@ -207,15 +196,15 @@ def high_frequency(known: Evidence) -> Record:
         by_harmonics(known.numbers.displacement_only, numbers.alone.frequencies),
     )
     yield friction_part(numbers, "friction, which acts on velocity")
-    yield text("""
+    yield text(f"""
         Near the origin $G$ is a double integrator with a little damping, on which a relay oscillates ever
         faster and smaller: the motion ends, and is no limit cycle. A simulation cannot follow that; one that
-        looks at the sign every [[ step | f0 ]] µs keeps up [[ frequency | f0 ]] Hz by its own delay, with
-        [[ amplitude | f2 ]] times the relay's size. The text offers harmonics as a possible explanation.
-        Tsypkin's condition, which holds them all, finds no periodic motion with two switchings.
+        looks at the sign every {1e6 * STEP:.0f} µs keeps up {frequency:.0f} Hz by its own delay, with
+        {amplitude:.2f} times the relay's size. The text offers harmonics as a possible explanation. Tsypkin's
+        condition, which holds them all, finds no periodic motion with two switchings.
 
         The small limit cycles for which the section neglects [friction](#txt-5.2.4-force-unit) do not exist.
-    """).given(step=1e6 * STEP, frequency=frequency, amplitude=amplitude)
+    """)
 
 
 @claim("txt-5.2.4-linear-in-fc")
@@ -263,17 +252,16 @@ def force_unit(known: Evidence) -> Record:
         "what the section concludes, read as said of the limit cycles of backlash",
         "friction below 1.0 N may be neglected when limit cycles are predicted",
         per_gap * SMALL_GAP > BOUND,
-        """
-        between cutter and guard [[ small | f3 ]] N end the limit cycle for a gap of 4 µm, [[ large | f2 ]] N
-        for 40 µm
+        f"""
+        between cutter and guard {per_gap * SMALL_GAP:.3f} N end the limit cycle for a gap of 4 µm,
+        {per_gap * LARGE_GAP:.2f} N for 40 µm
         """,
-        numbers={"small": per_gap * SMALL_GAP, "large": per_gap * LARGE_GAP},
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
         severity=Severity.CONCLUSION,
         certainty=Certainty.READING,
     )
-    yield text("""
+    yield text(f"""
         A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
         sections 5.2.4 and 5.2.5 write [-]. In a loop with $G$ as its linear part it is neither: the relay's
         output enters as a displacement of the pin, so 0.015 is 15 mm of its travel, ten times the
@@ -283,5 +271,5 @@ def force_unit(known: Evidence) -> Record:
         the limit cycle of a small gap.
 
         The force that ends a limit cycle is in proportion to the gap. The bound of 1.0 N ends it for gaps up
-        to [[ gap | f0 ]] µm; for a larger gap a limit cycle is left.
-    """).given(gap=1e6 * BOUND / per_gap)
+        to {1e6 * BOUND / per_gap:.0f} µm; for a larger gap a limit cycle is left.
+    """)

@@ -7,11 +7,12 @@ from fractions import Fraction
 
 from report.chapters.chapter_5.claims.section_5_2_4 import at_the_merger
 from report.chapters.second_ways import NEWTON
-from report.judging.claim import Confirmation, Part
+from report.judging.claim import ClaimPart, Confirmation
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Severity
-from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, Point
+from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, NewtonSolution
 from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles
 from report.numbers.listed_functions import equivalent_listing
@@ -41,7 +42,7 @@ def difference(_: Evidence) -> Record:
     """)
 
 
-def intersections_part(numbers: EquivalentNumbers) -> Part:
+def intersections_part(numbers: EquivalentNumbers) -> ClaimPart:
     """Return the part on the number of limit cycles, which the figure and the text share."""
     found, in_place = len(numbers.over_stiffness), numbers.in_place.limit_cycles(FORCE / SMALL_GAP)
     return digits(
@@ -54,7 +55,7 @@ def intersections_part(numbers: EquivalentNumbers) -> Part:
     )
 
 
-def frequency_part(numbers: EquivalentNumbers) -> Part:
+def frequency_part(numbers: EquivalentNumbers) -> ClaimPart:
     """Return the part on the frequency as the listings give it, which the figure and the text share."""
     (cycle,), (less_force,) = numbers.rounded, numbers.rounded_less_force
     _, by_newton = limit_cycles.equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
@@ -71,7 +72,7 @@ def frequency_part(numbers: EquivalentNumbers) -> Part:
     )
 
 
-def by_listing_a6(solution: LimitCycle | Point, turning: float) -> complex:
+def by_listing_a6(solution: LimitCycle | NewtonSolution, turning: float) -> complex:
     """Return N of Listing A.6 at a solution, with an angular frequency (rad/s) in its friction term."""
     return equivalent_listing(solution.amplitude, FORCE, SMALL_GAP, turning)
 
@@ -88,23 +89,17 @@ def prediction(known: Evidence) -> Record:
     (rounded,), (listing,) = numbers.rounded, numbers.listing
     yield intersections_part(numbers)
     yield frequency_part(numbers)
-    yield text(r"""
-        With the right friction term there is no limit cycle at [[ force ]] N: friction between cutter and
-        guard ends it at [[ most | f4 ]] N for this gap. The printed one comes from line 18 of Listing A.6,
-        whose [friction term](#txt-5.2.5-coulomb-term) feeds the oscillation. The listings give
-        [[ rounded | f3 ]] Hz; the printed last digits come out with 0.15 N, the force of figure 5.21.
-        Equation 5.14, which the text names as what is drawn, gives [[ as_printed | f0 ]] Hz.
+    yield text(f"""
+        With the right friction term there is no limit cycle at {FORCE} N: friction between cutter and guard
+        ends it at {numbers.force_of_merger:.4f} N for this gap. The printed one comes from line 18 of Listing
+        A.6, whose [friction term](#txt-5.2.5-coulomb-term) feeds the oscillation. The listings give
+        {rounded.frequency:.3f} Hz; the printed last digits come out with 0.15 N, the force of figure 5.21.
+        Equation 5.14, which the text names as what is drawn, gives {numbers.as_printed.frequency:.0f} Hz.
 
         The comparison with 733.33 Hz, figures 5.23 and 5.24 and the peak of 736.993 Hz that is taken for this
-        limit cycle lose their ground. Its amplitude of [[ amplitude | f1 ]] mm, which the text does not give,
-        would have shown it.
-    """).given(
-        force=FORCE,
-        most=numbers.force_of_merger,
-        rounded=rounded.frequency,
-        as_printed=numbers.as_printed.frequency,
-        amplitude=1e3 * listing.amplitude,
-    )
+        limit cycle lose their ground. Its amplitude of {1e3 * listing.amplitude:.1f} mm, which the text does
+        not give, would have shown it.
+    """)
 
 
 @claim("txt-5.2.5-amplitude")
@@ -117,49 +112,38 @@ def amplitude(known: Evidence) -> Record:
         "by Listing A.6",
         "the amplitude changes much, the frequency little",
         growth > 10 and abs(shift) < 0.01,
-        """
-        from [[ without | f1 ]] µm without friction to [[ amplitude | f1 ]] mm at [[ force ]] N,
-        [[ growth | f0 ]] times; the frequency rises by [[ shift | f2 ]] %
+        f"""
+        from {1e6 * without:.1f} µm without friction to {1e3 * listing.amplitude:.1f} mm at {FORCE} N,
+        {growth:.0f} times; the frequency rises by {100 * shift:.2f} %
         """,
-        numbers={
-            "without": 1e6 * without,
-            "amplitude": 1e3 * listing.amplitude,
-            "force": FORCE,
-            "growth": growth,
-            "shift": 100 * shift,
-        },
         method=BY_LISTING,
         second=loop_closes(known, listing.omega, by_listing_a6(listing, DRIVE_OMEGA)),
     )
+    last = 1e6 * SMALL_GAP * numbers.in_place.merger.amplitude
     yield assertion(
         "with the right friction term",
         "a limit cycle with another amplitude is left at 0.6 N",
         numbers.in_place.limit_cycles(FORCE / SMALL_GAP) > 0,
-        """
-        the amplitude falls from [[ without | f1 ]] µm to [[ last | f1 ]] µm at [[ most | f4 ]] N; beyond that
-        force there is no limit cycle
+        f"""
+        the amplitude falls from {1e6 * without:.1f} µm to {last:.1f} µm at {numbers.force_of_merger:.4f} N;
+        beyond that force there is no limit cycle
         """,
-        numbers={
-            "without": 1e6 * without,
-            "last": 1e6 * SMALL_GAP * numbers.in_place.merger.amplitude,
-            "most": numbers.force_of_merger,
-        },
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
         slip=repeated(LINE_18, len(numbers.listing) > 0),
         item=ONE_LIMIT_CYCLE,
     )
-    yield text("""
+    yield text(f"""
         The text says that the amplitude has changed much, and gives none. Its own function makes it
-        [[ times | f0 ]] times that of the pin, and larger still with more friction. The right term acts the
-        other way: friction makes the oscillation smaller and then ends it.
+        {listing.amplitude / DRIVE_AMPLITUDE:.0f} times that of the pin, and larger still with more friction.
+        The right term acts the other way: friction makes the oscillation smaller and then ends it.
 
         The section's model contradicts the conclusion of section 3.3 and chapter 7 that friction suppresses
         the limit cycle; the right one supports it.
-    """).given(times=listing.amplitude / DRIVE_AMPLITUDE)
+    """)
 
 
-def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
+def peak_parts(known: Evidence, prefix: str = "") -> tuple[ClaimPart, ...]:
     """Return a part for each peak, and one on what the highest of them is."""
     numbers, branch = known.motion.closed.released_bodies, known.cycles.equivalent.in_place
     read = [RECORD.frequency(number) for number in numbers.runs[0].peaks]
@@ -179,12 +163,11 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[Part, ...]:
         f"{prefix}what the peak at {RELEASED_PEAKS[2]} Hz is",
         f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
         left > DIED_OUT,
-        """
-        the motion dies out: at the end of the record less than [[ left | power0 ]] of the start is left. A
-        gap of 4 µm bears [[ most | f3 ]] N at most; the peak is the third natural mode of the loop,
-        [[ mode | f2 ]] Hz
+        f"""
+        the motion dies out: at the end of the record less than {power_of(DIED_OUT)} of the start is left. A
+        gap of 4 µm bears {known.cycles.equivalent.force_of_merger:.3f} N at most; the peak is the third
+        natural mode of the loop, {numbers.modes[2]:.2f} Hz
         """,
-        numbers={"left": DIED_OUT, "most": known.cycles.equivalent.force_of_merger, "mode": numbers.modes[2]},
         method="exact simulation with true stick",
         second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / SMALL_GAP) == 0),
         item="736.993 Hz, peak read as the limit cycle with 0.6 N of friction",
@@ -203,21 +186,21 @@ def peaks(known: Evidence) -> Record:
         f"what the peak at {RELEASED_PEAKS[1]} Hz is",
         f"it is a harmonic of the one at {RELEASED_PEAKS[2]} Hz",
         apart < 1,
-        """
-        twice [[ peaks[1] ]] Hz is [[ apart | f0 ]] bins away from [[ peaks[2] ]] Hz; harmonics lie above, and
-        odd elements make odd ones. It is the second natural mode, [[ mode | f2 ]] Hz
+        f"""
+        twice {RELEASED_PEAKS[1]} Hz is {apart:.0f} bins away from {RELEASED_PEAKS[2]} Hz; harmonics lie
+        above, and odd elements make odd ones. It is the second natural mode, {modes[1]:.2f} Hz
         """,
-        numbers={"peaks": RELEASED_PEAKS, "apart": apart, "mode": modes[1]},
         method="the printed frequencies and bins",
         second=close("the natural modes of the loop", modes[1], second, 2e-3),
     )
-    yield text("""
-        All three are free vibrations of the closed loop without play and friction, at [[ modes[0] | f2 ]],
-        [[ modes[1] | f2 ]] and [[ modes[2] | f2 ]] Hz, each in its line of a spectrum over one second; in the
-        first number two digits are exchanged. The start is not given. With all four bodies displaced alike,
-        by [[ least | g ]] to [[ most | g ]] m, which is our guess, these are the three largest peaks. A start
-        so much larger than the gap leaves nothing of play or friction in them.
+    yield text(f"""
+        All three are free vibrations of the closed loop without play and friction, at {modes[0]:.2f},
+        {modes[1]:.2f} and {modes[2]:.2f} Hz, each in its line of a spectrum over one second; in the first
+        number two digits are exchanged. The start is not given. With all four bodies displaced alike, by
+        {numbers.runs[0].displacement:g} to {numbers.runs[-1].displacement:g} m, which is our guess, these are
+        the three largest peaks. A start so much larger than the gap leaves nothing of play or friction in
+        them.
 
         That 736.993 Hz agrees with the predicted 737.514 Hz is no evidence for the equivalent nonlinearity:
         both are nearly the frequency at which $G$ passes by $-1$.
-    """).given(modes=modes, least=numbers.runs[0].displacement, most=numbers.runs[-1].displacement)
+    """)

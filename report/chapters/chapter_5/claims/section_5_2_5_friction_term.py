@@ -10,7 +10,7 @@ from derivations.elements.friction import FORCE as COULOMB
 from derivations.symbols import A, omega
 from report.chapters.chapter_2.claims.section_2_4 import printed_backlash_part
 from report.chapters.chapter_5.claims.section_5_2_4 import FRICTION, RELAY
-from report.judging.claim import Part, Slip
+from report.judging.claim import ClaimPart, Slip
 from report.judging.parts import expression, made_here, repeated, same
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Severity
@@ -19,7 +19,9 @@ from report.numbers.evidence import Evidence
 PRINTED_TERM = -sympy.I * 4 * COULOMB / (omega * A * sympy.pi)
 
 
-def coulomb_part(over: sympy.Expr = sympy.S.One, made: Callable[[str, sympy.Expr], Slip] = made_here) -> Part:
+def coulomb_part(
+    over: sympy.Expr = sympy.S.One, made: Callable[[str, sympy.Expr], Slip] = made_here
+) -> ClaimPart:
     """Return the part on the friction term, which equation 5.14 divides by the amplitude once more."""
     by_velocity = sympy.simplify(sympy.I * omega * RELAY.subs(A, omega * A))
     means = r"$j\omega$ times the gain for an amplitude of velocity $\omega A$"

@@ -63,12 +63,11 @@ def _single(known: Evidence) -> Record:
         "1: one nonlinearity, for backlash with friction",
         "both act at one place of the loop, so that one element stands for them",
         bool(np.abs(quotients - 1).max() < 1e-6),
-        """
-        a force between cutter and guard moves them [[ sizes[0] | f3 ]] times as far at
-        [[ pair.unstable.frequency | f0 ]] Hz and [[ sizes[1] | f3 ]] times as far at
-        [[ pair.stable.frequency | f0 ]] Hz as a force by the pin's spring does
+        f"""
+        a force between cutter and guard moves them {abs(quotients)[0]:.3f} times as far at
+        {pair.unstable.frequency:.0f} Hz and {abs(quotients)[1]:.3f} times as far at
+        {pair.stable.frequency:.0f} Hz as a force by the pin's spring does
         """,
-        numbers={"sizes": abs(quotients), "pair": pair},
         method="responses of $q_2 - q_4$ to both",
         second=close("the matrices of figure 2.1, solved at both frequencies", solved, quotients.sum()),
     )
@@ -84,11 +83,10 @@ def _static_and_time_invariant() -> Record:
         "2: $y(t) = f(x(t))$, for backlash",
         "the output follows from the input at the same instant",
         difference == 0,
-        """
-        where the pin falls the load is $[[ gap | latex ]]$, a whole gap, farther than where the pin rises
-        through the same place
+        f"""
+        where the pin falls the load is ${sympy.latex(difference)}$, a whole gap, farther than where the pin
+        rises through the same place
         """,
-        numbers={"gap": difference},
         method="two pieces of the derived waveform at one value of the input",
         second=close(means, from_above - from_below, GAP),
         severity=Severity.SLIP,
@@ -133,16 +131,13 @@ def _filtered(known: Evidence) -> Record:
         for pair in (orbits.friction, orbits.inertia)
         for orbit in (pair.unstable, pair.stable)
     )
+    at_limits = ", ".join(f"{100 * share:.2f} % ({name})" for name, share in limits.items())
     means = f"the exact orbits for both limits, whose third harmonics are {100 * exact:.2f} % at most"
     yield assertion(
         "3: filtering, at every predicted limit cycle",
         f"the third harmonic comes back with less than {100 * LITTLE:.0f} % of the fundamental",
         largest < LITTLE,
-        "it is [[ limits ]], and at most [[ largest | f2 ]] % for any $M/D$ between",
-        numbers={
-            "limits": ", ".join(f"{100 * share:.2f} % ({name})" for name, share in limits.items()),
-            "largest": 100 * largest,
-        },
+        f"it is {at_limits}, and at most {100 * largest:.2f} % for any $M/D$ between",
         method="the element's third harmonic with the response of $G$",
         second=so(means, exact < LITTLE),
         item="the filtering hypothesis is satisfied",

@@ -8,8 +8,9 @@ from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE
 from report.chapters.chapter_5.claims.section_5_2_5 import DIFFERENCE
 from report.chapters.second_ways import NEWTON
 from report.data.statements import read_inventory, read_sections
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import PrintedDigits
+from report.judging.comparisons.printed import power, power_of
 from report.judging.parts import assertion, close, digits, repeated
 from report.judging.record import Record, claim, text
 from report.numbers.evidence import Evidence
@@ -22,7 +23,7 @@ QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 an
 """The frequency predicted for b = 4e-6 m, Hz, each place it is quoted."""
 
 
-def refers(label: str, named: str, meant: str, what: str) -> Part:
+def refers(label: str, named: str, meant: str, what: str) -> ClaimPart:
     """Return the part on a reference to a figure or a listing: whether it is the one that is described."""
     entries = read_inventory()
     places = {figure: section.number for section in read_sections() for figure in section.figures}
@@ -46,11 +47,10 @@ def to_the_models(_: Evidence) -> Record:
         "where the models in open loop stand",
         "the models in open loop are those of section 3.1",
         place.number == named.number,
-        """
-        section 3.1 is “[[ named.title ]]”; the simulations in open loop, figures 3.6 to 3.8, stand in section
-        [[ place.number ]]
+        f"""
+        section 3.1 is “{named.title}”; the simulations in open loop, figures 3.6 to 3.8, stand in section
+        {place.number}
         """,
-        numbers={"named": named, "place": place},
         method="read in the headings of the sections and the places of their figures",
     )
     yield text("""
@@ -110,13 +110,14 @@ def quoted_prediction(known: Evidence) -> Record:
     slip = repeated("733.33 Hz, cut off, is used for the rounded 733.34 Hz", from_cut_off)
     label = "the difference to 737.514 Hz"
     yield digits(label, "0.5705", difference, "%", second=second, slip=slip, item=DIFFERENCE)
-    yield text(r"""
-        The coefficients of Listing A.9 give [[ predicted | f4 ]] Hz. 733.3 and 733.34 Hz are right roundings
-        of it; 733.33 Hz is cut off. So is the amplitude of section 5.2.5, where $3.3138\times10^{-5}$ m has
-        become $3.313\times10^{-5}$ m. The percentage of that section follows from the number that is cut off.
+    yield text(rf"""
+        The coefficients of Listing A.9 give {predicted:.4f} Hz. 733.3 and 733.34 Hz are right roundings of
+        it; 733.33 Hz is cut off. So is the amplitude of section 5.2.5, where $3.3138\times10^{{-5}}$ m has
+        become $3.313\times10^{{-5}}$ m. The percentage of that section follows from the number that is cut
+        off.
 
-        None beyond a last digit: from the rounded number the difference is [[ difference | f4 ]] %.
-    """).given(predicted=predicted, difference=difference)
+        None beyond a last digit: from the rounded number the difference is {difference:.4f} %.
+    """)
 
 
 @claim("txt-5.2.1-amplitude-symbols")
@@ -130,26 +131,23 @@ def amplitude_symbols(known: Evidence) -> Record:
         "nomenclature: the value that section 5.2.1 calls $A_{lcs}$",
         "it is the one predicted by the condition for harmonic balance",
         PrintedDigits(under_the_symbol, predicted).compare().agrees,
-        """
-        [[ printed | power ]] m is half of the distance of two readings from a simulation; harmonic balance
-        gives [[ predicted | power4 ]] m, which is called $A_{lch}$
+        f"""
+        {power(under_the_symbol)} m is half of the distance of two readings from a simulation; harmonic
+        balance gives {power_of(predicted, 4)} m, which is called $A_{{lch}}$
         """,
-        numbers={"printed": under_the_symbol, "predicted": predicted},
         method="both values of section 5.2.1 against harmonic balance with Listing A.9",
         second=close("half of the distance of the two readings", readings, simulated, 2e-5),
     )
     second = close(NEWTON, SMALL_GAP * ratio, predicted)
     label = "footnote 4: $A_{lch}$ is the predicted one"
     yield digits(label, PREDICTED, predicted, "m", second=second, item=AMPLITUDE)
-    yield text("""
-        The nomenclature gives $A_{lcs}$ as the predicted amplitude. Footnotes 4 and 5 and the numbers of
+    yield text(f"""
+        The nomenclature gives $A_{{lcs}}$ as the predicted amplitude. Footnotes 4 and 5 and the numbers of
         section 5.2.1 have it the other way round: s stands for the simulation, h for harmonic balance.
-        Section 5.2.5 writes $f_{lcs}$ for both, a frequency read from an intersection and one from a
+        Section 5.2.5 writes $f_{{lcs}}$ for both, a frequency read from an intersection and one from a
         spectrum.
 
         Read with the nomenclature, the error of section 5.2.1 would be relative to the prediction,
-        [[ of_predicted | f4 ]] % instead of [[ of_simulated | f4 ]] %.
-    """).given(
-        of_predicted=100 * (1 - simulated / float(PREDICTED)),
-        of_simulated=100 * (float(PREDICTED) / simulated - 1),
-    )
+        {100 * (1 - simulated / float(PREDICTED)):.4f} % instead of
+        {100 * (float(PREDICTED) / simulated - 1):.4f} %.
+    """)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 import control
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.limit_cycle_numbers import Pair, cycles_of_constant_gamma
 from report.numbers.listed_functions import friction_listing, listing_contour
@@ -38,16 +38,7 @@ RATIOS: Final = np.geomspace(1e-3, 0.9999, 800)
 """Gap over amplitude in figures 5.8 and 5.13, as a share of the largest one in the domain."""
 
 
-@figure(
-    "fig-5.5",
-    "Friction-controlled backlash by two programs",
-    caption="""$G$ and $-1/N$ of Listing A.3, with python-control's values as squares (thesis, figure 5.5).
-    (b) Size of what both return. They agree from half of the gap on; below it the library returns zero,
-    the listing numbers without meaning.""",
-    alternative_text="""Squares lie on a dashed curve that runs from minus one down and to the left through
-    the large loop of G. Beside it the size of N over the amplitude: zero at half of the gap, rising towards
-    one; left of that the dashed line rises again while the squares stay at zero.""",
-)
+@figure("fig-5.5")
 def second_implementation(known: Evidence) -> Figure:
     library = control.friction_backlash_nonlinearity(LIBRARY_GAP)
     amplitudes = LIBRARY_GAP * (0.5 + np.geomspace(1e-3, 25, 400))
@@ -72,15 +63,7 @@ def second_implementation(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.8",
-    "Friction-controlled backlash with G",
-    caption="""$G$ and $-1/N$ of friction-controlled backlash, for any gap (thesis, figures 5.8 and 5.10a).
-    Full point: stable limit cycle; open point: unstable; amplitudes in gaps. (b) The stable one in the
-    thesis's loop and with the pin's velocity as second input.""",
-    alternative_text="""A large loop below the real axis is crossed twice by a curve that ends at minus one;
-    an enlargement near minus one shows two nearly parallel loci that meet the curve at different places.""",
-)
+@figure("fig-5.8")
 def friction_intersections(known: Evidence) -> Figure:
     cycles, numbers, element = known.cycles, known.numbers, FrictionBacklash(1.0)
     figure, (left, right) = panels(3.6, 1, 2)
@@ -95,13 +78,7 @@ def friction_intersections(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.13",
-    "Inertia-controlled backlash with G",
-    caption=r"""$G$ and $-1/N$ of inertia-controlled backlash over its whole domain, $0 < b/A < \pi$ (thesis,
-    figure 5.13). Full point: stable limit cycle; open point: unstable; amplitudes in gaps.""",
-    alternative_text="The curve of minus one over N starts at minus one and meets the locus twice.",
-)
+@figure("fig-5.13")
 def inertia_intersections(known: Evidence) -> Figure:
     figure, (left, right) = panels(3.6, 1, 2)
     for axes, offsets in ((left, ((12, -16), (10, 20))), (right, ((0, 0), (14, 24)))):
@@ -138,16 +115,7 @@ def _marks(axes: Axes, system: control.lti.LTI, pair: Pair, offsets: tuple[Offse
     plane.mark(axes, system, cycles, texts, offsets)
 
 
-@figure(
-    "fig-5.15",
-    "What a band of limit cycles would need",
-    caption="""$G$ with $-1/N$ of inertia-controlled backlash near $-1$ (thesis, figure 5.15). For
-    intersections from 4600 to 5380 rad/s the curve would have to be as thick as the shaded area. With all
-    harmonics that come back it is 0.002 thick, less than the line drawn. Full point: the stable limit
-    cycle.""",
-    alternative_text="""A broad shaded band around the dashed curve holds both ends of the thesis's range on
-    G, which lie far on both sides of the one intersection at 4716 radians per second.""",
-)
+@figure("fig-5.15")
 def higher_harmonics(known: Evidence) -> Figure:
     system, cycle = known.numbers.displacement_only, known.cycles.inertia.stable
     points = plane.inverse(InertiaBacklash(1.0))
@@ -174,17 +142,7 @@ def higher_harmonics(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.16",
-    "Viscous-controlled backlash with G",
-    caption=r"""$G$ with $-1/N$ for a constant $\gamma = M\omega/D$, between the curves for friction and for
-    inertia (thesis, figure 5.16). (a), (b) Right contours: each meets the outer circle of $G$ near $-1$,
-    where the limit cycle is stable (full point), and once more where it is not (open point). (c), (d) Listing
-    A.5, whose contact angles are complex: its contours stay away from $-1$.""",
-    alternative_text="""Above, three curves start at minus one between two others and cross G near minus one
-    and once more on the small loop. Below, three curves start away from minus one and bend to the right
-    across the small loop; near minus one there is none of them.""",
-)
+@figure("fig-5.16")
 def viscous_contours(known: Evidence) -> Figure:
     system = known.numbers.displacement_only
     figure, grid = panels(6.4, 2, 2)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers import equivalent_nonlinearity as model
 from report.numbers.evidence import Evidence
 from report.numbers.record import line_amplitudes
@@ -32,15 +32,7 @@ NEAR_MODES: Final = (150.0, 850.0)
 """Frequencies of figure 5.23b, Hz."""
 
 
-@figure(
-    "fig-5.19",
-    "Relay in the loop",
-    caption="""Swings after an impulse, in the loop with an ideal relay (thesis, figure 5.19): (a) their size,
-    (b) their frequency. They never stop becoming smaller and faster; runs end after 3000 switchings. Dotted:
-    what a simulation keeps up that looks at the relay's input once in 10 µs.""",
-    alternative_text="""Falling lines of size and rising lines of frequency over time on logarithmic scales,
-    ever steeper in the end; a dotted level lies across each panel.""",
-)
+@figure("fig-5.19")
 def relay_swings(known: Evidence) -> Figure:
     numbers = known.motion.closed.relay
     figure, (sizes, frequencies) = panels(3.4, 1, 2)
@@ -64,17 +56,7 @@ def relay_swings(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.20",
-    "Coulomb and viscous friction in the loop",
-    caption="""Which signal enters the block is not said (thesis, figure 5.20). (a) The output: a square wave
-    that kept itself up would need $y = 0$ where it jumps; $y$ is zero only at the edges of the grey strip,
-    and there in phase with it, which does not keep it up. (b) The output's velocity: the loop moves a little,
-    then sticks or creeps to rest (points).""",
-    alternative_text="""Left, two nearly equal curves with peaks at low frequency that fall as a straight line
-    on logarithmic scales. Right, three curves that rise to their last value, where a point marks the end:
-    after one microsecond for the weakest impulse, later for the stronger ones.""",
-)
+@figure("fig-5.20")
 def friction_and_condition(known: Evidence) -> Figure:
     system = pin_model(known.numbers.parameters, channels=InputChannels.DISPLACEMENT_ONLY)
     A, B, C = system.A, system.B, system.C
@@ -101,15 +83,7 @@ def friction_and_condition(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.21",
-    "Backlash and friction together",
-    caption="""$G$ with $-1/N$ by Listing A.6 for 0.15 N, 200π rad/s and a gap of 2 mm, and with one of them
-    changed (thesis, figure 5.21; the values beside those are ours). (d) The right friction term, over
-    $k_2$. The wrong sign bends the curves to the right, the right one bends them up.""",
-    alternative_text="""Three panels in which curves from minus one bend from the curve without friction to
-    the lower right; a fourth in which they bend to the left and upwards, until they no longer meet G.""",
-)
+@figure("fig-5.21")
 def three_panels(known: Evidence) -> Figure:
     k2, force, gap = known.numbers.parameters.k2, model.OTHER_FORCE, LARGER_GAP
     listing, right = model.listing_element, model.right_element
@@ -134,15 +108,7 @@ def three_panels(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.22",
-    "Equivalent nonlinearity without friction",
-    caption=r"""$G$ with $-1/N$ for $b$ = $4\times10^{-6}$ m and $F_c$ = 0 (thesis, figure 5.22). Listing A.6
-    gives backlash without friction and its two limit cycles, stable (full point) and unstable (open).
-    Equation 5.14, whose real part lacks a factor, gives a curve along the negative real axis.""",
-    alternative_text="""A dashed curve with two marked intersections, at 2.11 and 33.26 micrometres; a
-    dash-dotted straight line along the negative real axis meets G nowhere.""",
-)
+@figure("fig-5.22")
 def without_force(known: Evidence) -> Figure:
     system, friction = known.numbers.displacement_only, known.cycles.friction
     cycles = (friction.unstable, friction.stable)
@@ -161,18 +127,7 @@ def without_force(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.23",
-    "Equivalent nonlinearity with 0.6 N",
-    caption=r"""(a), (b) $G$ with $-1/N$ for $b$ = $4\times10^{-6}$ m and $F_c$ = 0.6 N (thesis, figure 5.23).
-    By Listing A.6 there is one intersection, with an amplitude of 16.9 mm, which would be stable (full
-    point). With the right sign the curve leaves $-1$ upwards and meets $G$ nowhere. (c) Spectrum of the exact
-    loop with that gap and force, all bodies displaced alike at the start; dotted: natural modes of the loop
-    without play and friction, with what the thesis reads.""",
-    alternative_text="""Two half circles from minus one to zero, one below the real axis, which crosses G
-    close to minus one, and one above it, which does not. Below, a spectrum with three rounded peaks at 222,
-    370 and 737 hertz, the same for three starts.""",
-)
+@figure("fig-5.23")
 def one_force(known: Evidence) -> Figure:
     system, k2 = known.numbers.displacement_only, known.numbers.parameters.k2
     (cycle,) = known.cycles.equivalent.listing
@@ -204,18 +159,7 @@ def one_force(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.24",
-    "Contours for several forces, and what friction does",
-    caption=r"""(a) Listing A.6 for $b$ = $4\times10^{-6}$ m and several $F_c$ (thesis, figure 5.24); the
-    intersection, stable (full points), moves to the right and stops. (b) Amplitude over force for friction
-    between cutter and guard; the stable and the unstable limit cycle (dotted) meet (diamond), and beyond that
-    force there is none. Exact orbits: “The thesis's loop over friction and gap”, in the chapter on the real
-    trimmer.""",
-    alternative_text="""Left, five curves from minus one cross G at points that crowd together. Right, for
-    each of two loops a falling solid curve and a rising dotted one that end in one point, at 8.1 and 6.3
-    kilonewton per metre of gap.""",
-)
+@figure("fig-5.24")
 def several_forces(known: Evidence) -> Figure:
     numbers, system = known.cycles.equivalent, known.numbers.displacement_only
     figure, (near, branches) = panels(3.8, 1, 2)

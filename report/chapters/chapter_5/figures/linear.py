@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.linear_numbers import lightly_damped, pin_and_output, sum_of_displacements
 from report.pages.drawing.marks import arrow, beside
@@ -28,14 +28,7 @@ OMEGA = np.geomspace(1e2, 1e5, 3000)
 """Frequencies of the Bode plots, rad/s; peaks are added to them."""
 
 
-@figure(
-    "fig-5.1",
-    "Time response of the linear trimmer",
-    caption=r"""Pin and output for $u(t) = 0.0015\sin(2\pi 100 t)$ m, started from rest (thesis, figure 5.1).
-    (b) Their difference. The start excites the natural modes, which take some periods to decay.""",
-    alternative_text="""Two curves of displacement against time, six periods of a sine of 1.5 mm that nearly
-    coincide; a third curve below shows their difference, which starts at 0.3 mm and decays.""",
-)
+@figure("fig-5.1")
 def linear_time_response(known: Evidence) -> Figure:
     times = np.linspace(0, 0.06, 6001)
     pin, output = pin_and_output(known.numbers.parameters, times)
@@ -49,14 +42,7 @@ def linear_time_response(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.2",
-    "Bode plot",
-    caption="""Bode plot of $q_2 - q_4$ (thesis, figure 5.2). Circle: the frequency quoted as cutoff, where
-    the gain is one. Square: 3 dB below the static gain. The dotted line falls by 40 dB per decade.""",
-    alternative_text="""Magnitude and phase against frequency for two systems that nearly coincide up to ten
-    thousand radians per second. Two sharp peaks near 2221 and 3453; above them the magnitude falls.""",
-)
+@figure("fig-5.2")
 def bode_plot(known: Evidence) -> Figure:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
     figure, (upper, lower) = panels(4.6, 2, sharex=True)
@@ -83,14 +69,7 @@ def bode_plot(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.3",
-    "Nyquist locus",
-    caption="""Nyquist locus of $q_2 - q_4$ from the pin's displacement (thesis, figure 5.3). Arrows: rising
-    frequency. The locus does not encircle $-1$.""",
-    alternative_text="""Closed curve with two large loops below the real axis for positive frequency and its
-    mirror image; the right half shows that the point minus one lies outside.""",
-)
+@figure("fig-5.3")
 def nyquist_locus(known: Evidence) -> Figure:
     system = known.numbers.displacement_only
     # Each resonance is followed closely, where the locus moves fastest.
@@ -115,14 +94,7 @@ def nyquist_locus(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.4",
-    "Bode plot with very light damping",
-    caption="""Magnitude of the sum of all displacements with a thousandth of the damping, and with all of it
-    (thesis, figure 5.4). Dotted: natural frequencies without damping, in rad/s.""",
-    alternative_text="""Magnitude against frequency; the lightly damped curve has four sharp peaks, the other
-    has three rounded ones.""",
-)
+@figure("fig-5.4")
 def bode_plot_light_damping(known: Evidence) -> Figure:
     light = sum_of_displacements(lightly_damped(known.numbers.parameters))
     full = sum_of_displacements(known.numbers.parameters)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from report.judging.record import figure
+from report.data.figures import figure
 from report.numbers.drive_amplitudes import RECORD, SAMPLE_RATE, SETTLING, AmplitudeRun
 from report.numbers.evidence import Evidence
 from report.numbers.impulse_response import GAPS, SHOWN
@@ -43,16 +43,7 @@ FLOOR: Final = 0.1
 """Smallest line that is shown, µm."""
 
 
-@figure(
-    "fig-5.7",
-    "Three gaps after one impulse",
-    caption="""How far the closed loop swings after an impulse, for the gaps of figure 5.7 of the thesis. All
-    three go on after the stronger impulse, with 8.29 gaps each. After the weaker one the largest gap dies
-    out, not the smallest.""",
-    alternative_text="""Six bands over 160 milliseconds. In the left column they widen to 83, 166 and 249
-    nanometres from top to bottom; in the right column the first two do the same and the third shrinks to
-    nothing.""",
-)
+@figure("fig-5.7")
 def three_gaps(known: Evidence) -> Figure:
     figure, grid = panels(4.8, len(GAPS), len(SHOWN), sharex=True, sharey=True)
     for run in known.motion.closed.impulses.runs:
@@ -79,17 +70,7 @@ def _band(axes: Axes, times: Reals, values: Reals) -> None:
         axes.plot(middles, edge, linewidth=1, **LINES[0])
 
 
-@figure(
-    "fig-5.9",
-    "Limit cycle for a gap of 4 µm",
-    caption="""(a) Settled output (thesis, figure 5.9). (b) Its crest: the exact coefficients give 33.16 µm,
-    the rounded ones of the listing 33.04 µm; dotted: the reading of the thesis. (c) Its spectrum over one
-    second, whose highest bin is 734 Hz, and over the stated 0.1 s, whose highest bin is 730 Hz; dotted: the
-    limit cycle.""",
-    alternative_text="""A sine of 33 micrometres. Beside it its crest, enlarged: the curve of the rounded
-    coefficients touches the dotted reading, the exact one is 0.13 micrometres higher. Below, a narrow peak at
-    734 hertz and one ten times as wide at 730, on both sides of a dotted line at 733.6.""",
-)
+@figure("fig-5.9")
 def small_gap(known: Evidence) -> Figure:
     orbit, rounded = known.orbits.friction.stable, known.orbits.friction_listing.stable
     figure = new_figure(5.4)
@@ -128,17 +109,7 @@ def _crest(orbit: PeriodicOrbit) -> tuple[Reals, Reals]:
     return around, periodic(orbit, (highest + around) * orbit.period)
 
 
-@figure(
-    "fig-5.10",
-    "Intersections and oscillation for a gap of 40 µm",
-    caption=r"""(a), (b) $G$ and $-1/N$ of friction-controlled backlash with $b$ = $4\times10^{-5}$ m (thesis,
-    figure 5.10). Full point: stable limit cycle; open point: unstable. The curve is that of every other gap;
-    only the amplitudes along it belong to this one. (c) How far the exact loop swings after an impulse. (d)
-    The settled motion.""",
-    alternative_text="""The dashed curve leaves the large loop of G at its lower side, at 21.1 micrometres and
-    553.6 hertz, unstable, and crosses it again close to minus one, at 332.6 micrometres and 733.6 hertz,
-    stable. Below, a band that widens to 0.33 millimetres, and four periods of a sine of that size.""",
-)
+@figure("fig-5.10")
 def larger_gap(known: Evidence) -> Figure:
     system, pair = known.numbers.displacement_only, known.cycles.friction
     figure, ((whole, near), (start, settled)) = panels(6.4, 2, 2, height_ratios=(5, 4))
@@ -168,15 +139,7 @@ def periodic(orbit: PeriodicOrbit, times: Reals) -> Reals:
     return orbit.motion.output(np.mod(times, orbit.period))
 
 
-@figure(
-    "fig-5.11",
-    "Driven loop over time",
-    caption="""Output and bridge with a drive of 1.5 mm at 100 Hz and $b$ = 40 µm (thesis, figure 5.11).
-    (a) Open loop. (b) The same blocks with the output subtracted from the drive, which swing between −1
-    and 1 mm (dotted) with a faster oscillation on top, as the text describes the figure.""",
-    alternative_text="""Above, a sine of 1.48 millimetres that bridge and output share. Below, a wave of one
-    millimetre made of a slow and a fast oscillation, the bridge in opposite phase to the fast one.""",
-)
+@figure("fig-5.11")
 def time_responses(known: Evidence) -> Figure:
     opened, closed = _open_loop(known), known.motion.closed.reference.from_rest.motion
     times = np.linspace(0, 2 / DRIVE_FREQUENCY, opened.output.size, endpoint=False)
@@ -198,16 +161,7 @@ def time_responses(known: Evidence) -> Figure:
     return figure
 
 
-@figure(
-    "fig-5.12",
-    "Closed and driven loop in spectra",
-    caption="""(a) Closed loop (thesis, figure 5.12a). (b) Open loop, odd multiples of 100 Hz only (thesis,
-    figure 5.12b). (c) The same blocks with the output subtracted from the drive, where the limit cycle shows.
-    Dotted: its frequency without drive.""",
-    alternative_text="""Three spectra. The first has one line at 733.6 hertz; the second has lines at 100,
-    300, 500, 700, 900 and 1100 hertz, none of them there; the third has large lines at 100 and at 733
-    hertz.""",
-)
+@figure("fig-5.12")
 def spectra(known: Evidence) -> Figure:
     orbit, closed, run = known.orbits.friction.stable, known.motion.closed, _open_loop(known)
     figure, (top, middle, bottom) = panels(5.2, 3, sharex=True)
@@ -239,16 +193,7 @@ def _stems(axes: Axes, frequencies: np.ndarray, sizes: np.ndarray) -> None:
     axes.plot(frequencies[shown], sizes[shown], "o", color=LINES[0]["color"], markersize=4)
 
 
-@figure(
-    "fig-5.14",
-    "Inertia-controlled backlash, driven",
-    caption="""From rest, 1.5 mm at 100 Hz, $b$ = 0.4 mm (thesis, figure 5.14). (a), (b) Open loop. (c),
-    (d) Listing A.8's block in the loop with the drive as reference; its largest line beside multiples of
-    100 Hz (points) is where the thesis reads 659 Hz.""",
-    alternative_text="""Above, a distorted sine, and a spectrum that falls smoothly between odd multiples of
-    100 hertz. Below, a fast oscillation on a slow one, and a spectrum with a hump at 660 hertz beside a line
-    at 700.""",
-)
+@figure("fig-5.14")
 def inertia(known: Evidence) -> Figure:
     block = known.motion.closed.timed_block
     frequency, size = block.largest_other_line

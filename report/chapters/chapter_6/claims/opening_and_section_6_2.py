@@ -34,7 +34,6 @@ HIGH_OMEGA = 1e8
 def every_case(known: Evidence) -> Record:
     system, cycles = known.numbers.displacement_only, known.cycles
     counts = [len(found) for found in cycles.viscous]
-    limits = (cycles.friction, cycles.inertia)
     yield assertion(
         "kinds of backlash",
         "each has one limit cycle or two",
@@ -48,13 +47,11 @@ def every_case(known: Evidence) -> Record:
         "the second one, with friction or inertia alone",
         "it is there only under strict conditions",
         len(narrow) < 2,
-        """
+        f"""
         it is there for every gap, since $N$ depends on $b/A$ alone: friction-controlled backlash has it at
-        [[ friction | f4 ]] gaps, inertia-controlled at [[ inertia | f4 ]]
+        {cycles.friction.unstable.amplitude:.4f} gaps, inertia-controlled at
+        {cycles.inertia.unstable.amplitude:.4f}
         """,
-        numbers={
-            name: pair.unstable.amplitude for name, pair in zip(("friction", "inertia"), limits, strict=True)
-        },
         method=f"all solutions of harmonic balance, for a gap of {power_of(NARROW)} m",
         second=by_matching_real_parts(system, 0.0, len(narrow)),
         item="a single limit cycle for 4e-6 m, a second one for a larger gap",
@@ -113,11 +110,10 @@ def higher_terms(known: Evidence) -> Record:
         "higher terms that come back",
         "even very small ones make a predicted limit cycle inaccurate",
         leak > 0 and error > EXACT,
-        """
-        at the stable limit cycle of friction-controlled backlash the third comes back with [[ leak | f2 ]] %
-        of the fundamental, and the predicted amplitude is off by [[ error | f2 ]] %
+        f"""
+        at the stable limit cycle of friction-controlled backlash the third comes back with {100 * leak:.2f} %
+        of the fundamental, and the predicted amplitude is off by {100 * error:.2f} %
         """,
-        numbers={"leak": 100 * leak, "error": 100 * error},
         method="the element's third harmonic with the response of $G$, and the exact orbit",
         second=close("the exact orbit by two durations", known.orbits.friction_by_durations[0], exact, 1e-6),
     )
@@ -144,11 +140,10 @@ def tangency(known: Evidence) -> Record:
         "",
         "the curves are nowhere nearly tangent where a limit cycle is predicted",
         min(angles) > NEAR_TANGENCY,
-        """
-        they cross at [[ smallest | f0 ]] degrees or more, over [[ count ]] limit cycles of backlash of every
-        kind
+        f"""
+        they cross at {math.degrees(min(angles)):.0f} degrees or more, over {len(angles)} limit cycles of
+        backlash of every kind
         """,
-        numbers={"smallest": math.degrees(min(angles)), "count": len(angles)},
         method="angle of $N$ and $-1/G$ at each solution of harmonic balance",
         second=close(differences, by_differences, stable.crossing_angle, 1e-5),
     )

@@ -51,17 +51,17 @@ def piecewise_linear(known: Evidence) -> Record:
     system, cycles = known.numbers.displacement_only, known.cycles
     (friction,) = harmonic_leakage(system, FrictionBacklash(1.0), cycles.friction.stable, (3,))
     (inertia,) = harmonic_leakage(system, InertiaBacklash(1.0), cycles.inertia.stable, (3,))
-    yield text("""
+    yield text(f"""
         The text finds friction-controlled backlash piecewise linear, and the other two not quite linear in
         contact. Read as it stands, this is wrong: in contact the load follows the pin with slope one,
         whatever it weighs. If contact was written for flight it is right: output against input is curved
         there. The text takes from it that the describing function applies less well. That depends on the
-        harmonics that come back, and these are alike: at the stable limit cycle
-        the third is [[ inertia | f2 ]] % of the fundamental for inertia-, [[ friction | f2 ]] % for
-        friction-controlled backlash.
+        harmonics that come back, and these are alike: at the stable limit cycle the third is
+        {100 * inertia:.2f} % of the fundamental for inertia-, {100 * friction:.2f} % for friction-controlled
+        backlash.
 
         Linearity is no reason for preferring the friction-controlled kind.
-    """).given(inertia=100 * inertia, friction=100 * friction)
+    """)
 
 
 def slopes_in_contact(wave: Waveform) -> list[sympy.Expr]:
@@ -82,11 +82,10 @@ def hard_nonlinearities(_: Evidence) -> Record:
         "",
         "a describing function can be derived only for hard nonlinearities",
         abs(predicted / exact - 1) > WELL_PREDICTED,
-        r"""
-        the smooth $y = x^3$ has $N = [[ gain | latex ]]$; for $\ddot x + x^3 = 0$ it predicts
-        [[ predicted | f4 ]] rad/s at $A = 1$, where [[ exact | f4 ]] rad/s is exact
+        rf"""
+        the smooth $y = x^3$ has $N = {sympy.latex(gain)}$; for $\ddot x + x^3 = 0$ it predicts
+        {predicted:.4f} rad/s at $A = 1$, where {exact:.4f} rad/s is exact
         """,
-        numbers={"gain": gain, "predicted": predicted, "exact": exact},
         method="Fourier integral of a smooth odd nonlinearity",
         second=close("quadrature", examples.cubic_gain(), at_one),
     )

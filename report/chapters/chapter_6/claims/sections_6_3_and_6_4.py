@@ -31,17 +31,10 @@ def dominant_friction(known: Evidence) -> Record:
         "force that holds the load when the pin turns back",
         "friction exceeds the load's inertia, so that the load stops with the pin",
         needed < LARGEST_FORCE,
-        r"""
-        $m_2A\omega^2$ is [[ needed | f2 ]] N under the drive, [[ mass | f0 ]] g at [[ stroke | f1 ]] mm and
-        [[ drive | f0 ]] Hz; friction is assumed below [[ bound | f1 ]] N
+        rf"""
+        $m_2A\omega^2$ is {needed:.2f} N under the drive, {1e3 * mass:.0f} g at {1e3 * DRIVE_AMPLITUDE:.1f} mm
+        and {DRIVE_FREQUENCY:.0f} Hz; friction is assumed below {LARGEST_FORCE:.1f} N
         """,
-        numbers={
-            "needed": needed,
-            "mass": 1e3 * mass,
-            "stroke": 1e3 * DRIVE_AMPLITUDE,
-            "drive": DRIVE_FREQUENCY,
-            "bound": LARGEST_FORCE,
-        },
         method="the thesis's mass, drive and bound of the force",
         second=close("second differences of the pin's sampled motion", sampled, needed, 1e-5),
         item=DOMINANT,
@@ -50,33 +43,28 @@ def dominant_friction(known: Evidence) -> Record:
         "the load with as much friction, let go by the pin",
         "it stays within the gap until the pin comes back for it",
         ahead < EXPERIMENT_GAP,
-        """
-        it would run [[ ahead | f2 ]] mm ahead of the pin before it stops, so it crosses the gap of
-        [[ gap | f0 ]] µm, and one of [[ wider | f0 ]] µm too
+        f"""
+        it would run {1e3 * ahead:.2f} mm ahead of the pin before it stops, so it crosses the gap of
+        {1e6 * LARGE_GAP:.0f} µm, and one of {1e6 * EXPERIMENT_GAP:.0f} µm too
         """,
-        numbers={"ahead": 1e3 * ahead, "gap": 1e6 * LARGE_GAP, "wider": 1e6 * EXPERIMENT_GAP},
         method="deceleration by a constant force, beside the pin's sine",
         second=close("SciPy's integration of the flight", load.ahead_by_integration(), ahead, 1e-6),
         item=DOMINANT,
     )
     cycle, heavy = known.cycles.friction.stable, known.cycles.inertia.stable
-    yield text("""
+    inertia = mass * LARGE_GAP * cycle.amplitude * cycle.omega**2
+    smaller = 100 * (1 - heavy.amplitude / cycle.amplitude)
+    yield text(f"""
         Sections 2.3.4, 5.2.1 and 6.3 take friction for dominant because the spring presses hard; none gives a
         number, and 6.3 says that there is no evidence. With the mass of Listing A.1, the drive and the bound
         on friction that the thesis itself states, the load's inertia is the larger force; at the predicted
-        limit cycle for [[ gap | f0 ]] µm it is [[ inertia | f0 ]] N. So neither limit holds; the general
+        limit cycle for {1e6 * LARGE_GAP:.0f} µm it is {inertia:.0f} N. So neither limit holds; the general
         backlash is the one to use.
 
         The recommendation of chapter 7 may rest on ease, not on physics. The predicted frequency lies at
-        [[ low | f1 ]] Hz with friction alone and at [[ high | f1 ]] Hz with inertia alone, where the
-        amplitude is [[ smaller | f0 ]] % smaller.
-    """).given(
-        gap=1e6 * LARGE_GAP,
-        inertia=mass * LARGE_GAP * cycle.amplitude * cycle.omega**2,
-        low=cycle.frequency,
-        high=heavy.frequency,
-        smaller=100 * (1 - heavy.amplitude / cycle.amplitude),
-    )
+        {cycle.frequency:.1f} Hz with friction alone and at {heavy.frequency:.1f} Hz with inertia alone, where
+        the amplitude is {smaller:.0f} % smaller.
+    """)
 
 
 @claim("txt-6-gap-quoted")

@@ -24,11 +24,10 @@ def coulomb_friction(known: Evidence) -> Record:
         "amplitude",
         "friction between cutter and guard makes the limit cycle smaller",
         bool(np.all(np.diff(stable.amplitude) < 0)),
-        """
-        from [[ without | f3 ]] gaps without friction to [[ last | f3 ]] gaps at $F_c/b$ = [[ force | f0 ]]
-        N/m
+        f"""
+        from {stable.amplitude[0]:.3f} gaps without friction to {merger.amplitude:.3f} gaps at $F_c/b$ =
+        {merger.force_per_gap:.0f} N/m
         """,
-        numbers={"without": stable.amplitude[0], "last": merger.amplitude, "force": merger.force_per_gap},
         method=BRANCH_METHOD,
         second=so("exact simulation of both channels", becomes_smaller),
     )
@@ -36,31 +35,24 @@ def coulomb_friction(known: Evidence) -> Record:
     lasting = f"which lasts with {before.force} N and not with {last.force}"
     force, with_both = (EXPERIMENT_GAP * each.merger.force_per_gap for each in (branch, both))
     between = before.goes_on and not last.goes_on and before.force < with_both < last.force
+    share = merger.force_per_gap / known.numbers.parameters.k2
     yield assertion(
         "existence",
         "enough friction ends it",
         all(np.all(np.diff(each.force_per_gap) > 0) for each in (stable, branch.unstable)),
-        "at $F_c$ = [[ share | f4 ]] $k_2 b$ it meets the unstable one, and beyond there is none",
-        numbers={"share": merger.force_per_gap / known.numbers.parameters.k2},
+        f"at $F_c$ = {share:.4f} $k_2 b$ it meets the unstable one, and beyond there is none",
         method=BRANCH_METHOD,
         second=so(f"exact simulation of both channels, {lasting}", between),
     )
-    yield text("""
+    yield text(f"""
         With friction in its place, between cutter and guard, and with its right sign the conclusion holds. It
-        takes [[ per_gap | f0 ]] N per metre of gap to end the limit cycle, [[ force | f2 ]] N for
-        [[ gap | f0 ]] µm; with the pin's velocity too, [[ per_gap_both | f0 ]] N/m and [[ force_both | f2 ]]
-        N. By Listing A.6, on which section 5.2.5 rests, the amplitude would grow with the force instead, to
-        [[ listing | f0 ]] mm at [[ listed_force ]] N. The rest position stays stable, as the text has it: the
-        more friction, the larger a disturbance it survives, and beyond that force any.
-    """).given(
-        per_gap=merger.force_per_gap,
-        force=force,
-        gap=1e6 * EXPERIMENT_GAP,
-        per_gap_both=both.merger.force_per_gap,
-        force_both=with_both,
-        listing=1e3 * numbers.by_force[-1].amplitude,
-        listed_force=FORCES[-1],
-    )
+        takes {merger.force_per_gap:.0f} N per metre of gap to end the limit cycle, {force:.2f} N for
+        {1e6 * EXPERIMENT_GAP:.0f} µm; with the pin's velocity too, {both.merger.force_per_gap:.0f} N/m and
+        {with_both:.2f} N. By Listing A.6, on which section 5.2.5 rests, the amplitude would grow with the
+        force instead, to {1e3 * numbers.by_force[-1].amplitude:.0f} mm at {FORCES[-1]} N. The rest position
+        stays stable, as the text has it: the more friction, the larger a disturbance it survives, and beyond
+        that force any.
+    """)
 
 
 @claim("txt-7-coulomb-evidence")

@@ -12,6 +12,7 @@ from report.chapters.chapter_5.claims.section_5_2_1_driven import (
     open_loop_harmonic,
     open_loop_repeats,
 )
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
@@ -35,11 +36,10 @@ def input_amplitude(known: Evidence) -> Record:
         "what oscillates in open loop",
         "besides the drive and its harmonics a limit cycle goes on",
         decay >= 0,
-        r"""
+        rf"""
         the backlash repeats with the drive's period, and behind it every free motion of the linear part
-        decays as $e^{[[ decay | f1 ]]\,t}$ or faster
+        decays as $e^{{{decay:.1f}\,t}}$ or faster
         """,
-        numbers={"decay": decay},
         method="periodic input of a stable linear system",
         second=open_loop_repeats(known),
         item="the open loop shows the limit cycle of the closed loop",
@@ -47,37 +47,31 @@ def input_amplitude(known: Evidence) -> Record:
         certainty=Certainty.PROVEN,
     )
     below = FrictionBacklash(LARGE_GAP).describing_function(0.49 * LARGE_GAP)
+    outputs = ", ".join(f"{1e6 * each:.2f} µm" for each in fifth)
+    inputs = ", ".join(f"{1e3 * each:.1f} mm" for each in DRIVE_AMPLITUDES)
     yield assertion(
         "what it depends on",
         "the amplitude of the input has no effect on the oscillation that is left",
         max(fifth) / min(fifth) < 1.001 and not np.isnan(below),
-        """
-        for a gap of [[ gap | f0 ]] µm the fifth harmonic of the output is [[ outputs ]] for inputs of
-        [[ inputs ]]; below half of the gap there is no output at all
+        f"""
+        for a gap of {1e6 * LARGE_GAP:.0f} µm the fifth harmonic of the output is {outputs} for inputs of
+        {inputs}; below half of the gap there is no output at all
         """,
-        numbers={
-            "gap": 1e6 * LARGE_GAP,
-            "outputs": ", ".join(f"{1e6 * each:.2f} µm" for each in fifth),
-            "inputs": ", ".join(f"{1e3 * each:.1f} mm" for each in DRIVE_AMPLITUDES),
-        },
         method=BY_RESPONSE,
         second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth[1], 1e-4),
         item="the drive's amplitude does not alter the limit cycle",
         severity=Severity.RESULT,
     )
-    yield text("""
+    yield text(f"""
         In open loop nothing is fed back, so there is no limit cycle that could keep its amplitude: what is
         seen are harmonics of the drive. An input much larger than the gap leaves nearly a square wave of half
-        the gap behind the play, whatever its amplitude. From [[ middle ]] to [[ largest ]] mm the fifth
-        harmonic grows by [[ growth | f1 ]] %, which is easily taken for nothing.
+        the gap behind the play, whatever its amplitude. From {f"{1e3 * DRIVE_AMPLITUDES[1]:g}"} to
+        {f"{1e3 * DRIVE_AMPLITUDES[2]:g}"} mm the fifth harmonic grows by
+        {100 * (fifth[2] / fifth[1] - 1):.1f} %, which is easily taken for nothing.
 
         The answer holds as an approximation for wide strokes, and not for a limit cycle. On a limit cycle
         under a drive in closed loop see [the drive's amplitude](#txt-5.2.1-drive-amplitude).
-    """).given(
-        middle=f"{1e3 * DRIVE_AMPLITUDES[1]:g}",
-        largest=f"{1e3 * DRIVE_AMPLITUDES[2]:g}",
-        growth=100 * (fifth[2] / fifth[1] - 1),
-    )
+    """)
 
 
 @claim("txt-7-subharmonics")
@@ -87,20 +81,16 @@ def subharmonics(known: Evidence) -> Record:
     between_periods = change(first, second)
     fifth = open_loop_harmonic(known, FIFTH)
     by_response = "the fifth harmonic by describing function and frequency response"
+    half = float(line_amplitudes(run.output)[1]) / run.harmonics[1]
     yield assertion(
         "open loop: what the peaks are",
         "they are subharmonics of the drive",
         between_periods > REPEATS,
-        """
-        two periods differ by [[ change | power0 ]] of the output, and at half of the [[ drive | f0 ]] Hz
-        there are [[ half | power0 ]] of the first harmonic; the lines are at three, five and seven times the
-        drive
+        f"""
+        two periods differ by {power_of(between_periods)} of the output, and at half of the
+        {DRIVE_FREQUENCY:.0f} Hz there are {power_of(half)} of the first harmonic; the lines are at three,
+        five and seven times the drive
         """,
-        numbers={
-            "change": between_periods,
-            "drive": DRIVE_FREQUENCY,
-            "half": float(line_amplitudes(run.output)[1]) / run.harmonics[1],
-        },
         method="exact simulation; two periods of the settled open loop",
         second=close(by_response, fifth, run.harmonics[FIFTH], 1e-4),
         item=SUBHARMONICS,

@@ -14,7 +14,7 @@ from report.chapters.chapter_5.claims.figures_5_21_to_5_24_equivalent import LIS
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop, open_loop_harmonic
 from report.chapters.chapter_7.claims.input import BY_RESPONSE, FIFTH, SIMULATED
 from report.chapters.second_ways import ALL_LOADS
-from report.judging.claim import Part
+from report.judging.claim import ClaimPart
 from report.judging.parts import assertion, close, expression, small, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
@@ -53,20 +53,21 @@ def input_frequency(known: Evidence) -> Record:
     yield what_the_listing_adds()
     yield contours_with_falling_frequency()
     yield range_of_frequencies(known, stable)
-    yield text("""
+    fall = 100 * (1 - known.cycles.inertia.stable.amplitude / largest)
+    yield text(f"""
         Two of the functions do not depend on frequency, as the text says. If performance means the predicted
         limit cycle, the drive's frequency indeed does not enter; if it means the vibration, it decides which
         harmonics meet a resonance. Read as a rule for reading off a found intersection, amplitude from $N$
         and frequency from $G$, the condition is right too; where the curves intersect depends on both. The
         contour of Listing A.6 passes by that of inertia because of its [wrong factor](#lst-A.6), and the
-        range of frequencies is narrow as stated, though the amplitude falls by [[ fall | f0 ]] % over it.
+        range of frequencies is narrow as stated, though the amplitude falls by {fall:.0f} % over it.
 
         With the drive of the experiment the fifth harmonic meets a resonance of Listing A.1, another
         trimmer's, which matters more for the vibration than anything in this answer.
-    """).given(fall=100 * (1 - known.cycles.inertia.stable.amplitude / largest))
+    """)
 
 
-def without_frequency() -> Part:
+def without_frequency() -> ClaimPart:
     """Return the part on the describing functions of the two limits."""
     friction = describing_function(backlash.friction_waveform(), A)
     inertia = describing_function(backlash.inertia_waveform(), A).subs(
@@ -86,7 +87,7 @@ def without_frequency() -> Part:
     )
 
 
-def output_of_the_driven_trimmer(known: Evidence) -> Part:
+def output_of_the_driven_trimmer(known: Evidence) -> ClaimPart:
     """Return the part on the fifth harmonic behind friction-controlled backlash, for two drives."""
     fifth, measured = (
         open_loop_harmonic(known, FIFTH, omega=each) for each in (DRIVE_OMEGA, MEASURED_DRIVE_OMEGA)
@@ -95,18 +96,11 @@ def output_of_the_driven_trimmer(known: Evidence) -> Part:
         "what follows for the output, read as that of the driven trimmer",
         "for friction-controlled backlash the input frequency changes nothing",
         abs(measured / fifth - 1) < 0.1,
-        """
-        with Listing A.1 and a gap of [[ gap | f0 ]] µm the fifth harmonic is [[ fifth | f0 ]] µm for a drive
-        of [[ drive | f0 ]] Hz and [[ measured | f0 ]] µm for the [[ measured_drive ]] Hz of the experiment,
-        whose trimmer is another one
+        f"""
+        with Listing A.1 and a gap of {1e6 * LARGE_GAP:.0f} µm the fifth harmonic is {1e6 * fifth:.0f} µm for
+        a drive of {DRIVE_FREQUENCY:.0f} Hz and {1e6 * measured:.0f} µm for the {MEASURED_DRIVE_FREQUENCY} Hz
+        of the experiment, whose trimmer is another one
         """,
-        numbers={
-            "gap": 1e6 * LARGE_GAP,
-            "fifth": 1e6 * fifth,
-            "drive": DRIVE_FREQUENCY,
-            "measured": 1e6 * measured,
-            "measured_drive": MEASURED_DRIVE_FREQUENCY,
-        },
         method=BY_RESPONSE,
         second=close(SIMULATED, open_loop(known).harmonics[FIFTH], fifth, 1e-4),
         severity=Severity.RESULT,
@@ -119,18 +113,17 @@ def exact_ratio(known: Evidence) -> float:
     return known.orbits.inertia.stable.frequency / known.orbits.friction.stable.frequency
 
 
-def condition_as_a_whole(known: Evidence) -> Part:
+def condition_as_a_whole(known: Evidence) -> ClaimPart:
     """Return the part on what the frequency of a limit cycle follows from."""
     friction, inertia = (pair.stable.frequency for pair in (known.cycles.friction, known.cycles.inertia))
     return assertion(
         "condition of harmonic balance, read as a whole",
         "the frequency follows from the transfer function alone",
         abs(inertia / friction - 1) < 1e-6,
-        """
-        with the same $G$ it is [[ friction | f2 ]] Hz for friction- and [[ inertia | f2 ]] Hz for
-        inertia-controlled backlash
+        f"""
+        with the same $G$ it is {friction:.2f} Hz for friction- and {inertia:.2f} Hz for inertia-controlled
+        backlash
         """,
-        numbers={"friction": friction, "inertia": inertia},
         method="all solutions of harmonic balance for both elements",
         second=close(BY_ORBITS, exact_ratio(known), inertia / friction, 0.005),
         severity=Severity.SLIP,
@@ -138,7 +131,7 @@ def condition_as_a_whole(known: Evidence) -> Part:
     )
 
 
-def what_the_listing_adds() -> Part:
+def what_the_listing_adds() -> ClaimPart:
     """Return the part on the equivalent nonlinearity at high frequency."""
     added = LISTING - friction_expression()
     far_up = abs(complex(added.subs({FORCE: 1, A: 1, omega: 10**12})))
@@ -151,7 +144,7 @@ def what_the_listing_adds() -> Part:
     )
 
 
-def contours_with_falling_frequency() -> Part:
+def contours_with_falling_frequency() -> ClaimPart:
     """Return the part on the contour of the equivalent nonlinearity as frequency falls."""
     inertia = inertia_contour(GAP)
     high, drive, low = (
@@ -165,20 +158,11 @@ def contours_with_falling_frequency() -> Part:
         "equivalent nonlinearity, with falling frequency",
         "the contour becomes similar to that of inertia-controlled backlash",
         low < high / 2,
-        """
-        with [[ force ]] N and [[ gap | f0 ]] mm, as in figure 5.21, the contour of Listing A.6 lies
-        [[ high | f2 ]] from it on average at high frequency, [[ drive | f2 ]] at [[ drive_frequency | f0 ]]
-        Hz and [[ low | f2 ]] at [[ low_frequency | f0 ]] Hz; below that it passes by, towards zero
+        f"""
+        with {RELAY_FORCE} N and {1e3 * GAP:.0f} mm, as in figure 5.21, the contour of Listing A.6 lies
+        {high:.2f} from it on average at high frequency, {drive:.2f} at {DRIVE_FREQUENCY:.0f} Hz and {low:.2f}
+        at {SLOW / TURN:.0f} Hz; below that it passes by, towards zero
         """,
-        numbers={
-            "force": RELAY_FORCE,
-            "gap": 1e3 * GAP,
-            "high": high,
-            "drive": drive,
-            "drive_frequency": DRIVE_FREQUENCY,
-            "low": low,
-            "low_frequency": SLOW / TURN,
-        },
         method="distances of both contours, point by point",
         second=close(
             "Listing A.4 and the formula of Listing A.6", mean_distance(-1 / gains, by_listing), low
@@ -186,7 +170,7 @@ def contours_with_falling_frequency() -> Part:
     )
 
 
-def range_of_frequencies(known: Evidence, stable: list[LimitCycle]) -> Part:
+def range_of_frequencies(known: Evidence, stable: list[LimitCycle]) -> ClaimPart:
     """Return the part on the frequencies of the stable limit cycles over all loads."""
     lowest, highest = (limit(cycle.frequency for cycle in stable) for limit in (min, max))
     return assertion(

@@ -29,22 +29,21 @@ def only_stable(known: Evidence) -> Record:
         "",
         "all predicted limit cycles are stable",
         cycle.stable,
-        """
-        besides the stable one each gap $b$ has one of [[ amplitude | f4 ]] $b$ at [[ frequency | f2 ]] Hz,
+        f"""
+        besides the stable one each gap $b$ has one of {cycle.amplitude:.4f} $b$ at {cycle.frequency:.2f} Hz,
         which is not
         """,
-        numbers={"amplitude": cycle.amplitude, "frequency": cycle.frequency},
         method="all solutions of harmonic balance, Loeb's criterion",
         second=so("a Floquet multiplier of the exact orbit outside of the unit circle", not orbit.stable),
     )
-    yield text("""
+    yield text(f"""
         Harmonic balance has two solutions for every gap, and the smaller one is unstable: a deviation from
-        the exact orbit grows [[ growth | f1 ]] times in each period. Read as said of all predicted limit
-        cycles, the sentence contradicts table 5.1 and the answers that follow. Read as said of those that a
-        motion ends on, it is right.
+        the exact orbit grows {abs(orbit.nontrivial_multipliers).max():.1f} times in each period. Read as said
+        of all predicted limit cycles, the sentence contradicts table 5.1 and the answers that follow. Read as
+        said of those that a motion ends on, it is right.
 
         The unstable one decides whether the stable one is reached: what starts inside of it comes to rest.
-    """).given(growth=abs(orbit.nontrivial_multipliers).max())
+    """)
 
 
 @claim("txt-7-play-stability")
@@ -59,10 +58,7 @@ def play_and_stability(known: Evidence) -> Record:
         "stability, read as that of rest",
         "play does not alter it: a small disturbance dies out",
         slowest < 0 and decay < 0,
-        r"""
-        within its play the pin does not act, and every motion decays as $e^{[[ decay | f1 ]]\,t}$ or faster
-        """,
-        numbers={"decay": decay},
+        rf"within its play the pin does not act, and every motion decays as $e^{{{decay:.1f}\,t}}$ or faster",
         method="eigenvalues of the trimmer",
         second=close("the roots of the transfer function's denominator", roots, decay, 1e-6),
         item=OVERALL,
@@ -71,11 +67,10 @@ def play_and_stability(known: Evidence) -> Record:
         "stability, read as coming to rest from every start",
         "play does not alter it",
         (slowest < 0) == (not stable.stable),
-        r"""
-        without play every motion decays, as $e^{[[ slowest | f1 ]]\,t}$ or faster; with play there is a
-        stable limit cycle of [[ amplitude | f4 ]] gaps
+        rf"""
+        without play every motion decays, as $e^{{{slowest:.1f}\,t}}$ or faster; with play there is a stable
+        limit cycle of {stable.amplitude:.4f} gaps
         """,
-        numbers={"slowest": slowest, "amplitude": stable.amplitude},
         method="eigenvalues of the closed linear loop; Floquet multipliers of the exact orbit",
         second=close(from_outside, outside, stable.amplitude, 1e-5),
         item=OVERALL,
@@ -94,7 +89,7 @@ def play_and_stability(known: Evidence) -> Record:
         item="an unstable limit cycle shifts to the stable one",
         certainty=Certainty.READING,
     )
-    yield text("""
+    yield text(f"""
         Rest stays stable, and if that is meant the text is right. But without play the loop comes to rest
         from any start, with play only from small ones: beyond the unstable limit cycle it goes on for ever.
         From the unstable one towards larger amplitudes a motion does go to the stable one, which is all that
@@ -102,8 +97,8 @@ def play_and_stability(known: Evidence) -> Record:
         sentence on the shift is right.
 
         The answer to the second sub-question has to read: an oscillation smaller than the unstable limit
-        cycle, [[ unstable | f2 ]] gaps, dies out, a larger one ends at [[ stable | f2 ]] gaps.
-    """).given(unstable=unstable.amplitude, stable=stable.amplitude)
+        cycle, {unstable.amplitude:.2f} gaps, dies out, a larger one ends at {stable.amplitude:.2f} gaps.
+    """)
 
 
 @claim("txt-7-models")
@@ -126,11 +121,10 @@ def models(known: Evidence) -> Record:
         "frequencies",
         "they are approximately equal",
         highest < (1 + ALIKE) * min(lowest, merger),
-        """
-        [[ lowest | f1 ]] to [[ highest | f1 ]] Hz with play alone, down to [[ merger | f1 ]] Hz with as much
-        friction as leaves a limit cycle
+        f"""
+        {lowest:.1f} to {highest:.1f} Hz with play alone, down to {merger:.1f} Hz with as much friction as
+        leaves a limit cycle
         """,
-        numbers={"lowest": lowest, "highest": highest, "merger": merger},
         method="all solutions of harmonic balance for every load and every force",
         second=close("the exact orbit with inertia alone", inertia.frequency, by_balance, 0.02),
     )
@@ -145,16 +139,11 @@ def models(known: Evidence) -> Record:
         second=close("the exact orbit without inertia", friction.amplitude, simplest, 0.005),
     )
     low, high = (float(each) for each in FREQUENCIES)
-    yield text("""
+    yield text(f"""
         Every kind of play has one stable limit cycle, and their frequencies lie closer together than the
-        thesis's own, which are [[ apart | f0 ]] % apart. Coulomb friction alone has none, as section 5.2.4
-        says; the sentence is read as one on the models with play. The recommendation to use
-        friction-controlled backlash holds: its frequency is within [[ off | f1 ]] % of any other load's, its
-        amplitude at most [[ too_small | f1 ]] % too small and, for a load of inertia alone,
-        [[ too_large | f0 ]] % too large, which is the safe side.
-    """).given(
-        apart=100 * (high / low - 1),
-        off=100 * (highest / lowest - 1),
-        too_small=100 * (largest / simplest - 1),
-        too_large=100 * (simplest / smallest - 1),
-    )
+        thesis's own, which are {100 * (high / low - 1):.0f} % apart. Coulomb friction alone has none, as
+        section 5.2.4 says; the sentence is read as one on the models with play. The recommendation to use
+        friction-controlled backlash holds: its frequency is within {100 * (highest / lowest - 1):.1f} % of
+        any other load's, its amplitude at most {100 * (largest / simplest - 1):.1f} % too small and, for a
+        load of inertia alone, {100 * (simplest / smallest - 1):.0f} % too large, which is the safe side.
+    """)

@@ -38,13 +38,13 @@ def damping(known: Evidence) -> Record:
         method="all local maxima of the gain for both dampings",
         second=close(EXACTLY, exact, highest),
     )
-    yield text("""
+    yield text(f"""
         Damping lowers every resonance, as section 5.1.3 and the first paragraph of chapter 7 have it. The
         answer to the first sub-question states the opposite, perhaps by a slip of one word.
 
         The answer has to read: damping lowers the resonances, and moves the natural frequencies by
-        [[ moved | f1 ]] % at most.
-    """).given(moved=100 * moved)
+        {100 * moved:.1f} % at most.
+    """)
 
 
 @claim("txt-7-operating-frequency")
@@ -72,20 +72,18 @@ def resonance(known: Evidence) -> Record:
     numbers, pair = known.numbers, known.cycles.friction
     peaks = resonance_peaks(numbers.displacement_only)
     highest = max(peaks, key=lambda peak: peak.magnitude).omega
-    away = {
-        name: min(abs(cycle.omega - peak.omega) for peak in peaks) / TURN
-        for name, cycle in (("stable", pair.stable), ("unstable", pair.unstable))
-    }
+    stable, unstable = (
+        min(abs(cycle.omega - peak.omega) for peak in peaks) / TURN for cycle in (pair.stable, pair.unstable)
+    )
     height = float(gain(numbers, pair.unstable.omega) / gain(numbers, highest))
     yield assertion(
         "where the limit cycles lie",
         "that one lies precisely at a resonance is very unlikely",
-        min(away.values()) > PRECISELY,
-        """
-        the stable one is [[ stable | f0 ]] Hz from the nearest peak of the gain, the unstable one
-        [[ unstable | f1 ]] Hz from the highest
+        min(stable, unstable) > PRECISELY,
+        f"""
+        the stable one is {stable:.0f} Hz from the nearest peak of the gain, the unstable one {unstable:.1f}
+        Hz from the highest
         """,
-        numbers=away,
         method="all solutions of harmonic balance; peaks of the gain",
         second=so(f"the exact gain at the unstable one, {100 * height:.0f} % of the peak's", height < 1),
         item="no limit cycle at a resonance, very unlikely",
@@ -97,25 +95,24 @@ def resonance(known: Evidence) -> Record:
         "what a resonance would do",
         "at a resonance the harmonics are not attenuated",
         min(shares.values()) > 1,
-        """
-        against the first harmonic $G$ passes the third by [[ at_peaks ]]; at the stable limit cycle by
-        [[ stable | g2 ]]
+        f"""
+        against the first harmonic $G$ passes the third by {at_peaks}; at the stable limit cycle by
+        {share_of_third(known, pair.stable.omega):.2g}
         """,
-        numbers={"at_peaks": at_peaks, "stable": share_of_third(known, pair.stable.omega)},
         method="gain at three times each peak's frequency over the peak",
         second=close(EXACTLY, exact, shares[highest]),
         certainty=Certainty.READING,
     )
     mode = min(numbers.modes, key=lambda mode: abs(mode.eigenvalue.imag - highest))
-    yield text("""
+    yield text(f"""
         Precisely at a resonance there is no limit cycle, though the unstable one lies within the
-        [[ width | f0 ]] Hz that the highest peak is wide. The fear behind it has two readings. If a resonance
-        at the limit cycle is meant, it magnifies the first harmonic and so weakens the others beside it, but
-        for the two lowest, flat peaks; of all peaks the highest filters best. If a resonance at a higher
-        harmonic is meant, that harmonic does come back.
+        {-2 * mode.eigenvalue.real / TURN:.0f} Hz that the highest peak is wide. The fear behind it has two
+        readings. If a resonance at the limit cycle is meant, it magnifies the first harmonic and so weakens
+        the others beside it, but for the two lowest, flat peaks; of all peaks the highest filters best. If a
+        resonance at a higher harmonic is meant, that harmonic does come back.
 
         None on the predictions: no resonance lies near three or five times either frequency.
-    """).given(width=-2 * mode.eigenvalue.real / TURN)
+    """)
 
 
 def share_of_third(known: Evidence, omega: float) -> float:
