@@ -32,7 +32,7 @@ def test_every_example_is_read_and_told(path: Path) -> None:
 
 
 def test_all_examples_are_there() -> None:
-    assert len(EXAMPLES) == 14
+    assert len(EXAMPLES) == 15
 
 
 def test_the_trimmer_of_the_thesis() -> None:

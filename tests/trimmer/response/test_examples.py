@@ -19,6 +19,7 @@ REPEATING = {
     "servo": 16,
     "den-hartog": 2,
     "conveyor": 2,
+    "strip-feeder": 4,
     "block-on-belt": 2,
     "two-mass-stop": 0,
     "oscillator-stop": 0,
