@@ -304,7 +304,7 @@ class Element(Drawn, ABC):
 
     @abstractmethod
     def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
-        """Bound |dN/du| and |dN/d(ln omega)| between limits of shape (n,), each as a number or so."""
+        """Bound |dN/du| and |dN/d(ln omega)| between limits of shape (n,), each alike or by one number."""
 
     @abstractmethod
     def _variation(self, u: Limits, omega: Limits) -> Bounds:
@@ -312,10 +312,10 @@ class Element(Drawn, ABC):
 
     @abstractmethod
     def _mean_gain(self, amplitude: Reals) -> Reals | float:
-        """Evaluate the gain for the mean at amplitudes of shape (n,), as a number or so."""
+        """Evaluate the gain for the mean at amplitudes of shape (n,), alike or as one number."""
 
     def _domain(self, omega: Reals) -> Reals | float:
-        """Return the supremum of u at omegas of shape (n,), as a number or so: infinity, any amplitude."""
+        """Return the supremum of u at omegas of shape (n,), alike or one number; infinity if any will do."""
         return math.inf
 
     @property
