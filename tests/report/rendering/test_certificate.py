@@ -7,7 +7,7 @@ import dataclasses
 import pytest
 
 from report.document.document import Document
-from report.rendering import certificate
+from report.rendering import summary
 from report.rendering.markdown import to_markdown
 from report.rendering.outline import Group, place
 from report.rendering.selection import select
@@ -18,7 +18,7 @@ def front(document: Document) -> str:
 
 
 def test_figures_are_counted_from_the_findings(document: Document) -> None:
-    assert certificate.figures_judged(document) == 3
+    assert summary.figures_judged(document) == 3
     assert "The 3 figures are judged by what the text says of them" in front(document)
     cards = "".join(to_markdown(document).values())
     assert cards.count("drawing was not seen; this card judges") == 3
@@ -36,8 +36,8 @@ def test_a_part_counts_its_own(document: Document, chapters: str, says: str) -> 
 
 
 def test_the_command_makes_the_same_part_again(document: Document) -> None:
-    assert certificate.command(document) == "trimmer report"
-    assert certificate.command(select(document, ["appA", "CH2"])) == "trimmer report --only ch2 appA"
+    assert summary.command(document) == "trimmer report"
+    assert summary.command(select(document, ["appA", "CH2"])) == "trimmer report --only ch2 appA"
 
 
 def test_the_time_is_the_measured_one_or_left_out(document: Document) -> None:
