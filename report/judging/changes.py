@@ -120,13 +120,13 @@ def differences(old: ClaimsFile, new: ClaimsFile, omitted: Collection[str] = ())
             for what, ids in (("new", added), ("gone", gone))
             if ids
         ),
-        *(f"  {name} is not compared: schema {old.schema} has none" for name in _uncompared(old, new)),
+        *(
+            f"  {name} is not compared: schema {old.schema} has none"
+            for name, schema in ADDED.items()
+            if old.schema < schema <= new.schema
+        ),
     ]
     return "\n".join(lines)
-
-
-def _uncompared(old: ClaimsFile, new: ClaimsFile) -> Iterator[str]:
-    yield from (name for name, schema in ADDED.items() if old.schema < schema <= new.schema)
 
 
 def _changes(old: Fields, new: Fields) -> Iterator[tuple[str, str]]:

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from report.data.figures import FigureRecord
 from report.document.extras import Observation, TwinChapter, TwinSection
 from report.judging.parts import so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
-from report.pages.figure import Figure
 from report.twin.cell_check import MOST_OTHER, CellCheck, check_cells
 from report.twin.observation import ObservationRecord, Observed
 from report.twin.sections import (
@@ -51,9 +49,9 @@ def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
         CellDifferenceError: if a cell comes out differently.
         UnsupportedObservationError: if a check of an observation does not hold.
     """
-    checked = of_check(check_cells(maps_of(known.twin), seed)).observation(known)
+    checked = of_check(check_cells(maps_of(known.twin), seed)).finished(known)
     sections = [
-        TwinSection(section.id, section.title, tuple(_finished(item, known) for item in section.items))
+        TwinSection(section.id, section.title, tuple(item.finished(known) for item in section.items))
         for section in SECTIONS
     ]
     return TwinChapter(TITLE, tuple(_with(section, checked) for section in sections))
@@ -62,10 +60,6 @@ def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
 def maps_of(twin: TwinNumbers) -> list[KeptMap]:
     """Return all kept maps."""
     return [each.kept for each in (twin.friction, twin.speed, twin.stiffness, twin.damping, twin.starts)]
-
-
-def _finished(item: ObservationRecord | FigureRecord, known: Evidence) -> Observation | Figure:
-    return item.observation(known) if isinstance(item, ObservationRecord) else item.finished(known)
 
 
 def _with(section: TwinSection, checked: Observation) -> TwinSection:

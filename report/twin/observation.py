@@ -46,7 +46,7 @@ class ObservationRecord:
     items: Callable[[Evidence], Observed]
     title: str = ""
 
-    def observation(self, known: Evidence) -> Observation:
+    def finished(self, known: Evidence) -> Observation:
         """Return the observation with its numbers.
 
         Raises:

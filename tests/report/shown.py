@@ -64,7 +64,7 @@ def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]
         **{f"{row.claim}, {row.quantity}": row for row in first.corrected},
     }
     seen = {
-        each.id: each.observation(known)
+        each.id: each.finished(known)
         for section in SECTIONS
         for each in section.items
         if isinstance(each, ObservationRecord)

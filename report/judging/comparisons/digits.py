@@ -32,16 +32,14 @@ class PrintedDigits:
 
     def compare(self) -> Agreement:
         """Compare to half a unit in the last printed place."""
-        half_unit = Fraction(self._last_place()) / 2
-        difference = abs(Fraction(self.derived) - Fraction(Decimal(self.printed)))
+        printed = Decimal(self.printed)
+        half_unit = Fraction(Decimal(1).scaleb(int(printed.as_tuple().exponent))) / 2
+        difference = abs(Fraction(self.derived) - Fraction(printed))
         return Agreement(difference <= half_unit, "held against every printed digit")
 
     def with_derived(self, derived: float | Fraction) -> Self:
         """Hold the same printed digits against another number."""
         return replace(self, derived=derived)
-
-    def _last_place(self) -> Decimal:
-        return Decimal(1).scaleb(int(Decimal(self.printed).as_tuple().exponent))
 
     @property
     def printed_shown(self) -> Number:

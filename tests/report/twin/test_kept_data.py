@@ -105,7 +105,7 @@ def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction,
     assert [cell.kind for cell in said.cells] == ["c", "c", "c"]
     for count in range(3):
         check = check_cells([said], 7, 3)
-        told = of_check(check).observation(evidence).text
+        told = of_check(check).finished(evidence).text
         assert len(check.others) == count == sum(name in told for name in check.cells)
         said = altered(said, count, kind="t")
     with pytest.raises(CellDifferenceError, match="kept is a torus"):

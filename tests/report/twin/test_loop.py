@@ -50,4 +50,4 @@ def test_the_second_way_goes_to_the_exact_orbit_without_friction(evidence):
 def test_a_sentence_that_does_not_hold_stops_the_report(record, changes, evidence):
     known = with_loop(evidence, **changes(evidence.twin.loop))
     with pytest.raises(UnsupportedObservationError):
-        record.observation(known)
+        record.finished(known)

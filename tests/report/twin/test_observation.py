@@ -20,13 +20,13 @@ def record(*items):
 
 
 def test_an_observation_shows_what_it_rests_on():
-    found = record(text("It is 2.0 m."), so("seen", True), small("tiny", 0.0)).observation(None)
+    found = record(text("It is 2.0 m."), so("seen", True), small("tiny", 0.0)).finished(None)
     assert (found.text, found.evidence) == ("It is 2.0 m.", ("seen", "tiny"))
 
 
 def test_a_check_that_does_not_hold_stops_with_id_and_words():
     with pytest.raises(UnsupportedObservationError, match=r"twin-x.*the moon is near"):
-        record(text("So."), so("the moon is near", False)).observation(None)
+        record(text("So."), so("the moon is near", False)).finished(None)
 
 
 @pytest.mark.parametrize(
@@ -34,7 +34,7 @@ def test_a_check_that_does_not_hold_stops_with_id_and_words():
 )
 def test_it_needs_one_text_and_a_check(items):
     with pytest.raises(RecordError, match="twin-x"):
-        record(*items).observation(None)
+        record(*items).finished(None)
 
 
 def test_ids_are_unique():
@@ -44,7 +44,7 @@ def test_ids_are_unique():
 
 @pytest.mark.parametrize("each", RECORDS, ids=lambda each: each.id)
 def test_every_observation_holds(each, evidence):
-    found = each.observation(evidence)
+    found = each.finished(evidence)
     assert found.evidence
     assert not re.search(r"\b(nan|inf)\b", found.text)
 
