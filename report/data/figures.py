@@ -7,17 +7,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
+
+import matplotlib.figure
 
 from report.judging.text import RecordError, one_line
 from report.pages.drawing.drawn import drawn
 from report.pages.drawing.style import style
 from report.pages.figure import Figure
 
-if TYPE_CHECKING:
-    import matplotlib.figure
-
-    Draw = Callable[[Any], matplotlib.figure.Figure]
+Draw = Callable[[Any], matplotlib.figure.Figure]
 
 PATH = Path(__file__).with_name("figures.toml")
 

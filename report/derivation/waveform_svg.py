@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 from xml.sax.saxutils import escape
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+from trimmer.arrays import Reals
 
 WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 168, 34, 8, 130, 34
 ROOM: Final = 1.12

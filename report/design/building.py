@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from report.cache.content_key import digest_of_packages
 from report.cache.libraries import libraries
 from report.cache.stage_store import StageStore
+from report.design.report import DesignReport
 from report.pages.formats import Format, Paper
-from trimmer.design.design import Design, Study
+from trimmer.design.design import Design, Study, Told
+from trimmer.design.design_file import DesignFile
 from trimmer.design.keeping import Keeper
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from report.design.report import DesignReport
-    from trimmer.design.design import Told
-    from trimmer.design.design_file import DesignFile
-    from trimmer.design.settings import DesignSettings
-    from trimmer.runners.runner import Runner
+from trimmer.design.settings import DesignSettings
+from trimmer.runners.runner import Runner
 
 
 class DesignInterruptedError(KeyboardInterrupt):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
@@ -24,10 +24,8 @@ from report.pages.drawing.drawn import drawn
 from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
 from trimmer.design.comparison import DesignComparison
+from trimmer.design.design import Design
 from trimmer.design.targets import Measure
-
-if TYPE_CHECKING:
-    from trimmer.design.design import Design
 
 NEITHER = "—"
 

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.latex import latex
+from derivations.latex_document import ValuedQuantity
+from derivations.step import NarrativeStep
 from report.design.quantities import shown
 from report.design.report import Equations, SymbolRow
 from report.pages.derivation import DerivationStep
 from report.pages.figure import Equation
 from trimmer.code_generation import symbolic_mechanism
-
-if TYPE_CHECKING:
-    from derivations.latex_document import ValuedQuantity
-    from derivations.step import NarrativeStep
-    from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.mechanism import Mechanism
 
 FIRST = ("parts", "closed-contact")
 """Steps that a designer wants; without a contact, the equations of motion in place of the second."""

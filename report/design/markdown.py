@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from jinja2 import Environment
 
 from report.design import comparison, sentences, sentences_around, tables, words
+from report.design.comparison import ComparisonReport
 from report.design.quantities import percent, place_words, shown, written
+from report.design.report import DesignReport
 from report.pages.displayed import formula
 from report.pages.environment import MarkdownEnvironment
-
-if TYPE_CHECKING:
-    from jinja2 import Environment
-
-    from report.design.comparison import ComparisonReport
-    from report.design.report import DesignReport
 
 PIECES = (
     *("verdict", "ranges", "mechanism", "linear", "motions", "contacts", "spectrum", "maps", "branches"),

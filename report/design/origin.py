@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING
 
 from report.pages.escaping import shown_characters
-from report.pages.provenance import provenance
+from report.pages.provenance import Provenance, provenance
+from trimmer.design.design_file import DesignFile
 from trimmer.source_date import source_date
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from report.pages.provenance import Provenance
-    from trimmer.design.design_file import DesignFile
 
 SHOWN_DIGITS = 12
 """Digits of a file's hash below the title; the table at the end has all."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING
 
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of
@@ -13,19 +12,16 @@ from report.design.figures.over_time import line_spectrum, motion_over_time, tra
 from report.design.quantities import percent, place_words, shown
 from report.design.words import capital, measure_words
 from report.pages.drawing.drawn import drawn
-from trimmer.design.linear import driving
+from report.pages.figure import Figure
+from trimmer.design.design import Design
+from trimmer.design.kept_map import DesignMap
+from trimmer.design.linear import LinearState, driving
+from trimmer.design.paths import NumberPath
+from trimmer.design.spectrum import OutputLine
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from report.pages.figure import Figure
-    from trimmer.design.design import Design
-    from trimmer.design.kept_map import DesignMap
-    from trimmer.design.linear import LinearState
-    from trimmer.design.paths import NumberPath
-    from trimmer.design.spectrum import OutputLine
 
 MEASURES = 4
 """Measures whose influences are drawn."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 import sys
 import time
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, final
+from typing import final
 
 from report.design.quantities import place_words
+from trimmer.design.design import Stage
 from trimmer.progress import is_silenced
-
-if TYPE_CHECKING:
-    from trimmer.design.design import Stage
 
 KEPT = 0.05
 """Time below which a step was not computed but kept, s."""

@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from trimmer.mechanism.place_text import parse_place
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
 
 PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 LARGE_TOO = ("N", "N/m", "Hz", "W", "J")

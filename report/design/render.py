@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
 
+from report.cache.stage_store import StageStore
+from report.design.report import Report
+from report.pages.figure import Figure
 from report.pages.figure_colours import with_variables
 from report.pages.formats import Format, Paper, made_together
 from report.pages.html import Look, page, with_drawings
 from report.pages.pdf import Head, typeset
 from report.pages.pieces import Converter
-
-if TYPE_CHECKING:
-    from report.cache.stage_store import StageStore
-    from report.design.report import Report
-    from report.pages.figure import Figure
-
 
 STYLES = ("page.css", "tables.css", "print.css")
 SCRIPTS = ("search.js", "design/find.js", "contents.js", "zoom.js", "figures.js", "page.js")

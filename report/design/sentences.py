@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
 
 import numpy as np
 
 from report.design.quantities import percent, place_words, shown, written
 from report.design.words import capital, count, kind_words
 from report.pages.escaping import Markdown, code, markdown
-from trimmer.design.plausible import Oddity
+from trimmer.design.design import Design
+from trimmer.design.plausible import Oddity, Question
+from trimmer.design.spectrum import OutputSpectrum
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from trimmer.design.design import Design
-    from trimmer.design.plausible import Question
-    from trimmer.design.spectrum import OutputSpectrum
 
 
 def places_listed(places: Iterable[str]) -> str:

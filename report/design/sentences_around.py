@@ -5,8 +5,6 @@ They are plain text, or Markdown where the type says so.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from report.design.pictures import important
@@ -15,16 +13,14 @@ from report.design.sentences import places_listed
 from report.design.words import SPECIAL, capital, count, measure_words
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.branch import BranchEnd
+from trimmer.design.design import Design
+from trimmer.design.kept_map import DesignMap
+from trimmer.design.paths import NumberPath, PathSide
+from trimmer.design.sensitivity import Sensitivity
 from trimmer.design.targets import Measure
+from trimmer.design.trial import MeasureOfPart
 from trimmer.maps.cells import described
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.design.design import Design
-    from trimmer.design.kept_map import DesignMap
-    from trimmer.design.paths import NumberPath, PathSide
-    from trimmer.design.sensitivity import Sensitivity
-    from trimmer.design.trial import MeasureOfPart
 
 
 def map_sentences(drawn: DesignMap) -> str:

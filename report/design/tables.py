@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
+from report.design.origin import Origin
 from report.design.pictures import important
 from report.design.quantities import percent, place_words, shown, written
+from report.design.report import Equations
 from report.design.words import (
     SPECIAL,
     bound_words,
@@ -18,17 +19,12 @@ from report.design.words import (
     without_margin,
 )
 from report.pages.escaping import Markdown, code, inline_mathematics
-from trimmer.design.spectrum import LineKind
+from trimmer.design.design import Design
+from trimmer.design.linear import LinearState
+from trimmer.design.paths import NumberPath, PathSide
+from trimmer.design.spectrum import LineKind, OutputLine, OutputSpectrum
 from trimmer.design.targets import Measure
 from trimmer.design.trial import all_measures
-
-if TYPE_CHECKING:
-    from report.design.origin import Origin
-    from report.design.report import Equations
-    from trimmer.design.design import Design
-    from trimmer.design.linear import LinearState
-    from trimmer.design.paths import NumberPath, PathSide
-    from trimmer.design.spectrum import OutputLine, OutputSpectrum
 
 Rows = list[list[str]]
 DASH = "—"

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from report.design.quantities import percent, place_words, shown, written
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
-from trimmer.design.targets import Measure
-from trimmer.design.verdict import NEAR, DesignOutcome, Sureness
+from trimmer.design.design import Design
+from trimmer.design.found_motion import FoundMotion
+from trimmer.design.remedies import Remedy
+from trimmer.design.targets import Measure, Target
+from trimmer.design.verdict import NEAR, DesignOutcome, JudgedTarget, Sureness
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.design.design import Design
-    from trimmer.design.found_motion import FoundMotion
-    from trimmer.design.remedies import Remedy
-    from trimmer.design.targets import Target
-    from trimmer.design.verdict import JudgedTarget
 
 COUNTS = (
     "no",

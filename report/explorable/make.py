@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
 
 from report.document.extras import Explorable, Panel, Slider
 from report.explorable.formulas import functions
@@ -18,10 +20,6 @@ from report.pages.drawing.plane import OMEGA, critical_point, inverse
 from report.pages.drawing.style import BLACK, LINES, panels
 from report.pages.figure import Figure
 from trimmer import LimitCycle, ViscousBacklash, limit_cycles, response_at
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure as Canvas
 
 GAP: Final = 2e-4
 """Gap of the first view and of the picture, m: that of the driven simulations of the thesis."""

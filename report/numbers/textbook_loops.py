@@ -8,19 +8,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import control
 import numpy as np
 
 from report.numbers.time_stepping import linear_step
 from trimmer import FrictionBacklash, Relay, limit_cycles, response_at
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.elements.element import Element
-
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.limit_cycle import LimitCycle
+from trimmer.elements.element import Element
 
 GAIN: Final = 7.0
 """Static gain of the triple lag; from 8 on the loop without play would be unstable."""

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.figure import Figure as Drawing
 
 from report.numbers.evidence import Evidence
 from report.pages.drawing.drawn import drawn
 from report.pages.drawing.style import new_figure
 from report.pages.figure import Figure
 from trimmer.drawing.cells import draw_cells
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Drawing
 
 NAME: Final = "opening-map"
 TITLE: Final = "What play does to the motion at 110 Hz"

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Sequence
+from typing import Final
 
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from report.pages.drawing.style import BLACK, LINES, panels
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from report.robustness.variation import PredictionSensitivity
+from report.robustness.variation import PredictionSensitivity
 
 BARS: Final = 4
 """Parameters shown for each quantity."""

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import LARGE_GAP, TURN
 from report.pages.drawing.style import LINES, panels
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 LAST: Final = 0.006
 """Time that is shown of the settled motions, s."""

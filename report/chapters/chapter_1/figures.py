@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing import mechanical_symbols as draw
 from report.pages.drawing.style import BLACK
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 
 @figure("fig-1.1")

@@ -5,9 +5,11 @@ The experiment's data and parameters are confidential, so all are drawn with the
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.driven_motion import FORCES, DrivenRun, transient_spectrum
@@ -27,10 +29,6 @@ from report.pages.drawing.marks import beside, name_places
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 from trimmer.spectra import Spectrum, Window, amplitude_spectrum
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 SHOWN_FORCE: Final = FORCES[1]
 """Friction in the figures that stand for the experiment, N."""

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers import listed_blocks as blocks
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from report.pages.drawing.style import BLACK, LINES, panels
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 EVERY = 67
 """Samples between the markers of the second block."""

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Collection
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.design.diagram import symbols
 from report.design.diagram.layout import DiagramLayout, Run, layout_of
@@ -12,14 +16,7 @@ from report.design.quantities import shown
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
 from trimmer.drawing.look import plain_label
-
-if TYPE_CHECKING:
-    from collections.abc import Collection
-
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.mechanism import Mechanism
 
 WIDTH = 6.5
 WALL = 0.16

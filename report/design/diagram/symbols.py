@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from matplotlib.axes import Axes
 
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import LINE, damper, spring
 from report.pages.drawing.style import BLACK, LINES
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from trimmer.mechanism.parts import Contact, Link
+from trimmer.mechanism.parts import Contact, Link
 
 HEIGHT = 0.13
 """Half of the height of a slot."""

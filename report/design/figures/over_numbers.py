@@ -3,32 +3,26 @@
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
-from report.design.quantities import place_words, scale_for
+from report.design.quantities import Scale, place_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, new_figure, panels
 from trimmer.branches.special import SpecialKind
+from trimmer.design.design_file import OpenRange
+from trimmer.design.kept_map import DesignMap
+from trimmer.design.paths import NumberPath, PathSide
+from trimmer.design.ranges import RangeStudy
+from trimmer.design.sensitivity import Sensitivities
+from trimmer.design.targets import Target
+from trimmer.design.trial import MeasureOfPart
+from trimmer.design.varied_places import VariedNumber
 from trimmer.drawing.cells import draw_cells
 from trimmer.drawing.look import plain_label
 from trimmer.drawing.mechanisms.kinds import categories, category, legend_of
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from report.design.quantities import Scale
-    from trimmer.design.design_file import OpenRange
-    from trimmer.design.kept_map import DesignMap
-    from trimmer.design.paths import NumberPath, PathSide
-    from trimmer.design.ranges import RangeStudy
-    from trimmer.design.sensitivity import Sensitivities
-    from trimmer.design.targets import Target
-    from trimmer.design.trial import MeasureOfPart
-    from trimmer.design.varied_places import VariedNumber
 
 MARKERS = {
     SpecialKind.GRAZING: ("o", "grazing"),

@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Mapping
+from typing import Literal
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
-from report.design.quantities import scale_for
+from report.design.quantities import Scale, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
-from trimmer.design.linear import Contacts
-from trimmer.design.spectrum import LineKind
+from trimmer.arrays import Reals
+from trimmer.design.found_motion import FoundMotion, Spans
+from trimmer.design.linear import Contacts, LinearState
+from trimmer.design.spectrum import LineKind, OutputSpectrum
 from trimmer.drawing.look import plain_label
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from report.design.quantities import Scale
-    from trimmer.arrays import Reals
-    from trimmer.design.found_motion import FoundMotion, Spans
-    from trimmer.design.linear import LinearState
-    from trimmer.design.spectrum import OutputSpectrum
 
 OUTPUT_HEIGHT, FORCE_HEIGHT, BAR_HEIGHT = 2.2, 1.7, 0.28
 BARS = {"contact": "#0072b2", "stick": "#d55e00"}

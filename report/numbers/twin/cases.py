@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, cast
+from typing import Final, cast
 
 import numpy as np
 
@@ -13,13 +13,11 @@ from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.mechanism import BLADE, BRIDGE, CUTTER, FREQUENCY, MOTOR, STROKE, twin
 from trimmer import Mechanism, MechanismMotion, MotionKind, OrbitNotFoundError, TrimmerParameters, respond
 from trimmer.arrays import Reals
+from trimmer.contact.flow import MechanismFlow
 from trimmer.motion.course import Course
 from trimmer.motion.measures import Measures
 from trimmer.response.estimate import Estimate
 from trimmer.response.response import SettledMotion
-
-if TYPE_CHECKING:
-    from trimmer.contact.flow import MechanismFlow
 
 SHOWN: Final = 3
 """Drive periods of the stretch."""

@@ -6,17 +6,14 @@ import hashlib
 import json
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 
 from report.numbers.twin.grids import KeptCourse
 from report.numbers.twin.kept_files import FOLDER, read_kept, rounded, write_kept
-from trimmer import FollowSettings, Mechanism, TrimmerLoop
+from trimmer import FollowedBranch, FollowSettings, Mechanism, TrimmerLoop
 from trimmer.arrays import Reals
-
-if TYPE_CHECKING:
-    from trimmer import FollowedBranch
 
 FILE: Final = FOLDER / "branches.json"
 """The branches of the twin."""

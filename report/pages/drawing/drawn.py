@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+
+from matplotlib.figure import Figure as Drawing
 
 from report.pages.drawing.style import style
 from report.pages.drawing.svg import to_svg
 from report.pages.figure import Figure
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Drawing
 
 
 def drawn(

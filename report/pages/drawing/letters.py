@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 from string import ascii_lowercase
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 _COLOUR_BAR: Final = "<colorbar>"
 _LETTERED: Final = re.compile(r"^\([a-z]\)(?: |$)")

@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.ticker import FixedFormatter
 
 from trimmer.drawing.marks import STABLE as STABLE
 from trimmer.drawing.marks import UNSTABLE as UNSTABLE
+from trimmer.drawing.marks import PlanePoint, as_pair
 from trimmer.drawing.marks import arrow as arrow
-from trimmer.drawing.marks import as_pair
 from trimmer.drawing.marks import limit_cycle as limit_cycle
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.axis import Axis
-
-    from trimmer.drawing.marks import PlanePoint
 
 
 def beside(axes: Axes, text: str, place: PlanePoint, offset: tuple[float, float], **keywords: Any) -> None:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.style import BLACK, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 LINE: Final[dict[str, Any]] = {"color": BLACK, "linestyle": "solid", "linewidth": 1.1}
 MOTOR: Final = "#d6e6f2"

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 
 from report.pages.drawing.marks import STABLE, UNSTABLE
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.lines import Line2D
-
-    from trimmer.arrays import Flags, Reals
+from trimmer.arrays import Flags, Reals
 
 MOST: Final = 12
 """Most peaks of a line, the highest."""

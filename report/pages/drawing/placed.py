@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    Place = tuple[float | None, float | None]
-    """Where something stands in the data, across and up; None where it keeps its place on the page."""
+Place = tuple[float | None, float | None]
+"""Where something stands in the data, across and up; None where it keeps its place on the page."""
 
 
 def name_parts(figure: Figure) -> None:

@@ -4,24 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
+import control
 import numpy as np
+from matplotlib.axes import Axes
 
 from report.pages.drawing.marks import beside, limit_cycle
 from report.pages.drawing.style import LINES, Look
 from trimmer import response_at
+from trimmer.arrays import Complexes, Reals
+from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.drawing.marks import critical_point as critical_point
 from trimmer.drawing.plane import Along, element_locus, system_locus
 from trimmer.drawing.plane import inverse as inverse_gain
-
-if TYPE_CHECKING:
-    import control
-    from matplotlib.axes import Axes
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.balance.limit_cycle import LimitCycle
-    from trimmer.elements.element import Element
+from trimmer.elements.element import Element
 
 OMEGA: Final = 2 * math.pi * np.concatenate([np.linspace(60, 1200, 2500), np.geomspace(1200, 6000, 200)])
 SHARES: Final = np.concatenate([np.geomspace(1e-7, 0.5, 160), 1 - np.geomspace(0.5, 1e-5, 280)[1:]])

@@ -6,24 +6,20 @@ import json
 import math
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from report.pages.drawing.marks import Names
 from report.pages.drawing.peaks import peaks
-from report.pages.drawing.placed import axes_name, placed
+from report.pages.drawing.placed import Place, axes_name, placed
+from trimmer.arrays import Reals
 from trimmer.drawing.plane import Along as Along
 from trimmer.drawing.plane import CurveAlong
 from trimmer.drawing.plane import plot_along as plot_along
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from report.pages.drawing.placed import Place
-    from trimmer.arrays import Reals
 
 SCALES: Final = ("linear", "log")
 _POINTS_PER_INCH = 72

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
+
+from matplotlib.figure import Figure
 
 from trimmer.drawing.look import BLACK as BLACK
 from trimmer.drawing.look import DOTTED as DOTTED
 from trimmer.drawing.look import FAINT as FAINT
 from trimmer.drawing.look import LINES as LINES
 from trimmer.drawing.look import Look as Look
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 WIDTH: Final = 6.5
 """Width of a figure that fills the page, in inches."""

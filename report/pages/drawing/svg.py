@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import io
 import re
-from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape, quoteattr
 
+from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 
 from report.pages.drawing.letters import letter_panels
@@ -14,9 +14,6 @@ from report.pages.drawing.placed import name_parts
 from report.pages.drawing.read_out import read_out
 from report.pages.drawing.style import style
 from trimmer.drawing.content import unwarned
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 _METADATA = re.compile(r"\s*<metadata>.*?</metadata>", re.DOTALL)
 _OPENING = re.compile(r"<svg\b[^>]*>", re.DOTALL)

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.cases import PHASES
 from report.pages.drawing.style import FAINT, LINES, panels
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 THINNED = 16
 """Every so many samples are drawn."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
@@ -13,10 +15,6 @@ from report.numbers.twin.closed_loop import FORCES, LEAST_GAP
 from report.numbers.twin.kept_branch import KeptBranch
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 MICRO: Final = 1e6
 EVERY: Final = 4

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
@@ -14,11 +14,6 @@ from report.numbers.twin.map_numbers import MapNumbers
 from report.pages.drawing.style import LINES, new_figure, panels
 from trimmer.arrays import Integers
 from trimmer.drawing.cells import draw_cells
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 from trimmer.drawing.mechanisms.kinds import LONGER_COLOUR, OTHER_COLOURS, PERIOD_COLOURS
 
 LONGER = len(PERIOD_COLOURS)

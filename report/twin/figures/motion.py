@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.numbers.twin.cases import HIGHEST_ORDER, PHASES, SHOWN
 from report.numbers.twin_numbers import BothModels
 from report.pages.drawing.style import FAINT, LINES, panels
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 THINNED = 32
 TOGETHER = 4

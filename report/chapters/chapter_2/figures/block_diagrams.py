@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
@@ -10,11 +13,7 @@ from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import LINE, canvas
 from report.pages.drawing.style import BLACK
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    Place = tuple[float, float]
+Place = tuple[float, float]
 
 BLOCK: Final = (1.5, 0.9)
 FLAT: Final = (1.5, 0.6)

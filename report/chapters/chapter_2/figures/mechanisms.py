@@ -6,18 +6,16 @@ The thesis's own drawings are not at hand; shapes and proportions are free, conn
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing import mechanical_symbols as draw
 from report.pages.drawing.marks import beside, few_ticks, span
 from report.pages.drawing.style import BLACK, DOTTED, LINES, panels
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 PIN_ANGLE: Final = math.radians(35)
 

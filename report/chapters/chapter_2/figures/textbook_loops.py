@@ -5,9 +5,11 @@ The thesis's own pictures name neither plant nor element, so two loops are taken
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
@@ -17,12 +19,7 @@ from report.pages.drawing.plane import critical_point
 from report.pages.drawing.read_out import Along, plot_along
 from report.pages.drawing.style import BLACK, FAINT, LINES, Look, new_figure, panels
 from trimmer import response_at
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes, Reals
 
 STEPS: Final = (1.15, 2.0)
 """Factors from each limit cycle's amplitude to those of the operating points beside it."""

@@ -6,24 +6,20 @@ solid and thick where the bridge is in contact with the pin, and dashed where it
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
 from report.pages.drawing.marks import arrow, beside, few_ticks, span
 from report.pages.drawing.style import BLACK, LINES, new_figure, panels
 from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash
+from trimmer.arrays import Flags, Reals
+from trimmer.elements.backlashes.backlash import Backlash
 from trimmer.elements.backlashes.contact_equation import steady_motion
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Flags, Reals
-    from trimmer.elements.backlashes.backlash import Backlash
-
 
 AMPLITUDES: Final = (2.0, 3.5)
 """Amplitudes of the two loops of figure 2.8, in half gaps b."""

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import control
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
@@ -17,15 +19,10 @@ from report.pages.drawing.marks import beside
 from report.pages.drawing.read_out import Along, plot_along
 from report.pages.drawing.style import BLACK, LINES, Look, panels
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, response_at
+from trimmer.elements.element import Element
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.elements.element import Element
-
-    Offset = tuple[float, float]
-    View = tuple[tuple[float, float], tuple[float, float]]
+Offset = tuple[float, float]
+View = tuple[tuple[float, float], tuple[float, float]]
 
 LIBRARY_GAP: Final = 1e-4
 GAMMAS: Final = (1.05, 1.25, 1.45)

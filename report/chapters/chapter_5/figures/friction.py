@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers import equivalent_nonlinearity as model
@@ -18,9 +19,6 @@ from report.pages.drawing.plane import curve, element_curve, frame, locus, mark
 from report.pages.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from trimmer import FrictionBacklash, pin_model
 from trimmer.linear import InputChannels
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 SHOWN_FROM, SHOWN_TIME = 1e-8, 40e-6
 """First and last time that is shown of the loop with friction, s."""

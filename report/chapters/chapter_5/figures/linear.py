@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+import control
 import numpy as np
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.evidence import Evidence
@@ -14,15 +14,9 @@ from report.pages.drawing.plane import LEADER, critical_point
 from report.pages.drawing.read_out import Along, plot_along
 from report.pages.drawing.style import BLACK, LINES, panels
 from trimmer import resonance_peaks, response_at
+from trimmer.arrays import Reals
 from trimmer.drawing.frequency_response import decibels
 from trimmer.linear import bandwidth_crossings, gain_crossings
-
-if TYPE_CHECKING:
-    import control
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Reals
-
 
 OMEGA = np.geomspace(1e2, 1e5, 3000)
 """Frequencies of the Bode plots, rad/s; peaks are added to them."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from report.data.figures import figure
 from report.numbers.drive_amplitudes import RECORD, SAMPLE_RATE, SETTLING, AmplitudeRun
@@ -17,15 +19,9 @@ from report.pages.drawing import plane
 from report.pages.drawing.marks import beside
 from report.pages.drawing.style import DOTTED, LINES, new_figure, panels
 from trimmer import FrictionBacklash
+from trimmer.arrays import Reals
+from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.spectra import Window, amplitude_spectrum
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from trimmer.arrays import Reals
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-
 
 READING: Final = 33.03
 """Printed reading of the crest in figure 5.9a, µm."""
