@@ -2,23 +2,56 @@
 
 from __future__ import annotations
 
-from functools import partial
+from dataclasses import dataclass
 from typing import Any
 
 import control
 
+from trimmer.arrays import Reals
+
+
+@dataclass(frozen=True, eq=False)
+class StoredStateSpace:
+    """All that a ``control.StateSpace`` is made of.
+
+    Attributes:
+        matrices: A, B, C and D.
+        dt: Its time base: 0 for continuous time.
+        name: Its name.
+        states: Names of its states.
+        inputs: Names of its inputs.
+        outputs: Names of its outputs.
+    """
+
+    matrices: tuple[Reals, Reals, Reals, Reals]
+    dt: float | bool | None
+    name: str
+    states: list[str]
+    inputs: list[str]
+    outputs: list[str]
+
+    def system(self) -> control.StateSpace:
+        """Build the system again."""
+        labels = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        return control.StateSpace(
+            *self.matrices, self.dt, name=self.name, remove_useless_states=False, **labels
+        )
+
 
 def stored(value: Any) -> Any:
-    """Return a call that builds a state-space model again, which can be pickled; any other value as it is."""
+    """Return a state-space model in a form that can be pickled, and any other value as it is."""
     if not isinstance(value, control.StateSpace):
         return value
-    labels = {"states": value.state_labels, "inputs": value.input_labels, "outputs": value.output_labels}
-    matrices = (value.A, value.B, value.C, value.D)
-    return partial(
-        control.StateSpace, *matrices, value.dt, name=value.name, remove_useless_states=False, **labels
+    return StoredStateSpace(
+        (value.A, value.B, value.C, value.D),
+        value.dt,
+        value.name,
+        value.state_labels,
+        value.input_labels,
+        value.output_labels,
     )
 
 
 def restored(value: Any) -> Any:
     """Return what was stored."""
-    return value() if isinstance(value, partial) else value
+    return value.system() if isinstance(value, StoredStateSpace) else value
