@@ -50,11 +50,12 @@ class Parser(ArgumentParser):
 
     A single value that is given twice is an error, since one of them would be ignored. Negative numbers are
     values in every notation, such as ``-1e-3`` and ``-inf``, and so they are with a unit. Options, commands
-    and choices that do not exist are told before what is missing, with the one that was meant.
+    and choices that do not exist are told before what is missing, with the one that was meant. The beginning
+    of an option is none: a message would name an option that was not written.
     """
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
-        super().__init__(*arguments, **settings)
+        super().__init__(*arguments, **{"allow_abbrev": False, **settings})
         self._negative_number_matcher = (
             _NEGATIVE_NUMBER  # argparse's own knows no exponent before Python 3.14
         )
@@ -77,7 +78,7 @@ class Parser(ArgumentParser):
         if not name.startswith("-") or name == "-" or " " in name or _NEGATIVE_NUMBER.match(word):
             return
         known = self._option_string_actions
-        if name in known or any(each.startswith(name) for each in known if name.startswith("--")):
+        if name in known:
             return
         meant = near_match(name, [each for each in known if each.startswith("--")])
         self.error(f"there is no option {name}{f'; {meant}' if meant else ''}")
