@@ -46,6 +46,8 @@ def _in_a_room(name: str) -> Any:
             told = f"trimmer.{name} stands in trimmer.{room}: from trimmer.{room} import {name}"
             warn(told, DeprecationWarning, stacklevel=3)
             return getattr(place, name)
+        if name in getattr(place, "FORMER", ()):
+            return getattr(place, name)
     return _attribute(name)
 
 

@@ -65,7 +65,6 @@ from .orbits.search import OrbitSearch as OrbitSearch
 from .parameters import TrimmerParameters as TrimmerParameters
 from .response.forced_orbit import forced_orbit as forced_orbit
 from .response.motion import MechanismMotion as MechanismMotion
-from .response.orbit import MechanismOrbit as MechanismOrbit
 from .response.respond import respond as respond
 from .response.response import MotionKind as MotionKind
 from .response.response import Response as Response
@@ -79,5 +78,6 @@ from .signals.signal import Signal as Signal
 from .signals.write import write_signal as write_signal
 from .spectra.analysis import analyse_signal as analyse_signal
 from .spectra.peaks import peaks as peaks
+from .uncertainty.samples import sample as sample
 
 __version__: str

@@ -11,6 +11,7 @@ import trimmer
 from tests.trimmer.fitting.made import record
 from tests.trimmer.fitting.made import trimmer as driven_trimmer
 from tests.trimmer.maps.machines import impact_oscillator
+from trimmer.response import MechanismOrbit
 from trimmer.runners.runner import SerialRunner
 
 GAP = 4e-5
@@ -106,7 +107,7 @@ def stopped() -> trimmer.MechanismMotion:
 
 
 @cache
-def forced() -> trimmer.MechanismOrbit:
+def forced() -> MechanismOrbit:
     """The orbit of the impact oscillator with contact."""
     response = trimmer.respond(impact_oscillator(), state={"mass": (-25.0, 0.0)})
     assert response.motion.orbit is not None

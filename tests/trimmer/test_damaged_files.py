@@ -29,7 +29,7 @@ from trimmer.command_line.main import main
 from trimmer.design.design_file import read_design_file
 from trimmer.runners.runner import SerialRunner
 from trimmer.signals.reading_wav import read_wav
-from trimmer.uncertainty.loop_samples import read_loop_file
+from trimmer.uncertainty.limit_cycle_samples import read_parameter_sample_file
 from trimmer.uncertainty.sample_file import read_sample_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -59,7 +59,7 @@ READERS = {
     "design": (SCATTER, read_design_file),
     "scatter": (SCATTER, read_sample_file),
     "parameters": (PARAMETERS, TrimmerParameters.from_toml),
-    "loop": (SPREAD, lambda path: read_loop_file(path, 4e-5)),
+    "loop": (SPREAD, lambda path: read_parameter_sample_file(path, 4e-5)),
     "record": (RECORD, read_signal),
     "sound": (sound(), read_wav),
     "claims": (CLAIMS, read_claims),

@@ -89,6 +89,12 @@ def test_a_name_that_stands_in_a_room_is_answered_with_its_place() -> None:
             assert getattr(trimmer, name) is public_names()[name]
 
 
+def test_a_former_name_is_answered_with_the_one_that_took_its_place() -> None:
+    for place in (trimmer, trimmer.uncertainty):
+        with pytest.warns(DeprecationWarning, match="from trimmer.uncertainty import sample_limit_cycles$"):
+            assert place.sample_loop is trimmer.uncertainty.sample_limit_cycles
+
+
 def test_bodies_at_the_top_are_those_of_a_mechanism() -> None:
     held = {"spring": trimmer.Link(("ground", "one"), stiffness=1.0)}
     assert trimmer.Mechanism({"one": trimmer.Body(1.0)}, links=held).bodies["one"].mass == 1.0

@@ -22,7 +22,7 @@ from trimmer.signals import write_wav
 from trimmer.uncertainty.sample_file import read_sample_file
 from trimmer.uncertainty.sample_inputs import SampleSettings
 from trimmer.uncertainty.sample_records import Keeping
-from trimmer.uncertainty.samples import sample_mechanism
+from trimmer.uncertainty.samples import sample
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")
@@ -35,13 +35,9 @@ def write_map(path: Path, **how: bool) -> None:
 
 
 def write_samples(path: Path, *, overwrite: bool = Keeping().overwrite) -> None:
-    settings = SampleSettings(2, most_periods=2)
-    sample_mechanism(
-        read_sample_file(Path(SCATTER)),
-        settings,
-        runner=SerialRunner(),
-        keeping=Keeping(path, overwrite=overwrite),
-    )
+    settings, file = SampleSettings(2, most_periods=2), read_sample_file(Path(SCATTER))
+    keeping = Keeping(path, overwrite=overwrite)
+    sample(file.subject, file.uncertainty, settings, runner=SerialRunner(), keeping=keeping)
 
 
 WRITERS: dict[str, Callable[..., None]] = {

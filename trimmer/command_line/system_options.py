@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
 
+FILE_HELP = "mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves"
 OF_LOOPS = ("element", *ELEMENT_OPTIONS, "parameters", "displacement", "channels", "drive", "amplitude")
 OF_LOOPS += ("impulse",)
 """Options that say what a loop is and does; a mechanism says it in its file."""
@@ -22,19 +23,22 @@ SOURCES = {"parameters": "the file of the parameters", "file": "the file of the 
 """What the files are that are read, by the name of the option."""
 
 
-def add_system_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
+def add_system_options(
+    parser: ArgumentParser, *, output_is_file: bool = False, file_help: str = FILE_HELP
+) -> None:
     """Add the file of a mechanism, which may be left out, the options of a loop, and ``--set``.
 
     Args:
         parser: The parser of the command.
         output_is_file: Whether ``--output`` is a file that the command writes.
+        file_help: What is said of the file.
     """
     parser.add_argument(
         "file",
         type=file_to_read,
         nargs="?",
         metavar="FILE",
-        help="mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves",
+        help=file_help,
     )
     add_set_option(parser, ", or of the loop, such as element.gap=40um")
     add_motion_options(parser, output_is_file=output_is_file)
@@ -49,6 +53,16 @@ def chosen_system(arguments: Namespace) -> Mechanism | TrimmerLoop:
     """
     if arguments.file is None:
         return chosen_loop(arguments)
+    refuse_loop_options(arguments)
+    return chosen_mechanism(arguments)
+
+
+def refuse_loop_options(arguments: Namespace) -> None:
+    """Refuse options of loops beside the file of a mechanism.
+
+    Raises:
+        OptionError: if one of them is given.
+    """
     given = [name for name in OF_LOOPS if is_given(arguments, name)]
     given += ["friction"] if arguments.friction else []
     if given:
@@ -56,4 +70,3 @@ def chosen_system(arguments: Namespace) -> Mechanism | TrimmerLoop:
             f"{as_option(given[0])} is for the loops of the thesis; a mechanism says it in its file: set the "
             "number there, or with --set"
         )
-    return chosen_mechanism(arguments)

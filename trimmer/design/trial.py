@@ -1,4 +1,4 @@
-"""What a mechanism with some other numbers does, cheaply enough for hundreds of trials."""
+"""What a mechanism or a loop with some other numbers does, cheaply enough for hundreds of trials."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.contact.flow import MechanismFlow
 from trimmer.design.targets import Measure, Target
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
+from trimmer.motion.subject import Subject
+from trimmer.motion.units import Units
+from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
 
 WINDOW = 20
@@ -32,10 +35,22 @@ class MeasureOfPart:
     measure: Measure
     part: str
 
+    def unit(self, units: Units) -> str:
+        """Return its unit among those of what moves; empty for a number."""
+        match self.measure:
+            case Measure.STROKE:
+                return units.length
+            case Measure.IMPACT_SPEED:
+                return units.speed
+            case Measure.WEAR_POWER:
+                return units.power
+            case _:
+                return str(self.measure.value)
+
 
 @dataclass(frozen=True)
 class Trial:
-    """What a mechanism does from rest, or from its own start.
+    """What a mechanism or a loop does from rest, or from its own start.
 
     Attributes:
         values: Of the places that were set, SI units.
@@ -65,21 +80,21 @@ class TrialWork:
     """The work of a trial, which a process or a cluster may do.
 
     Attributes:
-        mechanism: The mechanism.
+        subject: The mechanism or loop.
         places: Dotted places of the values.
         asked: What is measured.
         most_periods: Drive periods to wait at most.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     places: tuple[str, ...]
     asked: tuple[MeasureOfPart, ...]
     most_periods: int
 
     def __call__(self, values: tuple[float, ...]) -> Trial:
-        """Return what the mechanism does with these values."""
+        """Return what the mechanism or loop does with these values."""
         try:
-            flow = MechanismFlow.returning(varied(self.mechanism, self.places, values))
+            flow = flow_of(varied(self.subject, self.places, values))
             settled = settle(flow, flow.rest(), self.most_periods)
             return self._measured(values, flow, settled)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
@@ -88,7 +103,7 @@ class TrialWork:
     def _failed(self, values: tuple[float, ...]) -> Trial:
         return Trial(values, None, None, tuple((each, float("nan")) for each in self.asked))
 
-    def _measured(self, values: tuple[float, ...], flow: MechanismFlow, settled: Settled) -> Trial:
+    def _measured(self, values: tuple[float, ...], flow: Flow, settled: Settled) -> Trial:
         if settled.ending is not Ending.REACHED_END:
             return self._failed(values)
         orbit = settled.orbit
@@ -120,8 +135,11 @@ def measured(measures: Measures, asked: MeasureOfPart, period_count: int | None)
             return float(period_count) if period_count else float("inf")
 
 
-def all_measures(mechanism: Mechanism) -> tuple[MeasureOfPart, ...]:
-    """Return all measures that a mechanism has."""
+def all_measures(subject: Subject) -> tuple[MeasureOfPart, ...]:
+    """Return all measures that a mechanism or a loop has."""
+    if not isinstance(subject, Mechanism):
+        return _of_loop(flow_of(subject))
+    mechanism = subject
     return (
         *(MeasureOfPart(Measure.STROKE, name) for name in mechanism.outputs),
         *(MeasureOfPart(Measure.RMS_ACCELERATION, name) for name in mechanism.bodies),
@@ -132,4 +150,13 @@ def all_measures(mechanism: Mechanism) -> tuple[MeasureOfPart, ...]:
             if each.force
         ),
         *([MeasureOfPart(Measure.PERIOD, "")] if mechanism.frequency is not None else []),
+    )
+
+
+def _of_loop(flow: Flow) -> tuple[MeasureOfPart, ...]:
+    return (
+        *(MeasureOfPart(Measure.STROKE, name) for name in flow.outputs),
+        *(MeasureOfPart(Measure.IMPACT_SPEED, part.name) for part in flow.parts if part.touches),
+        *(MeasureOfPart(Measure.WEAR_POWER, name) for name in flow.rubbing),
+        *([MeasureOfPart(Measure.PERIOD, "")] if flow.period else []),
     )

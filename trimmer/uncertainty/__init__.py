@@ -1,9 +1,21 @@
-"""What a mechanism does when its numbers scatter: distributions, samples, yield, and which number matters.
+"""What a mechanism or a loop does when its numbers scatter: distributions, samples, yield, what matters.
 
-``sample_mechanism(read_sample_file("mine.toml"))`` draws machines and finds what each of them settles to;
-``study_samples`` adds Sobol indices and harmonic balance.
+``sample(subject, uncertainty)`` draws machines or loops and finds what each of them settles to;
+``study_samples`` adds Sobol indices and harmonic balance. ``sample_limit_cycles`` draws trimmers whose limit
+cycles harmonic balance predicts.
 """
 
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+from trimmer.former_names import answering
+
+_attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+FORMER = {
+    "LoopFile": "trimmer.uncertainty.ParameterSampleFile",
+    "LoopNumbers": "trimmer.uncertainty.ParameterNumbers",
+    "LoopSamples": "trimmer.uncertainty.LimitCycleSamples",
+    "read_loop_file": "trimmer.uncertainty.read_parameter_sample_file",
+    "sample_loop": "trimmer.uncertainty.sample_limit_cycles",
+}
+"""Where what had other names stands now."""
+__getattr__ = answering(__name__, _attribute, FORMER)

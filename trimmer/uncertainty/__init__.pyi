@@ -8,11 +8,11 @@ from .distributions import Uncertainty as Uncertainty
 from .distributions import Uniform as Uniform
 from .indices import Index as Index
 from .indices import Indices as Indices
-from .loop_samples import LoopFile as LoopFile
-from .loop_samples import LoopNumbers as LoopNumbers
-from .loop_samples import LoopSamples as LoopSamples
-from .loop_samples import read_loop_file as read_loop_file
-from .loop_samples import sample_loop as sample_loop
+from .limit_cycle_samples import LimitCycleSamples as LimitCycleSamples
+from .limit_cycle_samples import ParameterNumbers as ParameterNumbers
+from .limit_cycle_samples import ParameterSampleFile as ParameterSampleFile
+from .limit_cycle_samples import read_parameter_sample_file as read_parameter_sample_file
+from .limit_cycle_samples import sample_limit_cycles as sample_limit_cycles
 from .points import Plan as Plan
 from .sample_file import SampleFile as SampleFile
 from .sample_file import read_sample_file as read_sample_file
@@ -20,6 +20,7 @@ from .sample_inputs import SampleInputs as SampleInputs
 from .sample_inputs import SampleSettings as SampleSettings
 from .sample_records import Keeping as Keeping
 from .samples import Samples as Samples
+from .samples import sample as sample
 from .samples import sample_mechanism as sample_mechanism
 from .statistics import Distribution as Distribution
 from .statistics import Quantile as Quantile
@@ -29,3 +30,4 @@ from .statistics import share_of as share_of
 from .study import QuantityOfInterest as QuantityOfInterest
 from .study import SampleStudy as SampleStudy
 from .study import study_samples as study_samples
+from .table import uncertainty_from as uncertainty_from

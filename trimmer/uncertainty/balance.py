@@ -11,6 +11,7 @@ from trimmer.branches.balanced import balanced_beside
 from trimmer.contact.flow import MechanismFlow
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import settle
+from trimmer.mechanism.mechanism import Mechanism
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
@@ -50,9 +51,9 @@ def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -
     numbers, distances, converged = [], [], []
     for at in repeating[:count]:
         values = samples.trials[at].values
-        flow = MechanismFlow.returning(
-            varied(samples.inputs.mechanism, samples.inputs.uncertainty.places, values)
-        )
+        mechanism = varied(samples.inputs.subject, samples.inputs.uncertainty.places, values)
+        assert isinstance(mechanism, Mechanism)
+        flow = MechanismFlow.returning(mechanism)
         orbit = settle(flow, flow.rest(), samples.inputs.settings.most_periods).orbit
         if orbit is None:
             continue

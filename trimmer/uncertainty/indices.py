@@ -10,6 +10,7 @@ import numpy as np
 from trimmer.errors import UncertaintyError
 from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.points import within_cube
+from trimmer.uncertainty.statistics import ROUNDING
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -103,7 +104,7 @@ def indices_of(values: Reals, places: tuple[str, ...], seed: int) -> Indices:
     rows = values.reshape(-1, len(places) + 2)
     whole = np.asarray(np.isfinite(rows).all(axis=1))
     used = rows[whole]
-    if not used.size or np.ptp(used) <= 1e-12 * np.abs(used).max():
+    if not used.size or np.ptp(used) <= ROUNDING * np.abs(used).max():
         return Indices((), int(whole.sum()), len(rows))
     found = _salib("analyze").analyze(
         _problem(len(places)), used.ravel(), calc_second_order=False, conf_level=0.95, seed=seed + 1

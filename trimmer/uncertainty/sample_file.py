@@ -1,55 +1,72 @@
-"""A mechanism's file with what scatters: the mechanism, the targets, the distributions."""
+"""What is sampled: a mechanism or a loop, the targets, the distributions, as a file gives them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 from trimmer.arguments import file_path
 from trimmer.design.design_file import OpenRange, design_file_of_text
 from trimmer.design.targets import Target
 from trimmer.errors import MechanismError
-from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem, as_message_of_file
 from trimmer.mechanism.reading import content_of_text, text_of_file
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.table import SECTION, uncertainty_of
 
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
+
 
 @dataclass(frozen=True)
 class SampleFile:
-    """A mechanism with its targets and what scatters, as a file gives them.
+    """A mechanism or a loop with its targets and what scatters, as a file gives them.
 
     Attributes:
-        mechanism: The mechanism, with the middle of each range that nobody knows better.
+        subject: The mechanism, with the middle of each range that nobody knows better; or a loop.
         targets: What is wanted of it.
         uncertainty: What scatters. A number that the file leaves open scatters evenly over its range.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     targets: tuple[Target, ...]
     uncertainty: Uncertainty
 
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism, if it is one that is sampled."""
+        return cast("Mechanism", self.subject)
 
-def read_sample_file(path: Path | str) -> SampleFile:
+
+def read_sample_file(path: Path | str, changes: Sequence[tuple[str, float | str]] = ()) -> SampleFile:
     """Read a mechanism with ``[uncertainty]``, or standard input if the path is ``-``.
+
+    Args:
+        path: The file.
+        changes: Places, and the numbers that stand there in place of those of the file.
 
     Raises:
         MechanismError: if it cannot be read, holds what cannot be used, or nothing in it scatters. Every
             problem is named, with file, line, key and value, and what to do.
     """
     path = file_path("path", path)
-    return sample_file_of_text(text_of_file(path), str(path))
+    return sample_file_of_text(text_of_file(path), str(path), changes)
 
 
-def sample_file_of_text(text: str, name: str) -> SampleFile:
+def sample_file_of_text(text: str, name: str, changes: Sequence[tuple[str, float | str]] = ()) -> SampleFile:
     """Read the text of such a file; see ``read_sample_file``."""
     design = design_file_of_text(text, name)
     content = content_of_text(text, name)
     problems: list[Problem] = []
-    known = tuple(map(_evenly, design.ranges))
-    uncertainty = uncertainty_of(content.get(SECTION, {}), design.mechanism, problems, known)
+    mechanism = design.mechanism
+    for place, value in changes:
+        mechanism = mechanism.with_value(place, value)
+    known = tuple(_evenly(each) for each in design.ranges if each.place not in dict(changes))
+    uncertainty = uncertainty_of(content.get(SECTION, {}), mechanism, problems, known)
     if problems:
         raise MechanismError(as_message_of_file(name, problems, content, lines_of_keys(text)))
     if not uncertainty.scatters:
@@ -57,7 +74,7 @@ def sample_file_of_text(text: str, name: str) -> SampleFile:
             f"{name}: nothing scatters: say what does below [{SECTION}], as in "
             '"plays.bridge.gap" = { normal = "5 um" }'
         )
-    return SampleFile(design.mechanism, design.targets, uncertainty)
+    return SampleFile(mechanism, design.targets, uncertainty)
 
 
 def _evenly(left_open: OpenRange) -> Scatter:

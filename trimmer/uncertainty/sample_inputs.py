@@ -1,4 +1,4 @@
-"""What the samples of a mechanism depend on: how they are drawn, and which of them a mechanism can have."""
+"""What samples depend on: how they are drawn, and which of them a mechanism or a loop can have."""
 
 from __future__ import annotations
 
@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.errors import MechanismError, UncertaintyError
+from trimmer.errors import TrimmerError, UncertaintyError
 from trimmer.maps.inputs import varied
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.flows import require_subject
 from trimmer.uncertainty.points import Plan
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
     from trimmer.uncertainty.distributions import Uncertainty
 
 MOST_IMPOSSIBLE = 0.01
@@ -52,44 +54,44 @@ class SampleInputs:
     """All that the samples depend on.
 
     Attributes:
-        mechanism: The mechanism.
+        subject: The mechanism or loop.
         uncertainty: What scatters.
         settings: How samples are drawn and looked at.
         values: The samples, SI units, shape (n, numbers that scatter).
-        possible: Whether a mechanism can have such numbers, shape (n,).
+        possible: Whether a mechanism or loop can have such numbers, shape (n,).
     """
 
-    mechanism: Mechanism
+    subject: Subject
     uncertainty: Uncertainty
     settings: SampleSettings
     values: Reals
     possible: Flags
 
 
-def sample_inputs(mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:
-    """Draw samples.
-
-    Raises:
-        UncertaintyError: if too many of them are impossible, or the mechanism has no drive.
-    """
+def sample_inputs(subject: Subject, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:
+    """Draw samples; errors are those of ``inputs_at``."""
     count = settings.plan.count(settings.count)
     shares = settings.plan.points(count, len(uncertainty.scatters), settings.seed)
-    return inputs_at(mechanism, uncertainty, settings, uncertainty.values(shares))
+    return inputs_at(subject, uncertainty, settings, uncertainty.values(shares))
 
 
 def inputs_at(
-    mechanism: Mechanism, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
+    subject: Subject, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
 ) -> SampleInputs:
     """Return samples of given values, shape (n, numbers), after it was checked which are possible.
 
     Raises:
-        UncertaintyError: as ``sample_inputs`` does.
+        UncertaintyError: if too many of them are impossible, or nothing drives the mechanism or loop.
+        MechanismError, LoopError: if there is no number at a place that scatters.
+        WrongTypeError: if it is neither a mechanism nor a loop.
     """
-    if mechanism.frequency is None:
-        raise UncertaintyError(
-            "the mechanism has no frequency, and samples are of driven motions: give it one"
-        )
-    reasons = [_reason_against(mechanism, uncertainty.places, tuple(row)) for row in values.tolist()]
+    require_subject(subject)
+    if subject.frequency is None:
+        what = "mechanism has no frequency" if isinstance(subject, Mechanism) else "loop has no drive"
+        raise UncertaintyError(f"the {what}, and samples are of driven motions: give it one")
+    for place in uncertainty.places:
+        subject.value(place)
+    reasons = [_reason_against(subject, uncertainty.places, tuple(row)) for row in values.tolist()]
     possible = np.array([not reason for reason in reasons], dtype=bool)
     if (~possible).mean() > MOST_IMPOSSIBLE:
         reason = next(reason for reason in reasons if reason)
@@ -97,12 +99,12 @@ def inputs_at(
             f"{(~possible).mean():.1%} of the samples are impossible, the first one because {reason}; "
             "let the number scatter less, or uniformly between values that it can have"
         )
-    return SampleInputs(mechanism, uncertainty, settings, values, possible)
+    return SampleInputs(subject, uncertainty, settings, values, possible)
 
 
-def _reason_against(mechanism: Mechanism, places: tuple[str, ...], values: tuple[float, ...]) -> str:
+def _reason_against(subject: Subject, places: tuple[str, ...], values: tuple[float, ...]) -> str:
     try:
-        varied(mechanism, places, values)
-    except MechanismError as error:
+        varied(subject, places, values)
+    except TrimmerError as error:
         return str(error)
     return ""

@@ -1,9 +1,10 @@
 """The file of samples: a header with all that they depend on, then one line for each that is done.
 
 See ``trimmer.runners.record_file``. The header has the keys ``trimmer sample`` (the version of the format),
-``program``, ``mechanism`` (its TOML file as text), ``places``, ``settings`` and ``inputs``, the SHA-256 of
-mechanism, places, settings and values. A line of a sample has ``number``, ``kind``, ``period_count`` and
-``measures``, a list in the order of ``asked`` in the header; null is no number.
+``program``, ``mechanism`` (its TOML file as text, or a loop as data), ``places``, ``settings`` and
+``inputs``, the SHA-256 of mechanism, places, settings and values. A line of a sample has ``number``,
+``kind``, ``period_count`` and ``measures``, a list in the order of ``asked`` in the header; null is no
+number.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, Trial, all_measures
 from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
+from trimmer.maps.inputs import described
 from trimmer.messages import shown_value
 from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import RecordFile, appended, cut
@@ -35,7 +37,7 @@ _SAMPLES = RecordFile(
     many="samples",
     one="sample",
     others={
-        "mechanism": "another mechanism",
+        "mechanism": "another mechanism or loop",
         "places": "other numbers that scatter",
         "settings": "other settings",
         "program": "another version of this program",
@@ -68,7 +70,7 @@ def header(inputs: SampleInputs) -> dict[str, object]:
 
     settings = inputs.settings
     content = {
-        "mechanism": inputs.mechanism.to_toml(),
+        "mechanism": described(inputs.subject),
         "places": list(inputs.uncertainty.places),
         "settings": {
             "count": len(inputs.values),
@@ -76,7 +78,7 @@ def header(inputs: SampleInputs) -> dict[str, object]:
             "seed": settings.seed,
             "most_periods": settings.most_periods,
         },
-        "asked": [[each.measure.name.lower(), each.part] for each in all_measures(inputs.mechanism)],
+        "asked": [[each.measure.name.lower(), each.part] for each in all_measures(inputs.subject)],
     }
     digest = hashlib.sha256(
         json.dumps(content, sort_keys=True).encode() + inputs.values.tobytes()

@@ -1,18 +1,22 @@
-"""Samples of a mechanism whose numbers scatter: what each of them does."""
+"""Samples of a mechanism or a loop whose numbers scatter: what each of them does."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+from warnings import warn
 
 import numpy as np
 
 from trimmer.design.targets import Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.progress import progress_bar
+from trimmer.response.flows import flow_of
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.showing.shown import counted
@@ -23,7 +27,10 @@ from trimmer.uncertainty.sample_records import NOWHERE, Keeping
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
+    from trimmer.motion.subject import Subject
+    from trimmer.motion.units import Units
     from trimmer.runners.runner import Runner
+    from trimmer.uncertainty.distributions import Uncertainty
     from trimmer.uncertainty.sample_file import SampleFile
 
 FEW = 12
@@ -37,13 +44,13 @@ class SampleWork:
     trial: TrialWork
 
     def __call__(self, sample: tuple[int, tuple[float, ...]]) -> tuple[int, Trial]:
-        """Return the number and what the mechanism does."""
+        """Return the number and what the mechanism or loop does."""
         return sample[0], self.trial(sample[1])
 
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """What the samples of a mechanism do, from rest or from its own start.
+    """What the samples of a mechanism or a loop do, from rest or from its own start.
 
     Attributes:
         inputs: What they depend on.
@@ -59,7 +66,7 @@ class Samples:
 
     @property
     def impossible(self) -> int:
-        """How many samples no mechanism can have; they are left out."""
+        """How many samples no mechanism or loop can have; they are left out."""
         return int((~self.inputs.possible).sum())
 
     @property
@@ -70,6 +77,11 @@ class Samples:
     def measured(self, asked: MeasureOfPart) -> Reals:
         """Return a measure of each trial, shape (trials,); not a number where the motion failed."""
         return np.array([trial.value(asked.measure, asked.part) for trial in self.trials], dtype=float)
+
+    @cached_property
+    def units(self) -> Units:
+        """Units of what is measured: a loop whose unit is not known has no metres."""
+        return flow_of(self.inputs.subject).units
 
     @property
     def met(self) -> Flags:
@@ -96,48 +108,65 @@ class Samples:
     @property
     def message(self) -> str:
         """What was drawn and looked at, in sentences."""
-        settings = self.inputs.settings
+        settings, of_mechanism = self.inputs.settings, isinstance(self.inputs.subject, Mechanism)
+        begun = "rest or the file's own start" if of_mechanism else "rest"
         told = (
             f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
-            f"each from rest or the file's own start, for at most {settings.most_periods} drive periods; "
+            f"each from {begun}, for at most {settings.most_periods} drive periods; "
             "other motions were not looked for."
         )
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
             told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
         if self.impossible:
-            told += f" {left_out(self.impossible, 'mechanism')}."
+            told += f" {left_out(self.impossible, 'mechanism' if of_mechanism else 'loop')}."
         whose = "its" if self.failed == 1 else "their"
         failed = f" {counted(self.failed, 'motion')} could not be followed to {whose} end."
         return told + (failed if self.failed else "")
 
 
-def sample_mechanism(
-    file: SampleFile,
+def sample(
+    subject: Subject,
+    uncertainty: Uncertainty,
     settings: SampleSettings | None = None,
     *,
+    targets: tuple[Target, ...] = (),
     runner: Runner | None = None,
     keeping: Keeping = NOWHERE,
     quiet: bool = False,
 ) -> Samples:
-    """Draw samples of a mechanism and find what each of them settles to.
+    """Draw samples of a mechanism or a loop and find what each of them settles to.
 
     A sample belongs to its number: who computes it, and in what order, changes no digit.
 
     Args:
-        file: The mechanism, its targets, and what scatters.
+        subject: The mechanism or loop; it has a drive.
+        uncertainty: What scatters, as ``uncertainty_from`` makes it.
         settings: How samples are drawn and looked at.
+        targets: What is wanted.
         runner: Who does the work; by default processes on all cores, for a few samples this one.
         keeping: Where each sample is kept as soon as it is done.
         quiet: Show no progress bar.
 
     Raises:
-        UncertaintyError: if too many samples are impossible, or the mechanism has no drive.
+        UncertaintyError: if too many samples are impossible, or nothing drives the mechanism or loop.
+        MechanismError, LoopError: if there is no number at a place that scatters.
+        WrongTypeError: if it is neither a mechanism nor a loop.
         MapFileError: if the file cannot be gone on with.
         FileWriteError: if the file cannot be written.
     """
-    inputs = sample_inputs(file.mechanism, file.uncertainty, settings or SampleSettings())
+    inputs = sample_inputs(subject, uncertainty, settings or SampleSettings())
     trials = trials_of(inputs, runner, keeping, quiet=quiet)
-    return Samples(inputs, file.targets, all_measures(file.mechanism), trials)
+    return Samples(inputs, targets, all_measures(subject), trials)
+
+
+def sample_mechanism(file: SampleFile, settings: SampleSettings | None = None, **others: Any) -> Samples:
+    """Do what ``sample`` does, which has taken its place, with the content of a file."""
+    told = (
+        "trimmer.uncertainty.sample_mechanism(file) is "
+        "trimmer.sample(file.subject, file.uncertainty, targets=file.targets) now"
+    )
+    warn(told, DeprecationWarning, stacklevel=2)
+    return sample(file.subject, file.uncertainty, settings, targets=file.targets, **others)
 
 
 def trials_of(
@@ -148,7 +177,7 @@ def trials_of(
     quiet: bool = False,
 ) -> tuple[Trial, ...]:
     """Return what each possible sample does, in the order of the samples."""
-    asked = all_measures(inputs.mechanism)
+    asked = all_measures(inputs.subject)
     done: dict[int, Trial] = {}
     if keeping.path is not None and keeping.resume:
         done = sample_records.resumed(keeping.path, inputs, asked)
@@ -174,7 +203,7 @@ def _computed(
     if runner is None:
         runner = ProcessRunner() if len(left) > FEW else SerialRunner()
     places = inputs.uncertainty.places
-    work = SampleWork(TrialWork(inputs.mechanism, places, asked, inputs.settings.most_periods))
+    work = SampleWork(TrialWork(inputs.subject, places, asked, inputs.settings.most_periods))
     samples = ((number, tuple(inputs.values[number].tolist())) for number in left)
     results = runner.results(work, samples)
     with progress_bar(

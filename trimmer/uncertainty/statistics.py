@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
 CONFIDENCE = 0.95
 QUANTILES = (0.05, 0.5, 0.95)
+ROUNDING = 1e-12
+"""Share of the largest value within which all are the same."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ class Distribution:
     Attributes:
         count: Samples that have it.
         mean: Mean of these.
-        deviation: Standard deviation.
+        deviation: Standard deviation; 0 if they differ by rounding alone.
         quantiles: At the shares of ``QUANTILES``; an end is infinite where the samples are too few to tell.
     """
 
@@ -91,7 +93,8 @@ def distribution_of(values: Reals) -> Distribution | None:
     # Sums and squares of the values themselves may overflow; a power of two leaves their digits alone.
     scale = 2.0 ** min(np.frexp(np.abs(finite).max())[1], 1000)
     mean = scale * float((finite / scale).mean())
-    deviation = scale * float((finite / scale).std(ddof=1)) if finite.size > 1 else 0.0
+    same = finite[-1] - finite[0] <= ROUNDING * np.abs(finite).max()
+    deviation = 0.0 if same else scale * float((finite / scale).std(ddof=1))
     quantiles = tuple(_quantile(finite, share) for share in QUANTILES)
     return Distribution(finite.size, mean, deviation, quantiles)
 

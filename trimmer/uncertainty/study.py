@@ -1,4 +1,4 @@
-"""Samples of a mechanism with all that is asked of them: indices, and harmonic balance beside them."""
+"""Samples with all that is asked of them: indices, and harmonic balance beside them."""
 
 from __future__ import annotations
 
@@ -12,13 +12,15 @@ import numpy as np
 
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
+from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import require_balanceable
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.uncertainty.balance import BalancedSamples, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.sample_inputs import SampleSettings, inputs_at
 from trimmer.uncertainty.sample_records import NOWHERE, Keeping
-from trimmer.uncertainty.samples import Samples, sample_mechanism, trials_of
+from trimmer.uncertainty.samples import Samples, sample, trials_of
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -66,10 +68,10 @@ def study_samples(
     keeping: Keeping = NOWHERE,
     quiet: bool = False,
 ) -> SampleStudy:
-    """Draw samples, with Sobol indices and harmonic balance if wanted; errors as of ``sample_mechanism``.
+    """Draw samples, with Sobol indices and harmonic balance if wanted; errors as of ``sample``.
 
     Args:
-        file: The mechanism, its targets, and what scatters.
+        file: The mechanism or loop, its targets, and what scatters.
         settings: How samples are drawn and looked at.
         runner: Who does the work.
         keeping: Where each sample is kept as soon as it is done.
@@ -78,8 +80,13 @@ def study_samples(
         balanced: How many samples are looked at by harmonic balance too.
 
     Raises:
-        UnsupportedMotionError: if harmonic balance is wanted and does not know the motions of the mechanism.
+        UnsupportedMotionError: if harmonic balance is wanted, and is of a loop, or does not know the motions
+            of the mechanism.
     """
+    if balanced and not isinstance(file.subject, Mechanism):
+        raise UnsupportedMotionError(
+            "harmonic balance beside samples is of mechanisms: leave it out for a loop"
+        )
     if balanced:
         require_balanceable(file.mechanism)
     warm_up(file)
@@ -87,16 +94,30 @@ def study_samples(
     if indices:
         samples, found = _with_indices(file, settings, runner, keeping, quiet)
     else:
-        samples, found = sample_mechanism(file, settings, runner=runner, keeping=keeping, quiet=quiet), {}
+        samples, found = _drawn(file, settings, runner, keeping, quiet), {}
     seconds = time.perf_counter() - begin
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
     beside = balanced_samples(samples, balanced) if balanced else None
     return SampleStudy(samples, found, beside, rate)
 
 
+def _drawn(
+    file: SampleFile, settings: SampleSettings, runner: Runner | None, keeping: Keeping, quiet: bool
+) -> Samples:
+    return sample(
+        file.subject,
+        file.uncertainty,
+        settings,
+        targets=file.targets,
+        runner=runner,
+        keeping=keeping,
+        quiet=quiet,
+    )
+
+
 def warm_up(file: SampleFile) -> None:
     """Follow a motion for two periods, so that all is compiled once, and before the clock runs."""
-    TrialWork(file.mechanism, (), (), 2)(())
+    TrialWork(file.subject, (), (), 2)(())
 
 
 def _with_indices(
@@ -110,9 +131,9 @@ def _with_indices(
     places = file.uncertainty.places
     blocks = Plan.SOBOL.count(settings.count)
     values = file.uncertainty.values(saltelli_points(len(places), blocks, settings.seed))
-    inputs = inputs_at(file.mechanism, file.uncertainty, replace(settings, plan=Plan.SOBOL), values)
+    inputs = inputs_at(file.subject, file.uncertainty, replace(settings, plan=Plan.SOBOL), values)
     trials = trials_of(inputs, runner, keeping, quiet=quiet)
-    samples = Samples(inputs, file.targets, all_measures(file.mechanism), trials)
+    samples = Samples(inputs, file.targets, all_measures(file.subject), trials)
     found = {}
     for quantity, column in _quantities(samples):
         whole = np.full(len(values), np.nan)

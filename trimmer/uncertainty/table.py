@@ -1,4 +1,4 @@
-"""The table ``[uncertainty]`` of a mechanism's file."""
+"""The table ``[uncertainty]`` of a file: how numbers of a mechanism or a loop scatter."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from trimmer.errors import MechanismError
+from trimmer.errors import MechanismError, UncertaintyError
 from trimmer.mechanism.place_text import parse_place, place_text
-from trimmer.mechanism.problems import NOTHING, Problem
+from trimmer.mechanism.problems import NOTHING, Problem, in_one
 from trimmer.mechanism.quantities import is_number
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
@@ -24,11 +24,12 @@ from trimmer.uncertainty.distributions import (
 
 SECTION = "uncertainty"
 COVARIANCE = "covariance"
+_SHORT: Mapping[str, str] = {}
 FORMS = '{ normal = "5 um" }, { normal = "5 %" } or { uniform = ["20 um", "60 um"] }'
 
 
 class Numbers(Protocol):
-    """Anything with numbers at dotted places, such as a mechanism."""
+    """Anything with numbers at dotted places, such as a mechanism or a loop."""
 
     @property
     def places(self) -> Mapping[str, str]:
@@ -40,8 +41,31 @@ class Numbers(Protocol):
         ...
 
 
+def uncertainty_from(subject: Numbers, table: Mapping[str, object]) -> Uncertainty:
+    """Return how numbers of a mechanism or a loop scatter, in the words of a file.
+
+    Args:
+        subject: The mechanism or loop, whose own numbers are the means that are not given.
+        table: What would stand in ``[uncertainty]``, such as ``{"element.gap": {"normal": "5 um"}}``.
+
+    Raises:
+        UncertaintyError: if there is no such number, or it cannot scatter so; every problem is named.
+    """
+    problems: list[Problem] = []
+    uncertainty = uncertainty_of(table, subject, problems)
+    if not uncertainty.scatters and not problems:
+        problems.append(Problem((SECTION,), f"nothing scatters: say what does, as in {FORMS}"))
+    if problems:
+        raise UncertaintyError(in_one([each.sentence() for each in problems], "what scatters"))
+    return uncertainty
+
+
 def uncertainty_of(
-    content: object, mechanism: Numbers, problems: list[Problem], known: tuple[Scatter, ...] = ()
+    content: object,
+    mechanism: Numbers,
+    problems: list[Problem],
+    known: tuple[Scatter, ...] = (),
+    short: Mapping[str, str] = _SHORT,
 ) -> Uncertainty:
     """Read what scatters; what cannot be used is added to the problems.
 
@@ -50,6 +74,7 @@ def uncertainty_of(
         mechanism: The mechanism, whose own numbers are the means that are not given.
         problems: The list that gets what is wrong.
         known: What scatters without being in the table, such as the ranges of what nobody knows.
+        short: Places by other names that may be used.
     """
     if not isinstance(content, Mapping):
         reason = f"is a section: write [{SECTION}] on a line of its own"
@@ -59,10 +84,10 @@ def uncertainty_of(
     joints: list[JointScatter] = []
     for key, value in content.items():
         if key == COVARIANCE:
-            for joint, scatters in _joints(value, mechanism, problems):
+            for joint, scatters in _joints(value, mechanism, problems, short):
                 joints.append(joint)
                 _add(found, scatters, (SECTION, COVARIANCE), problems)
-        elif (place := _place((SECTION, key), key, mechanism, problems)) is not None:
+        elif (place := _place((SECTION, key), key, mechanism, problems, short)) is not None:
             distribution = _distribution((SECTION, key), place, value, mechanism, problems)
             if distribution is not None:
                 scatter = Scatter(place, mechanism.places[place], distribution)
@@ -80,9 +105,15 @@ def _add(
         found[each.place] = each
 
 
-def _place(where: tuple[str, ...], text: object, mechanism: Numbers, problems: list[Problem]) -> str | None:
+def _place(
+    where: tuple[str, ...],
+    text: object,
+    mechanism: Numbers,
+    problems: list[Problem],
+    short: Mapping[str, str],
+) -> str | None:
     try:
-        place = place_text(parse_place(str(text)))
+        place = place_text(parse_place(short.get(str(text), str(text))))
     except MechanismError as error:
         problems.append(Problem(where, str(error)))
         return None
@@ -181,7 +212,7 @@ def _plain(value: object) -> object:
 
 
 def _joints(
-    value: object, mechanism: Numbers, problems: list[Problem]
+    value: object, mechanism: Numbers, problems: list[Problem], short: Mapping[str, str]
 ) -> Iterator[tuple[JointScatter, list[Scatter]]]:
     where = (SECTION, COVARIANCE)
     for each in value if isinstance(value, list) else [value]:
@@ -189,7 +220,7 @@ def _joints(
             reason = 'write { places = ["plays.bridge.gap", "bodies.cutter.mass"], matrix = [[...], [...]] }'
             problems.append(Problem(where, reason))
             continue
-        places = [_place(where, text, mechanism, problems) for text in each["places"]]
+        places = [_place(where, text, mechanism, problems, short) for text in each["places"]]
         if None in places:
             continue
         names = tuple(place for place in places if place is not None)

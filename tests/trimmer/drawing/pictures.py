@@ -32,7 +32,7 @@ from trimmer.drawing.signals.fit import fit_figure
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty.sample_file import sample_file_of_text
 from trimmer.uncertainty.sample_inputs import SampleSettings
-from trimmer.uncertainty.samples import Samples, sample_mechanism
+from trimmer.uncertainty.samples import Samples, sample
 
 KEPT = Path(__file__).with_suffix(".txt")
 FEW = 8
@@ -140,7 +140,8 @@ def two_masses() -> trimmer.Response:
 @cache
 def samples() -> Samples:
     file = sample_file_of_text(SAMPLED, "stop.toml")
-    return sample_mechanism(file, SampleSettings(count=12, most_periods=60), runner=SerialRunner())
+    settings = SampleSettings(count=12, most_periods=60)
+    return sample(file.subject, file.uncertainty, settings, targets=file.targets, runner=SerialRunner())
 
 
 @cache

@@ -1,7 +1,8 @@
-"""What loops settle to, and their branches and maps: beside the same machine, by laws, and in closed form."""
+"""What loops settle to, their branches, maps and samples: beside the same machine, by laws, on paper."""
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 
@@ -11,13 +12,15 @@ import pytest
 import scipy.optimize
 
 import trimmer
-from trimmer.command_line.mechanisms import follow_text, respond_text
+from trimmer.command_line.mechanisms import follow_text, respond_text, sample_text
+from trimmer.design.targets import Measure
 from trimmer.loops import BodyFriction
 from trimmer.runners.runner import SerialRunner
+from trimmer.uncertainty import SampleSettings, SampleStudy, uncertainty_from
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 THESIS = trimmer.TrimmerParameters.thesis()
-FORCE = "frictions.q2-q4.force"
+FORCE, BLADE, CUTTER = "frictions.q2-q4.force", "frictions.blade.force", "bodies.cutter.mass"
 QUIET = trimmer.FollowSettings(quiet=True)
 
 
@@ -100,6 +103,31 @@ def test_a_map_of_a_loop_has_what_each_of_its_cells_settles_to() -> None:
             assert found.stroke[row, column] == pytest.approx(motion.peak_to_peak["output"], rel=1e-9)
             power = motion.measures.frictions["friction q2-q4"].power
             assert found.wear_power["friction q2-q4"][row, column] == pytest.approx(power, rel=1e-8)
+
+
+def test_samples_of_a_loop_are_those_of_the_same_machine(machine: trimmer.Mechanism) -> None:
+    strokes, powers = [], []
+    for subject, force, mass in ((driven(1.0), FORCE, "parameters.m2"), (machine, BLADE, CUTTER)):
+        scattering = uncertainty_from(subject, {force: {"uniform": [0.5, 1.5]}, mass: {"normal": "3 %"}})
+        found = trimmer.sample(subject, scattering, SampleSettings(4, seed=2), runner=SerialRunner())
+        assert (found.kinds, found.impossible, found.failed) == ({"period 1": 4}, 0, 0)
+        asked = {each.measure: each for each in reversed(found.asked)}  # Of strokes the first one.
+        strokes.append(found.measured(asked[Measure.STROKE]))
+        powers.append(found.measured(asked[Measure.WEAR_POWER]))
+    np.testing.assert_allclose(strokes[0], strokes[1], rtol=1e-10)
+    np.testing.assert_allclose(powers[0], powers[1], rtol=1e-9)
+
+
+def test_samples_of_plain_numbers_have_no_units_and_none_without_a_drive() -> None:
+    scattering = uncertainty_from(relay(1.0), {"element.level": {"normal": "5 %"}})
+    drive = trimmer.Drive(1.0, omega=1.5)
+    driven_relay = trimmer.OpenLoop(control.tf([1.0], [1.0, 0.3, 1.0]), trimmer.Relay(1.0), drive)
+    study = SampleStudy(trimmer.sample(driven_relay, scattering, SampleSettings(3)), {}, None, math.nan)
+    assert {each["unit"] for each in json.loads(sample_text.as_json(study))["measures"]} == {""}
+    with pytest.raises(trimmer.TrimmerError, match="the loop has no drive"):
+        trimmer.sample(relay(1.0), scattering)
+    with pytest.raises(trimmer.TrimmerError, match=r"there is no number at element\.level"):
+        trimmer.sample(driven(1.0), scattering)
 
 
 def test_a_relay_oscillates_at_one_period_and_in_proportion_to_its_level() -> None:

@@ -18,10 +18,10 @@ from trimmer.maps.inputs import varied
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty.points import Plan
-from trimmer.uncertainty.sample_file import sample_file_of_text
+from trimmer.uncertainty.sample_file import SampleFile, sample_file_of_text
 from trimmer.uncertainty.sample_inputs import SampleSettings
 from trimmer.uncertainty.sample_records import Keeping
-from trimmer.uncertainty.samples import sample_mechanism
+from trimmer.uncertainty.samples import Samples, sample
 from trimmer.uncertainty.study import study_samples
 
 TEXT = """
@@ -47,9 +47,13 @@ SETTINGS = SampleSettings(count=10, seed=4, most_periods=60)
 STROKE = MeasureOfPart(Measure.STROKE, "x")
 
 
+def sampled(file: SampleFile, settings: SampleSettings, **others) -> Samples:
+    return sample(file.subject, file.uncertainty, settings, targets=file.targets, **others)
+
+
 @pytest.fixture(scope="module")
 def samples():
-    return sample_mechanism(FILE, SETTINGS, runner=SerialRunner())
+    return sampled(FILE, SETTINGS, runner=SerialRunner())
 
 
 def test_each_is_what_respond_finds(samples) -> None:
@@ -65,31 +69,28 @@ def test_yield_counts_what_meets_the_targets(samples) -> None:
 
 
 def test_who_does_them_changes_no_digit(samples) -> None:
-    assert sample_mechanism(FILE, SETTINGS, runner=ProcessRunner(2, chunk=1)).trials == samples.trials
+    assert sampled(FILE, SETTINGS, runner=ProcessRunner(2, chunk=1)).trials == samples.trials
 
 
 def test_a_killed_run_goes_on_to_the_same(samples, tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
-    assert (
-        sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path)).trials
-        == samples.trials
-    )
+    assert sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path)).trials == samples.trials
     lines = path.read_bytes().splitlines(keepends=True)
     path.write_bytes(b"".join(lines[:5]) + lines[5][:20])  # as a killed run leaves it
-    resumed = sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path, resume=True))
+    resumed = sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path, resume=True))
     assert resumed.trials == samples.trials
     assert sorted(path.read_bytes().splitlines()) == sorted(line.rstrip() for line in lines)
 
 
 def test_a_file_of_others_is_kept(tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
-    sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(path))
+    sampled(FILE, SampleSettings(count=2), keeping=Keeping(path))
     with pytest.raises(MapFileError, match="is a file of samples already"):
-        sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(path))
+        sampled(FILE, SampleSettings(count=2), keeping=Keeping(path))
     with pytest.raises(MapFileError, match="other settings"):
-        sample_mechanism(FILE, SampleSettings(count=3), keeping=Keeping(path, resume=True))
+        sampled(FILE, SampleSettings(count=3), keeping=Keeping(path, resume=True))
     with pytest.raises(MapFileError, match="cannot be read"):
-        sample_mechanism(FILE, SampleSettings(count=2), keeping=Keeping(tmp_path / "none", resume=True))
+        sampled(FILE, SampleSettings(count=2), keeping=Keeping(tmp_path / "none", resume=True))
 
 
 @pytest.mark.parametrize(
@@ -105,16 +106,16 @@ def test_a_file_of_others_is_kept(tmp_path) -> None:
 )
 def test_a_damaged_line_is_named(tmp_path, change: dict[str, object], told: str) -> None:
     path, few = tmp_path / "samples.jsonl", SampleSettings(count=3, most_periods=60)
-    sample_mechanism(FILE, few, runner=SerialRunner(), keeping=Keeping(path))
+    sampled(FILE, few, runner=SerialRunner(), keeping=Keeping(path))
     header, first, *others = path.read_text().splitlines()
     path.write_text("\n".join([header, json.dumps(json.loads(first) | change), *others]) + "\n")
     with pytest.raises(MapFileError, match=f"line 2.*{told}"):
-        sample_mechanism(FILE, few, runner=SerialRunner(), keeping=Keeping(path, resume=True))
+        sampled(FILE, few, runner=SerialRunner(), keeping=Keeping(path, resume=True))
 
 
 def test_the_header_says_all_that_samples_depend_on(tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
-    found = sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path))
+    found = sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path))
     header = json.loads(path.read_text().splitlines()[0])
     assert header["places"] == ["stops.stop.gap", "links.spring.stiffness"]
     assert header["settings"] == {"count": 10, "plan": "latin-hypercube", "seed": 4, "most_periods": 60}
@@ -133,9 +134,9 @@ class Once:
         self.done = 0
 
     def results(self, work, samples):
-        for sample in reversed(list(samples)):
+        for each in reversed(list(samples)):
             self.done += 1
-            yield work(sample)
+            yield work(each)
 
 
 def test_what_is_kept_is_not_done_again_unless_it_is_replaced(samples, tmp_path) -> None:
@@ -146,7 +147,7 @@ def test_what_is_kept_is_not_done_again_unless_it_is_replaced(samples, tmp_path)
         (Keeping(path, overwrite=True), 10),
     ):
         runner = Once()
-        assert sample_mechanism(FILE, SETTINGS, runner=runner, keeping=keeping).trials == samples.trials
+        assert sampled(FILE, SETTINGS, runner=runner, keeping=keeping).trials == samples.trials
         assert runner.done == done
 
 
@@ -169,7 +170,7 @@ def test_what_was_drawn_and_found_is_told(samples) -> None:
 def test_what_the_file_only_gives_a_range_of_is_named() -> None:
     text = TEXT.replace("stiffness = 4.0", 'stiffness = "3.9 N/m..4.1 N/m"')
     ranged = sample_file_of_text("\n".join(text.splitlines()[:-1]), "stop.toml")
-    found = sample_mechanism(ranged, SampleSettings(count=1, most_periods=20), runner=SerialRunner())
+    found = sampled(ranged, SampleSettings(count=1, most_periods=20), runner=SerialRunner())
     assert "Of links.spring.stiffness the file only gives a range" in found.message
 
 
@@ -184,9 +185,9 @@ def test_numbers_that_scatter_together_have_no_indices() -> None:
 def test_impossible_samples_are_refused_or_told() -> None:
     wide = sample_file_of_text(TEXT.replace('"5 %"', '"60 %"'), "stop.toml")
     with pytest.raises(UncertaintyError, match=r"% of the samples are impossible.*must be zero or greater"):
-        sample_mechanism(wide, SETTINGS)
+        sampled(wide, SETTINGS)
     rare = sample_file_of_text(TEXT.replace('"5 %"', '"42 %"'), "stop.toml")
-    found = sample_mechanism(rare, SampleSettings(count=130, most_periods=2), runner=SerialRunner())
+    found = sampled(rare, SampleSettings(count=130, most_periods=2), runner=SerialRunner())
     assert found.impossible == 1
     assert len(found.trials) == 129
     assert "1 sample that no mechanism can have was left out" in found.message
@@ -195,7 +196,7 @@ def test_impossible_samples_are_refused_or_told() -> None:
 def test_without_a_drive_there_are_none() -> None:
     free = TEXT.replace("frequency = 0.2", "").replace('drive = { on = "mass", amplitude = 2.0 }', "")
     with pytest.raises(UncertaintyError, match="no frequency"):
-        sample_mechanism(sample_file_of_text(free, "free.toml"), SETTINGS)
+        sampled(sample_file_of_text(free, "free.toml"), SETTINGS)
 
 
 def test_indices_find_what_matters() -> None:

@@ -1,4 +1,4 @@
-"""``trimmer sample``: what a mechanism does when its numbers scatter as ``[uncertainty]`` says."""
+"""``trimmer sample``: what a mechanism or a loop does when its numbers scatter as ``[uncertainty]`` says."""
 
 from __future__ import annotations
 
@@ -10,20 +10,29 @@ from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
     check_targets,
-    file_to_read,
     file_to_write,
     show,
 )
-from trimmer.command_line.number_options import positive, positive_whole
+from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
+from trimmer.command_line.loops.motion_options import chosen_loop
+from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
-from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
+from trimmer.command_line.parser import (
+    INTERRUPTED,
+    OptionError,
+    as_option,
+    refuse_unused,
+    require_positive,
+    tell,
+)
 from trimmer.command_line.runner_options import (
     add_runner_options,
     check_resuming,
     check_runner_options,
     chosen_runner,
 )
-from trimmer.files import SAMPLES
+from trimmer.command_line.system_options import SOURCES, add_system_options, refuse_loop_options
+from trimmer.files import SAMPLES, STANDARD_INPUT
 
 if TYPE_CHECKING:
     from trimmer.uncertainty.sample_file import SampleFile
@@ -31,26 +40,18 @@ if TYPE_CHECKING:
     from trimmer.uncertainty.study import SampleStudy
 
 COUNT = 512
-CHANNELS = ("both", "displacement")
+LOOP_ALONE = ("parameters", "drive", "amplitude")
+"""Options of loops that predictions of limit cycles do not use."""
 PLANS = ("latin-hypercube", "sobol")
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
-        "file",
-        type=file_to_read,
-        metavar="FILE",
-        help="mechanism with [uncertainty], a TOML file, - for standard input; or a parameter file of the "
-        "thesis's loop, with --gap",
-    )
-    parser.add_argument(
-        "--gap", type=positive("m"), metavar="M", help="of a parameter file: total clearance of the play, m"
-    )
-    parser.add_argument(
-        "--channels",
-        choices=CHANNELS,
-        help="of a parameter file: whether the pin acts by its displacement alone, or by its velocity too "
-        f"(default: {CHANNELS[0]})",
+    add_system_options(
+        parser,
+        output_is_file=True,
+        file_help="mechanism with [uncertainty], a TOML file, - for standard input; without one, a loop of "
+        "the thesis moves, and its --parameters FILE has [uncertainty]; such a file here, with --gap and no "
+        "--element, has its limit cycles predicted",
     )
     parser.add_argument(
         "--count",
@@ -97,13 +98,11 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.sample_text import as_json, as_text
-    from trimmer.uncertainty.sample_file import read_sample_file
 
     _check(arguments)
-    if arguments.gap is not None:
-        return _run_loop(arguments)
-    refuse_unused(arguments, ["channels"], "--gap and a parameter file")
-    file = read_sample_file(arguments.file)
+    if arguments.file is not None and arguments.gap is not None and arguments.element is None:
+        return _run_limit_cycles(arguments)
+    file = _file(arguments)
     try:
         study = _study(arguments, file)
     except KeyboardInterrupt:
@@ -119,16 +118,51 @@ def _run(arguments: Namespace) -> int:
     return 0
 
 
-def _run_loop(arguments: Namespace) -> int:
-    """Sample the thesis's loop."""
-    from trimmer.command_line.mechanisms.loop_sample_text import as_json, as_text
-    from trimmer.uncertainty.loop_samples import read_loop_file, sample_loop
+def _file(arguments: Namespace) -> SampleFile:
+    """Return what is sampled: the mechanism of a file, or a loop with what its parameter file says."""
+    from trimmer.mechanism.places import assignment
+    from trimmer.uncertainty.parameter_file import read_uncertainty_of_loop
+    from trimmer.uncertainty.sample_file import SampleFile, read_sample_file
 
-    unused = ("balance", "output", "plot", "jobs", "scheduler")
-    refuse_unused(arguments, unused, "a mechanism, and with --gap the samples are of the thesis's loop")
-    file = read_loop_file(arguments.file, arguments.gap)
-    channels = arguments.channels or CHANNELS[0]
-    samples = sample_loop(file, _settings(arguments), indices=arguments.indices, channels=channels)
+    if arguments.file is not None:
+        refuse_loop_options(arguments)
+        return read_sample_file(arguments.file, [assignment(text) for text in arguments.set])
+    if arguments.parameters is None or arguments.parameters == STANDARD_INPUT:
+        raise OptionError(
+            "say what scatters: name the file of a mechanism with [uncertainty], or of a loop a file with "
+            "that table (--parameters FILE), which is read twice"
+        )
+    refuse_unused(arguments, ["balance"], "a mechanism")
+    loop = chosen_loop(arguments)
+    if loop.drive is None:
+        raise OptionError(
+            "samples are of driven motions: give the loop a drive (--drive HZ --amplitude M); limit cycles "
+            "of the closed loop are predicted by trimmer sample FILE --gap M"
+        )
+    return SampleFile(loop, (), read_uncertainty_of_loop(arguments.parameters, loop))
+
+
+def _run_limit_cycles(arguments: Namespace) -> int:
+    """Sample the limit cycles of the thesis's loop."""
+    from trimmer.command_line.mechanisms.limit_cycle_sample_text import as_json, as_text
+    from trimmer.uncertainty.limit_cycle_samples import read_parameter_sample_file, sample_limit_cycles
+
+    require_positive(arguments, "gap", "m")
+    refuse_unused(arguments, [each for each in ELEMENT_OPTIONS if each != "gap"], "--element")
+    for name in ("friction", "set"):
+        if getattr(arguments, name):
+            raise OptionError(f"{as_option(name)} has no effect without --element: add that, or leave it out")
+    unused = ("balance", "output", "plot", "jobs", "scheduler", "periods", *LOOP_ALONE)
+    refuse_unused(
+        arguments, unused, "a mechanism or --element; a parameter file with --gap has limit cycles alone"
+    )
+    samples = sample_limit_cycles(
+        read_parameter_sample_file(arguments.file, arguments.gap),
+        _settings(arguments),
+        indices=arguments.indices,
+        output=arguments.displacement,
+        channels=arguments.channels,
+    )
     print(as_json(samples) if arguments.json else as_text(samples))
     return 0
 
@@ -142,7 +176,7 @@ def _check(arguments: Namespace) -> None:
         raise OptionError("--indices chooses the samples itself: leave out --plan")
     check_runner_options(arguments)
     targets = {"plot": PICTURES, "output": {"": SAMPLES}}
-    check_targets(arguments, targets, {"file": "the file of the mechanism"})
+    check_targets(arguments, targets, SOURCES)
 
 
 def _study(arguments: Namespace, file: SampleFile) -> SampleStudy:
@@ -170,7 +204,7 @@ def _settings(arguments: Namespace) -> SampleSettings:
 
 COMMAND = Command(
     "sample",
-    "what a mechanism does when its numbers scatter: distributions, yield, what matters",
+    "what a mechanism or a loop does when its numbers scatter: distributions, yield, what matters",
     _configure,
     _run,
     examples=(

@@ -12,6 +12,7 @@ import numpy as np
 from trimmer.command_line.json_values import finite
 from trimmer.command_line.table import table
 from trimmer.design.targets import Measure
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.uncertainty.statistics import Distribution, Quantile, Share, distribution_of, share_of
 from trimmer.uncertainty.study import name_of
 
@@ -47,6 +48,8 @@ def as_text(study: SampleStudy) -> str:
 
 
 def _yield_lines(samples: Samples) -> Iterator[str]:
+    if not isinstance(samples.inputs.subject, Mechanism):
+        return  # The file of its parameters has no targets.
     if not samples.targets:
         yield "no targets: write what is wanted below [targets] to learn the yield"
     else:
@@ -76,7 +79,7 @@ def _measure_rows(samples: Samples) -> Iterator[tuple[str, ...]]:
                 f"{found.mean:.4g}",
                 f"{found.deviation:.3g}",
                 *(quantile_text(each) for each in found.quantiles),
-                asked.measure.value,
+                asked.unit(samples.units),
             )
 
 
@@ -141,7 +144,7 @@ def as_json(study: SampleStudy) -> str:
             {
                 "measure": asked.measure.name.lower(),
                 "part": asked.part,
-                "unit": asked.measure.value,
+                "unit": asked.unit(samples.units),
                 **distribution_data(distribution_of(samples.measured(asked))),
             }
             for asked in samples.asked

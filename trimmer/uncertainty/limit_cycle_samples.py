@@ -1,4 +1,4 @@
-"""Samples of the thesis's loop, whose parameters and gap scatter: which of them have a limit cycle."""
+"""Limit cycles, by harmonic balance, of samples of the thesis's loop, whose parameters and gap scatter."""
 
 from __future__ import annotations
 
@@ -14,35 +14,23 @@ from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.ensembles.limit_cycles import SampledLimitCycles, sampled_limit_cycles
 from trimmer.errors import UncertaintyError
 from trimmer.linear.model import InputChannels
-from trimmer.mechanism.problems import Problem, as_message_of_file
-from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.parameter_kinds import ParameterKind
-from trimmer.parameters import (
-    SCATTER,
-    ParameterError,
-    TrimmerParameters,
-    parameter_table,
-    read_parameters,
-)
+from trimmer.parameters import TrimmerParameters, parameter_table, read_parameters
 from trimmer.showing.shown import counted
-from trimmer.toml_files import parsed, read_text
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
+from trimmer.uncertainty.parameter_file import GAP, uncertainty_of_file
 from trimmer.uncertainty.points import Plan, left_out
-from trimmer.uncertainty.table import uncertainty_of
+from trimmer.uncertainty.sample_inputs import MOST_IMPOSSIBLE
 
 if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.uncertainty.distributions import Uncertainty
     from trimmer.uncertainty.sample_inputs import SampleSettings
 
-GAP = "gap"
-MOST_IMPOSSIBLE = 0.01
-"""Share of samples that may be impossible, such as a negative mass, before the distributions are refused."""
-
 
 @dataclass(frozen=True)
-class LoopNumbers:
-    """The numbers of a loop as places: the symbols of its parameters, and ``gap``.
+class ParameterNumbers:
+    """The numbers of a trimmer with play as places: the symbols of its parameters, and ``gap``.
 
     Attributes:
         parameters: The trimmer.
@@ -63,14 +51,14 @@ class LoopNumbers:
 
 
 @dataclass(frozen=True)
-class LoopFile:
+class ParameterSampleFile:
     """A parameter file with what scatters."""
 
-    numbers: LoopNumbers
+    numbers: ParameterNumbers
     uncertainty: Uncertainty
 
 
-def read_loop_file(path: Path, gap: float) -> LoopFile:
+def read_parameter_sample_file(path: Path, gap: float) -> ParameterSampleFile:
     """Read a parameter file with ``[uncertainty]``.
 
     Args:
@@ -80,23 +68,13 @@ def read_loop_file(path: Path, gap: float) -> LoopFile:
     Raises:
         ParameterError: if it cannot be read, holds what cannot be used, or nothing in it scatters.
     """
-    numbers = LoopNumbers(read_parameters(path), gap)
-    text = read_text(path, ParameterError, "name a parameter file")
-    content = parsed(text, str(path), ParameterError, "write one 'key = number' per line")
-    problems: list[Problem] = []
-    uncertainty = uncertainty_of(content.get(SCATTER, {}), numbers, problems)
-    if problems:
-        raise ParameterError(as_message_of_file(str(path), problems, content, lines_of_keys(text)))
-    if not uncertainty.scatters:
-        raise ParameterError(
-            f'{path}: nothing scatters: say what does below [{SCATTER}], as in gap = {{ normal = "5 um" }}'
-        )
-    return LoopFile(numbers, uncertainty)
+    numbers = ParameterNumbers(read_parameters(path), gap)
+    return ParameterSampleFile(numbers, uncertainty_of_file(path, numbers))
 
 
 @dataclass(frozen=True, eq=False)
-class LoopSamples:
-    """Limit cycles of samples of a loop.
+class LimitCycleSamples:
+    """Limit cycles of samples of a loop, as harmonic balance predicts them.
 
     Attributes:
         file: The loop and what scatters.
@@ -109,7 +87,7 @@ class LoopSamples:
         per_second: Samples per second that were computed.
     """
 
-    file: LoopFile
+    file: ParameterSampleFile
     settings: SampleSettings
     values: Reals
     possible: Flags
@@ -145,15 +123,17 @@ def _largest(found: SampledLimitCycles) -> tuple[Reals, Reals]:
     return np.where(found.exists, amplitude, np.nan), np.where(found.exists, frequency, np.nan)
 
 
-def sample_loop(
-    file: LoopFile,
+def sample_limit_cycles(
+    file: ParameterSampleFile,
     settings: SampleSettings,
     *,
     indices: bool = False,
     output: Displacement | str = CUTTER_RELATIVE_TO_GUARD,
     channels: InputChannels | str = InputChannels.DISPLACEMENT_AND_VELOCITY,
-) -> LoopSamples:
-    """Draw samples of the thesis's loop with friction-controlled play, and find their limit cycles.
+) -> LimitCycleSamples:
+    """Draw samples of the thesis's loop with friction-controlled play, and predict their limit cycles.
+
+    They are those of harmonic balance; ``sample`` follows exact motions of a loop that is driven.
 
     Args:
         file: The loop, and what scatters.
@@ -178,11 +158,11 @@ def sample_loop(
     found = _limit_cycles(file, values[possible], output, channels)
     seconds = time.perf_counter() - begin
     told = _indices(file, possible, found, settings.seed) if indices else {}
-    return LoopSamples(file, settings, values, possible, found, told, len(found.count) / seconds)
+    return LimitCycleSamples(file, settings, values, possible, found, told, len(found.count) / seconds)
 
 
 def _limit_cycles(
-    file: LoopFile, values: Reals, output: Displacement | str, channels: InputChannels | str
+    file: ParameterSampleFile, values: Reals, output: Displacement | str, channels: InputChannels | str
 ) -> SampledLimitCycles:
     samples = dict(zip(file.uncertainty.places, values.T, strict=True))
     gap = samples.pop(GAP, np.full(len(values), file.numbers.gap))
@@ -191,7 +171,7 @@ def _limit_cycles(
     )
 
 
-def _possible(file: LoopFile, values: Reals) -> Flags:
+def _possible(file: ParameterSampleFile, values: Reals) -> Flags:
     """Return which samples a trimmer can have, if these are nearly all."""
     positive = {each.symbol for each in parameter_table() if each.quantity is ParameterKind.MASS} | {GAP}
     within = np.array([place in positive for place in file.uncertainty.places])
@@ -206,7 +186,9 @@ def _possible(file: LoopFile, values: Reals) -> Flags:
     return possible
 
 
-def _indices(file: LoopFile, possible: Flags, found: SampledLimitCycles, seed: int) -> dict[str, Indices]:
+def _indices(
+    file: ParameterSampleFile, possible: Flags, found: SampledLimitCycles, seed: int
+) -> dict[str, Indices]:
     amplitude, frequency = _largest(found)
     quantities = {
         "whether there is a stable limit cycle": found.exists.astype(float),

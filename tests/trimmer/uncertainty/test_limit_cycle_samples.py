@@ -13,7 +13,11 @@ from trimmer.command_line.main import main
 from trimmer.ensembles.limit_cycles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
 from trimmer.parameters import ParameterError
-from trimmer.uncertainty.loop_samples import LoopSamples, read_loop_file, sample_loop
+from trimmer.uncertainty.limit_cycle_samples import (
+    LimitCycleSamples,
+    read_parameter_sample_file,
+    sample_limit_cycles,
+)
 from trimmer.uncertainty.points import Plan
 from trimmer.uncertainty.sample_inputs import SampleSettings
 
@@ -36,7 +40,7 @@ def test_the_table_is_none_of_the_parameters(path) -> None:
 
 
 def test_each_sample_has_its_own_limit_cycles(path) -> None:
-    samples = sample_loop(read_loop_file(path, GAP), SampleSettings(count=30, seed=2))
+    samples = sample_limit_cycles(read_parameter_sample_file(path, GAP), SampleSettings(count=30, seed=2))
     amplitude, frequency = samples.largest
     for row in range(4):
         values = dict(zip(samples.file.uncertainty.places, samples.values[row].tolist(), strict=True))
@@ -53,7 +57,7 @@ def test_the_largest_is_sought_among_the_stable_ones(path) -> None:
     amplitude, omega = np.array([[1.0, 2.0, 3.0], [1.0, 2.0, np.nan]]), 2.0 * np.pi * np.ones((2, 3))
     stable, nothing = np.array([[True, True, False], [False, False, False]]), np.zeros(2, dtype=bool)
     found = SampledLimitCycles(amplitude, omega, stable, np.array([3, 2]), nothing, nothing)
-    made = sample_loop(read_loop_file(path, GAP), SampleSettings(count=2))
+    made = sample_limit_cycles(read_parameter_sample_file(path, GAP), SampleSettings(count=2))
     sizes, frequencies = replace(made, found=found).largest
     np.testing.assert_array_equal(sizes, [2.0, np.nan])
     np.testing.assert_array_equal(frequencies, [1.0, np.nan])
@@ -61,8 +65,8 @@ def test_the_largest_is_sought_among_the_stable_ones(path) -> None:
 
 def test_what_no_trimmer_can_have_is_left_out_and_told(tmp_path) -> None:
     """A mass must be positive; at most 1 % of the samples may have none."""
-    file = read_loop_file(written(tmp_path / "series.toml", 'm2 = { normal = "39 %" }'), GAP)
-    samples: LoopSamples = sample_loop(file, SampleSettings(count=300, seed=3))
+    file = read_parameter_sample_file(written(tmp_path / "series.toml", 'm2 = { normal = "39 %" }'), GAP)
+    samples: LimitCycleSamples = sample_limit_cycles(file, SampleSettings(count=300, seed=3))
     left = int((samples.values <= 0.0).sum())
     assert 1 <= left <= 3
     np.testing.assert_array_equal(samples.possible, samples.values[:, 0] > 0.0)
@@ -75,7 +79,9 @@ def test_what_no_trimmer_can_have_is_left_out_and_told(tmp_path) -> None:
 
 def test_existence_and_size_have_indices_apart(path) -> None:
     pytest.importorskip("SALib")
-    samples = sample_loop(read_loop_file(path, GAP), SampleSettings(count=256), indices=True)
+    samples = sample_limit_cycles(
+        read_parameter_sample_file(path, GAP), SampleSettings(count=256), indices=True
+    )
     assert samples.indices["whether there is a stable limit cycle"].indices == ()
     # The amplitude is as many times larger as the gap, which scatters most.
     assert samples.indices["its amplitude"].indices[0].place == "gap"
@@ -95,7 +101,10 @@ def test_existence_and_size_have_indices_apart(path) -> None:
 )
 def test_what_cannot_be_used_is_named(tmp_path, lines: str, error: type[Exception], told: str) -> None:
     with pytest.raises(error, match=told):
-        sample_loop(read_loop_file(written(tmp_path / "series.toml", lines), GAP), SampleSettings(count=200))
+        sample_limit_cycles(
+            read_parameter_sample_file(written(tmp_path / "series.toml", lines), GAP),
+            SampleSettings(count=200),
+        )
 
 
 def test_the_command(path, capsys) -> None:
@@ -108,10 +117,16 @@ def test_the_command(path, capsys) -> None:
     assert np.isfinite(data["amplitude"]["mean"])
 
 
-@pytest.mark.parametrize("words", [["--gap", "4e-5", "--plot", "x.svg"], ["--channels", "both"]])
-def test_options_without_effect_are_refused(path, capsys, words) -> None:
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--gap", "4e-5", "--plot", "x.svg"], "has no effect without"),
+        (["--channels", "both"], "is for the loops of the thesis"),
+    ],
+)
+def test_options_without_effect_are_refused(path, capsys, words, told) -> None:
     assert main(["sample", str(path), *words]) == 2
-    assert "has no effect without" in capsys.readouterr().err
+    assert told in capsys.readouterr().err
 
 
 def test_a_parameter_file_without_a_gap_is_told(path, capsys) -> None:

@@ -19,10 +19,10 @@ from trimmer.command_line.table import table
 from trimmer.uncertainty.statistics import distribution_of, share_of
 
 if TYPE_CHECKING:
-    from trimmer.uncertainty.loop_samples import LoopSamples
+    from trimmer.uncertainty.limit_cycle_samples import LimitCycleSamples
 
 
-def as_text(samples: LoopSamples) -> str:
+def as_text(samples: LimitCycleSamples) -> str:
     """Return what samples of a loop tell, for people."""
     found, total = samples.found, len(samples.found.count)
     stable = share_of(int(found.exists.sum()), total)
@@ -43,7 +43,7 @@ def as_text(samples: LoopSamples) -> str:
     return "\n".join([*lines, "", samples.message, f"{samples.per_second:.3g} samples per second."])
 
 
-def as_json(samples: LoopSamples) -> str:
+def as_json(samples: LimitCycleSamples) -> str:
     """Return what samples of a loop tell, for programs; see docs/json.md."""
     found, total = samples.found, len(samples.found.count)
     amplitude, frequency = samples.largest
