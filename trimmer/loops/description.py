@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from typing import Any
 
@@ -22,6 +23,8 @@ def loop_as_data(part: Any) -> Any:
         return {"kind": type(part).__name__} | {
             name: one for name, one in own.items() if name not in COMPUTED
         }
+    if isinstance(part, Mapping):
+        return dict(part)
     if isinstance(part, tuple):
         return [loop_as_data(each) for each in part]
     return part if part is None or isinstance(part, bool | int | float | str) else repr(part)

@@ -63,9 +63,10 @@ class LoopFlow(Flow):
         return (*self.loop.model.state_labels, *of_parts)
 
     def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
-        """Return the instant t = 0 at rest, or with some states, by name, as they are given."""
+        """Return the instant t = 0 at rest, or where the loop's own start, or another one, puts it."""
         state = np.zeros(self.size)
-        for name, values in (start or {}).items():
+        own = {name: (value,) for name, value in self.loop.start.items()}
+        for name, values in {**own, **(start or {})}.items():
             state[self.names.index(name)] = values[0]
         return self.at(state, stretched=False)
 

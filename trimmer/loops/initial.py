@@ -27,7 +27,7 @@ def initial_segment(
     Args:
         loop: What moves.
         modes: Its modes.
-        initial_state: States of ``loop.model``; None for zeros.
+        initial_state: States of ``loop.model``; None for the loop's own start, or zeros.
         impulse: Strength of an impulse at the input of the linear system, in the unit of that input times s.
         element_output: Position of a load behind a backlash, m.
 
@@ -93,7 +93,7 @@ def resumed(modes: LoopModes, extended: Reals, anew: bool = False) -> tuple[tupl
 
 def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:
     model = loop.model
-    state = np.zeros(model.nstates)
+    state = np.array([loop.start.get(name, 0.0) for name in model.state_labels])
     if initial_state is not None:
         if not loop.has_states:
             raise ValueError(

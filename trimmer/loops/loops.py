@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Self, cast, final
+from typing import Any, Self, cast, final
 
 import control
 import numpy as np
@@ -14,14 +15,14 @@ import numpy as np
 from trimmer.arguments import finite_number, require_instance
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
+from trimmer.errors import LoopError
 from trimmer.linear.stored_system import restored, stored
 from trimmer.loops.components_of_elements import RigidComponent, components_of
 from trimmer.loops.interconnection import Interconnection, realized, require_system
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.mechanism.place_text import place_text
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
+from trimmer.mechanism.read_only import ReadOnly
+from trimmer.messages import listed, near_match
 
 
 @final
@@ -85,17 +86,25 @@ def _checked(name: str, value: object, unit: str) -> float:
 
 COMPUTED = ("model", "modes")
 """What a loop computes from its fields and keeps."""
+AT_REST: Mapping[str, float] = ReadOnly({})
 
 
 class Loop(ABC):
-    """A linear system with switched elements, whose motion ``simulate`` follows."""
+    """A linear system with switched elements, whose motion ``simulate`` follows.
+
+    Attributes:
+        start: States of the linear system with which a motion begins, by name; the others are 0.
+    """
+
+    start: Mapping[str, float]
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(_shown(each) for each in self._parts())})"
 
     def _parts(self) -> tuple[object, ...]:
         """Return what the loop is made of, as far as it is to be shown."""
-        return tuple(value for name, value in vars(self).items() if name not in COMPUTED)
+        hidden = COMPUTED if self.start else (*COMPUTED, "start")
+        return tuple(value for name, value in vars(self).items() if name not in hidden)
 
     @abstractmethod
     def interconnection(self) -> Interconnection:
@@ -187,6 +196,21 @@ def _shown(part: object) -> str:
     return part if isinstance(part, str) else repr(part)
 
 
+def taken_start(loop: Loop) -> Mapping[str, float]:
+    """Return the start of a loop after it was checked.
+
+    Raises:
+        WrongTypeError: if it is no mapping of states to numbers.
+        LoopError: if it names what is no state of the linear system.
+    """
+    require_instance("start", loop.start, Mapping, "a mapping of states to numbers")
+    for name in loop.start:
+        if name not in (labels := loop.model.state_labels):
+            there = near_match(name, labels) or f"there are {listed(labels)}"
+            raise LoopError(f"the start names {name!r}, which is no state of the loop; {there}")
+    return ReadOnly({name: finite_number(f"start.{name}", value) for name, value in loop.start.items()})
+
+
 def require_loop(loop: object) -> None:
     """Check that a loop was given.
 
@@ -204,19 +228,23 @@ class ClosedLoop(Loop):
     Attributes:
         system: Strictly proper, one input, one output, continuous in time.
         element: Any element with a description in time.
+        start: States of the linear system with which a motion begins, by name; the others are 0.
 
     Raises:
         WrongTypeError: if the element is none, such as a class in place of an instance.
+        LoopError: if the start names what is no state.
         UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
             models.
     """
 
     system: control.LTI
     element: Element
+    start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
     def __post_init__(self) -> None:
         require_system(self.system)
         object.__setattr__(self, "element", adopted("element", self.element))
+        object.__setattr__(self, "start", taken_start(self))
 
     def interconnection(self) -> Interconnection:
         """Return the equations with the input -y of the element.
@@ -247,9 +275,11 @@ class OpenLoop(Loop):
         system: Strictly proper, one input, one output, continuous in time.
         element: Any element with a description in time.
         drive: The motion of the pin.
+        start: States of the linear system with which a motion begins, by name; the others are 0.
 
     Raises:
         WrongTypeError: if element or drive is none.
+        LoopError: if the start names what is no state.
         UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
             models.
     """
@@ -257,11 +287,13 @@ class OpenLoop(Loop):
     system: control.LTI
     element: Element
     drive: Drive
+    start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
     def __post_init__(self) -> None:
         require_system(self.system)
         object.__setattr__(self, "element", adopted("element", self.element))
         require_instance("drive", self.drive, Drive, "a trimmer.Drive")
+        object.__setattr__(self, "start", taken_start(self))
 
     def interconnection(self) -> Interconnection:
         """Return the equations with the drive as the input of the element.

@@ -1,6 +1,7 @@
 """The numbers of a loop by their dotted places, such as ``element.gap`` and ``frictions.q2-q4.force``.
 
-The terms of a sum are numbered from 0, as in ``element.1.level``.
+The terms of a sum are numbered from 0, as in ``element.1.level``. ``start.q1`` is a state with which a motion
+begins.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from trimmer.arguments import finite_number, require_instance
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.errors import LoopError
+from trimmer.loops.loops import COMPUTED
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
@@ -44,7 +46,8 @@ def numbers_of(loop: Loop) -> dict[Place, str]:
     for label, friction in _frictions(loop).items():
         for names in _of_element(friction.law):
             found[("frictions", label, *names)] = OF_FORCE.get(names[-1], UNITS.get(names[-1], ""))
-    return found
+    states = zip(loop.model.state_labels, loop.state_units, strict=True)
+    return found | {("start", name): unit for name, unit in states}
 
 
 def _frictions(loop: Loop) -> dict[str, Any]:
@@ -89,6 +92,8 @@ def value_at(loop: Loop, place: str) -> float:
             return _value(getattr(loop, "element", None), tuple(inner))
         case ("frictions", label, *inner):
             return _value(_frictions(loop)[label].law, tuple(inner))
+        case ("start", name):
+            return loop.start.get(name, 0.0)
     section, name = names
     return float(getattr(getattr(loop, section), name))
 
@@ -115,12 +120,13 @@ def with_value_at(loop: Loop, place: str, value: float | str) -> Loop:
     names, unit = _found(loop, place)
     try:
         number = quantity(value, unit or "1") if isinstance(value, str) else finite_number(place, value)
-        return _changed(loop, names, number)
+        changed: Loop = _changed(loop, names, number)
     except (UnitError, ValueError) as error:
         raise LoopError(f"{place_text(names)} = {shown_value(value)}: {error}") from None
+    return changed
 
 
-def _changed(loop: Any, names: Place, number: float) -> Loop:
+def _changed(loop: Any, names: Place, number: float) -> Any:
     changes: dict[str, Any] = {}
     match names:
         case ("frequency",):
@@ -133,10 +139,14 @@ def _changed(loop: Any, names: Place, number: float) -> Loop:
             law = _element_with(frictions[label].law, tuple(inner), number)
             frictions[label] = replace(frictions[label], law=law)
             changes["frictions"] = tuple(frictions.values())
+        case ("start", name):
+            changed = replace(loop, start={**loop.start, name: number})
+            # The same equations move it, so what was computed of them is kept.
+            vars(changed).update({each: vars(loop)[each] for each in COMPUTED if each in vars(loop)})
+            return changed
         case (section, name):
             changes[section] = replace(getattr(loop, section), **{name: number})
-    changed: Loop = replace(loop, **changes)
-    return changed
+    return replace(loop, **changes)
 
 
 def _element_with(element: Any, names: Place, number: float) -> Any:

@@ -67,7 +67,8 @@ def simulate_loop(
     Args:
         loop: What moves.
         duration: Length of the motion, > 0, s.
-        initial_state: States of ``loop.model`` at t = 0, of shape (n,), in their units; zeros if not given.
+        initial_state: States of ``loop.model`` at t = 0, of shape (n,), in their units; the loop's
+            own start, or zeros, if not given.
             Only for a system that was given in state space, since a transfer function has no states of its
             own.
         impulse: Strength of an impulse at the input of the linear system at t = 0, in the unit of that input

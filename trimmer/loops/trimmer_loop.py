@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, final
@@ -16,7 +17,7 @@ from trimmer.elements.element import Element
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.loops.components_of_elements import components_of
 from trimmer.loops.interconnection import Interconnection
-from trimmer.loops.loops import Drive, Loop, element_around
+from trimmer.loops.loops import AT_REST, Drive, Loop, element_around, taken_start
 from trimmer.parameters import TrimmerParameters, require_parameters
 
 if TYPE_CHECKING:
@@ -59,12 +60,14 @@ class TrimmerLoop(Loop):
         channels: Whether the bridge is driven by its displacement alone, as in the thesis, or by its velocity
             too.
         frictions: Forces between bodies.
+        start: States with which a motion begins, such as ``{"q1": 1e-3}``, by name; the others are 0.
 
     Output and channels may also be given by their words, such as ``q2-q4`` and ``both``.
 
     Raises:
         ChoiceError: if there are no such channels.
         DisplacementError: if the output is no displacement.
+        LoopError: if the start names what is no state.
     """
 
     parameters: TrimmerParameters
@@ -73,6 +76,7 @@ class TrimmerLoop(Loop):
     output: Displacement = CUTTER_RELATIVE_TO_GUARD
     channels: InputChannels = InputChannels.DISPLACEMENT_AND_VELOCITY
     frictions: tuple[BodyFriction, ...] = field(default=())
+    start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "output", Displacement.parse(self.output))
@@ -86,10 +90,11 @@ class TrimmerLoop(Loop):
             "frictions", self.frictions, BodyFriction, "a trimmer.loops.BodyFriction"
         )
         object.__setattr__(self, "frictions", frictions)
+        object.__setattr__(self, "start", taken_start(self))
 
     def _parts(self) -> tuple[object, ...]:
         """Return all but the many parameters."""
-        moved = [each for each in (self.element, self.drive) if each is not None]
+        moved = [each for each in (self.element, self.drive, self.start or None) if each is not None]
         return (*moved, f"output {self.output.label}", *self.frictions)
 
     @property

@@ -14,6 +14,8 @@ from trimmer.maps.cells import CellMotion, described, same_motion, stands_for_it
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.messages import listed, near_match
+from trimmer.response.flows import require_subject
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table
@@ -22,7 +24,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers
+    from trimmer.loops.loops import Loop
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
 
 START = "start"
 """First name of the places of initial values."""
@@ -74,13 +78,14 @@ class Basin(Tabular, Drawn):
         return Table("Motion that is reached from each start", range(self.number.size), columns)
 
 
-def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any) -> Basin:
+def basin(mechanism: Mechanism | Loop, values: Mapping[str, ArrayLike], **settings: Any) -> Basin:
     """Tell from which initial values which motion is reached.
 
     Args:
-        mechanism: The mechanism; its other initial values are those of its own start, or zero.
+        mechanism: The mechanism or loop; its other initial values are those of its own start, or zero.
         values: Values by body and ``displacement``, m, or ``velocity``, m/s, such as ``motor.velocity`` or
-            ``start.motor.velocity``; one or two. The first runs along a row.
+            ``start.motor.velocity``, or by state of a loop, such as ``q1`` or ``start.q1``; one or two. The
+            first runs along a row.
         settings: As for ``motion_map``.
 
     Returns:
@@ -89,8 +94,9 @@ def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any
     Raises:
         MapError: if a place is no initial value, and as ``motion_map`` does.
     """
+    require_subject(mechanism)
     require_instance("values", values, Mapping, "a mapping of bodies' initial values to numbers")
-    places = {_start_place(place): each for place, each in values.items()}
+    places = {_start_place(mechanism, place): each for place, each in values.items()}
     result = motion_map(mechanism, places, **settings)
     motions: list[CellMotion] = []
     numbers = []
@@ -103,11 +109,14 @@ def basin(mechanism: Mechanism, values: Mapping[str, ArrayLike], **settings: Any
     return Basin(result, tuple(motions), np.array(numbers, dtype=np.int64).reshape(result.shape))
 
 
-def _start_place(place: str) -> str:
+def _start_place(subject: Subject, place: str) -> str:
     require_instance("place", place, str, "a body's initial value, such as motor.displacement")
     names = parse_place(place)
     if names[0] == START:
         return place
-    if len(names) != 2 or names[1] not in ("displacement", "velocity"):
-        raise MapError(f"{place} is no initial value: give a body's, such as motor.displacement")
-    return place_text((START, *names))
+    whole = place_text((START, *names))
+    if whole not in subject.places and names[1:] not in (("displacement",), ("velocity",)):
+        there = [each for each in subject.places if parse_place(each)[0] == START]
+        given = listed(place_text(parse_place(each)[1:]) for each in there)
+        raise MapError(f"{place} is no initial value; {near_match(whole, there) or f'there are {given}'}")
+    return whole

@@ -12,8 +12,8 @@ import numpy as np
 
 from trimmer.errors import MapError
 from trimmer.maps.cells import described, waited_for
-from trimmer.mechanism.place_text import unit_of
-from trimmer.response.flows import flow_of
+from trimmer.mechanism.place_text import parse_place, unit_of
+from trimmer.response.flows import called, flow_of
 from trimmer.response.response import MotionKind
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Tabular, counted
@@ -259,7 +259,9 @@ def _cells(result: MotionMap) -> Iterator[Column]:
 
 def _searched(result: MotionMap) -> str:
     settings, count = result.inputs.settings, len(result.cells)
-    own = "the mechanism's own start" if getattr(result.inputs.subject, "start", None) else "rest"
+    subject = result.inputs.subject
+    own = f"the {called(subject)}'s own start" if getattr(subject, "start", None) else "rest"
+    own = "a start of its own" if any(parse_place(each)[0] == "start" for each in result.places) else own
     several = int((result.motion_count > 1).sum())
     begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:

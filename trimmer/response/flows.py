@@ -26,6 +26,11 @@ def flow_of(subject: Subject) -> Flow:
     return LoopFlow(subject)
 
 
+def called(subject: Subject) -> str:
+    """Return what a sentence calls what moves: a mechanism or a loop."""
+    return "mechanism" if isinstance(subject, Mechanism) else "loop"
+
+
 def require_subject(subject: object) -> None:
     """Check that something was given that moves.
 

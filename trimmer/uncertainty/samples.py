@@ -16,7 +16,7 @@ from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.progress import progress_bar
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import called, flow_of
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
 from trimmer.showing.shown import counted
@@ -109,7 +109,8 @@ class Samples:
     def message(self) -> str:
         """What was drawn and looked at, in sentences."""
         settings, of_mechanism = self.inputs.settings, isinstance(self.inputs.subject, Mechanism)
-        begun = "rest or the file's own start" if of_mechanism else "rest"
+        of_loop = "its own start" if getattr(self.inputs.subject, "start", None) else "rest"
+        begun = "rest or the file's own start" if of_mechanism else of_loop
         told = (
             f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
             f"each from {begun}, for at most {settings.most_periods} drive periods; "
@@ -118,7 +119,7 @@ class Samples:
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
             told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
         if self.impossible:
-            told += f" {left_out(self.impossible, 'mechanism' if of_mechanism else 'loop')}."
+            told += f" {left_out(self.impossible, called(self.inputs.subject))}."
         whose = "its" if self.failed == 1 else "their"
         failed = f" {counted(self.failed, 'motion')} could not be followed to {whose} end."
         return told + (failed if self.failed else "")

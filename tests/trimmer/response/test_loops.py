@@ -105,6 +105,29 @@ def test_a_map_of_a_loop_has_what_each_of_its_cells_settles_to() -> None:
             assert found.wear_power["friction q2-q4"][row, column] == pytest.approx(power, rel=1e-8)
 
 
+def test_a_basin_of_a_loop_is_that_of_the_same_machine(machine: trimmer.Mechanism) -> None:
+    """Where the blade sticks for good, the motion depends on where it began."""
+    held, reached = machine.with_value(BLADE, 60.0), []
+    for subject, place in ((driven(60.0), "q2"), (held, "cutter.displacement")):
+        values = {place: [-2e-4, 0.0, 3e-4]}
+        found = trimmer.basin(subject, values, runner=SerialRunner(), quiet=True).result
+        assert found.searched.startswith("3 cells, each from a start of its own, for at most")
+        reached.append([cell.motions[0].states for cell in found.cells])
+    assert np.ptp(reached[0], axis=0).max() > 1e-5
+    np.testing.assert_allclose(reached[0], reached[1], atol=1e-9 * np.abs(reached[1]).max())
+
+
+def test_a_start_of_a_loop_is_that_of_its_motions_unless_another_is_given() -> None:
+    loop = trimmer.ClosedLoop(relay(1.0).model, trimmer.Relay(1.0))
+    begun, states = loop.with_value("start.x[1]", 0.2), [0.0, 0.2, 0.0]
+    own, given = trimmer.simulate(begun, 1.0), trimmer.simulate(loop, 1.0, initial_state=states)
+    np.testing.assert_array_equal(own.output([0.5, 1.0]), given.output([0.5, 1.0]))
+    assert (begun.value("start.x[1]"), begun.start) == (0.2, {"x[1]": 0.2})
+    np.testing.assert_array_equal(trimmer.simulate(begun, 1.0, initial_state=[0.0] * 3).output([1.0]), [0.0])
+    with pytest.raises(trimmer.TrimmerError, match="no state of the loop; there are"):
+        trimmer.ClosedLoop(begun.system, begun.element, start={"q7": 1.0})
+
+
 def test_samples_of_a_loop_are_those_of_the_same_machine(machine: trimmer.Mechanism) -> None:
     strokes, powers = [], []
     for subject, force, mass in ((driven(1.0), FORCE, "parameters.m2"), (machine, BLADE, CUTTER)):
