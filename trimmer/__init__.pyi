@@ -28,7 +28,7 @@ from .errors import TrimmerError as TrimmerError
 from .errors import UndecidedWarning as UndecidedWarning
 from .errors import UnsupportedMotionError as UnsupportedMotionError
 from .errors import WrongTypeError as WrongTypeError
-from .fitting.fit import fit_mechanism as fit_mechanism
+from .fitting.fit import fit as fit
 from .linear.extrema import resonance_peaks as resonance_peaks
 from .linear.frequency_response import response_at as response_at
 from .linear.model import linear_model as linear_model

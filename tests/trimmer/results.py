@@ -98,7 +98,7 @@ def comparison() -> trimmer.spectra.MotionComparison:
 def fit() -> trimmer.fitting.Fit:
     settings = trimmer.fitting.FitSettings(starts=1)
     measured = {"stroke": record(driven_trimmer(), 2e-6)}
-    return trimmer.fit_mechanism(driven_trimmer(), measured, ["plays.bridge.gap"], settings=settings)
+    return trimmer.fit(driven_trimmer(), measured, ["plays.bridge.gap"], settings=settings)
 
 
 @cache

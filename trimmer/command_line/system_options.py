@@ -19,6 +19,8 @@ FILE_HELP = "mechanism, a TOML file, - for standard input; without one, a loop o
 OF_LOOPS = ("element", *ELEMENT_OPTIONS, "parameters", "displacement", "channels", "drive", "amplitude")
 OF_LOOPS += ("impulse",)
 """Options that say what a loop is and does; a mechanism says it in its file."""
+OF_LOOP = ", or of the loop, such as element.gap=40um"
+"""What the help of ``--set`` says of a loop."""
 SOURCES = {"parameters": "the file of the parameters", "file": "the file of the mechanism"}
 """What the files are that are read, by the name of the option."""
 
@@ -40,7 +42,7 @@ def add_system_options(
         metavar="FILE",
         help=file_help,
     )
-    add_set_option(parser, ", or of the loop, such as element.gap=40um")
+    add_set_option(parser, OF_LOOP)
     add_motion_options(parser, output_is_file=output_is_file)
 
 
@@ -57,13 +59,17 @@ def chosen_system(arguments: Namespace) -> Mechanism | TrimmerLoop:
     return chosen_mechanism(arguments)
 
 
-def refuse_loop_options(arguments: Namespace) -> None:
+def refuse_loop_options(arguments: Namespace, but: tuple[str, ...] = ()) -> None:
     """Refuse options of loops beside the file of a mechanism.
+
+    Args:
+        arguments: Parsed options.
+        but: Options that mean something for a mechanism too.
 
     Raises:
         OptionError: if one of them is given.
     """
-    given = [name for name in OF_LOOPS if is_given(arguments, name)]
+    given = [name for name in OF_LOOPS if is_given(arguments, name) and name not in but]
     given += ["friction"] if arguments.friction else []
     if given:
         raise OptionError(

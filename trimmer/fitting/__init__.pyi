@@ -1,6 +1,5 @@
 """The public names of this room, each imported on first use."""
 
 from .fit import FitSettings as FitSettings
-from .fit import fit_mechanism as fit_mechanism
 from .result import Fit as Fit
 from .result import FittedNumber as FittedNumber

@@ -1,4 +1,4 @@
-"""``fit_mechanism``: numbers of a mechanism from a measured steady motion."""
+"""``fit``: numbers of a mechanism or a loop from a measured steady motion."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ from trimmer.fitting.weak import weak_directions
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import near_match
 from trimmer.progress import progress_bar
+from trimmer.response.flows import called, flow_of, require_subject
 from trimmer.signals.faults import faults
 from trimmer.signals.signal import Signal, SignalError
 
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
     from trimmer.fitting.misfit import Fitted
     from trimmer.fitting.search import FitSearch
     from trimmer.fitting.unknowns import Unknown
+    from trimmer.loops.loops import Loop
+    from trimmer.motion.subject import Subject
 
 OTHER_FREQUENCY = 1e-4
 """Relative difference from which the measured drive is told to be another one."""
@@ -70,15 +73,15 @@ class FitSettings:
             raise FitError(f"confidence is {self.confidence!r}: it must be between 0 and 1")
 
 
-def fit_mechanism(
-    mechanism: Mechanism,
+def fit(
+    mechanism: Mechanism | Loop,
     measured: Mapping[str, Signal],
     free: Sequence[str] = (),
     *,
     drive_frequency: float | None = None,
     settings: FitSettings | None = None,
 ) -> Fit:
-    """Fit numbers of a mechanism to a measured steady motion of one or several of its outputs.
+    """Fit numbers of a mechanism or a loop to a measured steady motion of one or several of its outputs.
 
     The squares of the differences of all lines of the drive are least, each weighed with the noise that is
     seen between the lines; that is a fit of the waveform averaged over the drive periods. The simulated
@@ -86,11 +89,16 @@ def fit_mechanism(
     within the drive's period is not known, and is fitted too. Noise is taken to be Gaussian and stationary;
     means are not compared, because sensors have offsets.
 
+    A loop without a drive is refused: the period of its vibration is one of its numbers, and lines at given
+    frequencies do not say how far that is off.
+
     Args:
-        mechanism: The mechanism with the numbers from which the fit begins; it has a frequency.
-        measured: The record of each output that was measured: displacement, velocity or acceleration.
+        mechanism: The mechanism or loop with the numbers from which the fit begins; it has a drive.
+        measured: The record of each output that was measured: displacement, velocity or acceleration. An
+            output of a loop that has no unit may be measured without one; its name is as in ``outputs`` of a
+            motion: ``output``, ``element_input``, ``element_output``.
         free: Dotted places of the numbers to fit; by default gap, stiffness and damping of each play and the
-            force of each friction.
+            force of each friction, or all numbers of a loop's element and frictions.
         drive_frequency: That of the drive in the measurement, Hz; looked for near that of the mechanism if
             not given.
         settings: How is fitted.
@@ -99,18 +107,19 @@ def fit_mechanism(
         FitError: if nothing can be fitted: no frequency, no such output, no number, or no start at which the
             motion repeats as the measured one does.
         SignalError: if the measurement cannot be used: no motion, no drive in it, too short.
-        MechanismError: if there is no such number.
+        MechanismError, LoopError: if there is no such number.
         WrongTypeError: if an argument is of another type.
     """
     settings = settings or FitSettings()
-    require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    require_subject(mechanism)
     require_instance("settings", settings, FitSettings, "a trimmer.fitting.FitSettings")
     free = require_instances("free", free, str, "a dotted place")
     frequency = _checked(mechanism, measured)
     if drive_frequency is not None and not 0 < real_number("drive_frequency", drive_frequency, "Hz") < np.inf:
         raise SignalError(f"drive_frequency is {drive_frequency!r}: it must be positive and finite")
     unknowns = unknowns_of(mechanism, free)
-    lines = measure_lines(measured, frequency, drive_frequency)
+    plain = [name for name, each in flow_of(mechanism).outputs.items() if not each.unit]
+    lines = measure_lines(measured, frequency, drive_frequency, plain)
     if len(unknowns) + 1 >= 2 * lines.lines.size:
         raise FitError(
             f"{len(unknowns)} numbers cannot be fitted to {lines.lines.size} lines; fit fewer (--free)"
@@ -125,42 +134,43 @@ def fit_mechanism(
     return _result(mechanism, misfit, searched, settings)
 
 
-def _checked(mechanism: Mechanism, measured: Mapping[str, Signal]) -> float:
-    """Return the frequency of a mechanism that has the outputs that were measured."""
+def _checked(subject: Subject, measured: Mapping[str, Signal]) -> float:
+    """Return the frequency of a mechanism or loop that has the outputs that were measured."""
     require_instance("measured", measured, Mapping, "signals by the names of outputs")
-    if mechanism.frequency is None:
-        raise FitError("the mechanism has no drive, and only driven motions are fitted; give it a frequency")
+    what = called(subject)
+    if subject.frequency is None:
+        give = "give it a frequency" if what == "mechanism" else "give it one"
+        raise FitError(f"the {what} has no drive, and only driven motions are fitted; {give}")
     if not measured:
         raise FitError("nothing was measured: give the signal of one output at least")
     for name, signal in measured.items():
         require_instance(f"the signal of {name}", signal, Signal, "a trimmer.Signal")
-        if name not in mechanism.outputs:
-            there = (
-                near_match(name, mechanism.outputs) or f"there are {', '.join(mechanism.outputs) or 'none'}"
-            )
-            raise FitError(f"the mechanism has no output {name!r}; {there}")
-    return mechanism.frequency
+        if name not in (outputs := flow_of(subject).outputs):
+            there = near_match(name, outputs) or f"there are {', '.join(outputs) or 'none'}"
+            raise FitError(f"the {what} has no output {name!r}; {there}")
+    return subject.frequency
 
 
 def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
     from trimmer.response.settling import orbit_from_rest
 
-    orbit = orbit_from_rest(misfit.model.mechanism, SETTLED_WITHIN)
+    subject = misfit.model.subject
+    orbit = orbit_from_rest(subject, SETTLED_WITHIN)
     does = f"repeats after {in_words(orbit.period_count)}" if orbit else "does not repeat"
     where = "its start" if settings.starts == 1 else f"all {settings.starts} starts"
     doubts = "".join(f"; {each}" for each in doubts_of(misfit.measured))
     return (
         f"the measured motion repeats after {in_words(misfit.measured.period_count)}, but from {where} "
-        f"that of the mechanism does not; with the numbers of the file it {does}: begin with other numbers "
-        f"(--set), or with more starts (--starts){doubts}"
+        f"that of the {called(subject)} does not; with the numbers of {_source(subject)} it {does}: "
+        f"begin with other numbers (--set), or with more starts (--starts){doubts}"
     )
 
 
-def _result(mechanism: Mechanism, misfit: Misfit, searched: FitSearch, settings: FitSettings) -> Fit:
-    from scipy.stats import f
+def _result(subject: Subject, misfit: Misfit, searched: FitSearch, settings: FitSettings) -> Fit:
+    from scipy.stats import f as distribution
 
     measured, unknowns = misfit.measured, misfit.model.unknowns
-    allowed = float(f.ppf(settings.confidence, 1, measured.freedom))
+    allowed = float(distribution.ppf(settings.confidence, 1, measured.freedom))
     best, jacobian, sides = _profiled(misfit, searched.best, allowed)
     if best.chi_square < searched.best.chi_square - AGREES:
         came_to = (searched.best.chi_square,) * searched.agreeing
@@ -172,8 +182,8 @@ def _result(mechanism: Mechanism, misfit: Misfit, searched: FitSearch, settings:
     )
     angle = best.angle % (2 * np.pi)
     return Fit(
-        mechanism=misfit.model.mechanism_at(best.coordinates),
-        before=mechanism,
+        subject=misfit.model.subject_at(best.coordinates),
+        before=subject,
         numbers=numbers,
         confidence=settings.confidence,
         measured=measured,
@@ -181,9 +191,9 @@ def _result(mechanism: Mechanism, misfit: Misfit, searched: FitSearch, settings:
         shift=(2 * np.pi - angle) / (2 * np.pi) * measured.period_count / measured.frequency,
         orbit=best.motion.orbit,
         searched=searched,
-        judgement=judge(measured, best, len(unknowns)),
+        judgement=judge(measured, best, len(unknowns), called(subject)),
         weak=weak_directions(unknowns, jacobian, allowed),
-        notes=tuple(_notes(mechanism, misfit, best)),
+        notes=tuple(_notes(subject, misfit, best)),
     )
 
 
@@ -232,20 +242,20 @@ def _open(unknown: Unknown, side: ProfileSide, word: str) -> str:
         return ""
     if side.better is not None:
         return f"the {word} end is not known, because better fits were met on the way; try more starts"
-    reached = f"{unknown.value(side.reached):.4g} {unknown.unit}"
+    reached = f"{unknown.value(side.reached):.4g} {unknown.unit}".rstrip()
     if side.lost:
         return f"the {word} end is open: beyond {reached} no stable motion of this kind that fits was found"
     return f"the {word} end is open: {reached} fits within the noise too, and no end was found up to there"
 
 
-def _notes(mechanism: Mechanism, misfit: Misfit, best: Fitted) -> Iterator[str]:
+def _notes(subject: Subject, misfit: Misfit, best: Fitted) -> Iterator[str]:
     measured = misfit.measured
-    assert mechanism.frequency is not None
-    apart = measured.frequency / mechanism.frequency - 1.0
+    assert subject.frequency is not None
+    apart = measured.frequency / subject.frequency - 1.0
     if abs(apart) > OTHER_FREQUENCY:
         yield (
-            f"the measured drive, {measured.frequency:.8g} Hz, is {100 * apart:+.3g} % off that of the file, "
-            f"{mechanism.frequency:.8g} Hz; the motion was simulated at the measured one"
+            f"the measured drive, {measured.frequency:.8g} Hz, is {100 * apart:+.3g} % off that of "
+            f"{_source(subject)}, {subject.frequency:.8g} Hz; the motion was simulated at the measured one"
         )
     for name, signal in measured.signals.items():
         before = f"{name}: " if len(measured.signals) > 1 else ""
@@ -262,12 +272,18 @@ def _notes(mechanism: Mechanism, misfit: Misfit, best: Fitted) -> Iterator[str]:
         )
     for unknown, at in zip(misfit.model.unknowns, best.coordinates, strict=True):
         if abs(at) > AT_END * unknown.reach:
+            there = f"{unknown.value(float(at)):.4g} {unknown.unit}".rstrip()
             yield (
-                f"{unknown.place}: {unknown.value(float(at)):.4g} {unknown.unit} is at the end of what was "
+                f"{unknown.place}: {there} is at the end of what was "
                 f"searched, a factor of {REACH:g} from its start"
             )
     yield from doubts_of(measured)
     yield from _kind(measured, best)
+
+
+def _source(subject: Subject) -> str:
+    """Return where the numbers stand with which a fit begins."""
+    return "the file" if isinstance(subject, Mechanism) else "the loop"
 
 
 def _kind(measured: MeasuredLines, best: Fitted) -> Iterator[str]:

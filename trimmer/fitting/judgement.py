@@ -1,4 +1,4 @@
-"""Whether the mechanism explains the measurement: chi-square, and what is left at which harmonics."""
+"""Whether the mechanism or loop explains the measurement: chi-square, and what is left at which harmonics."""
 
 from __future__ import annotations
 
@@ -71,13 +71,14 @@ class Judgement:
         return self.probability >= UNLIKELY
 
 
-def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int) -> Judgement:
+def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int, called: str = "mechanism") -> Judgement:
     """Hold what a fit leaves against the noise.
 
     Args:
         measured: The measurement.
         fitted: The fit.
         unknowns: Number of fitted numbers.
+        called: What moves, in a word.
     """
     from scipy.stats import f
 
@@ -89,7 +90,7 @@ def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int) -> Judgement:
     probability = float(f.sf(fitted.chi_square / (inflated * freedom), freedom, known))
     excesses = _excesses(measured, fitted)
     judged = Judgement(fitted.chi_square, freedom, probability, excesses, ())
-    sentences = tuple(_sentences(measured, fitted, judged))
+    sentences = tuple(_sentences(measured, fitted, judged, called))
     return Judgement(fitted.chi_square, freedom, probability, excesses, sentences)
 
 
@@ -119,16 +120,16 @@ def _excesses(measured: MeasuredLines, fitted: Fitted) -> tuple[Excess, ...]:
     return tuple(sorted(found, key=lambda each: -each.ratio))
 
 
-def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement) -> Iterator[str]:
+def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement, called: str) -> Iterator[str]:
     left = float(np.linalg.norm(fitted.lines - measured.lines) / np.linalg.norm(measured.lines))
     told = f"reduced chi-square {judged.reduced:.3g} with {judged.freedom} degrees of freedom"
     if judged.explained:
-        yield f"the mechanism explains the measurement within its noise: {told}"
+        yield f"the {called} explains the measurement within its noise: {told}"
     else:
         yield (
-            f"the mechanism does not explain the measurement: {told}, where noise alone gives about 1; "
+            f"the {called} does not explain the measurement: {told}, where noise alone gives about 1; "
             f"{100 * left:.2g} % rms of the lines is left. The intervals know of the noise alone, and not of "
-            "what the mechanism lacks"
+            f"what the {called} lacks"
         )
     if judged.excesses:
         yield f"more than noise is left {_where(judged)}"

@@ -7,7 +7,7 @@ is one to the waveform with the noise of each frequency as its weight; nothing i
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -74,7 +74,8 @@ class MeasuredLines:
     @property
     def derivatives(self) -> tuple[int, ...]:
         """How often each output is differentiated in its signal."""
-        return tuple(each.quantity.derivatives for each in self.signals.values())
+        quantities = (each.quantity for each in self.signals.values())
+        return tuple(0 if each is MotionQuantity.OTHER else each.derivatives for each in quantities)
 
     @property
     def deviations(self) -> Reals:
@@ -97,7 +98,10 @@ class MeasuredLines:
 
 
 def measure_lines(
-    signals: Mapping[str, Signal], near: float, drive_frequency: float | None = None
+    signals: Mapping[str, Signal],
+    near: float,
+    drive_frequency: float | None = None,
+    plain: Collection[str] = (),
 ) -> MeasuredLines:
     """Take the lines of a steady motion out of its record.
 
@@ -105,12 +109,14 @@ def measure_lines(
         signals: The record of each output, with the same times.
         near: Frequency near which the drive is looked for, Hz.
         drive_frequency: That of the drive, Hz, if it is known.
+        plain: Outputs that are plain numbers, whose signals are taken as they are if they have no unit.
 
     Raises:
         SignalError: if a signal is no motion, they have unlike times, there is no drive, or the record is
             too short.
     """
-    signals = {name: _motion(signal) for name, signal in signals.items()}
+    taken = {name for name in plain if name in signals and not signals[name].unit}
+    signals = {name: each if name in taken else _motion(each) for name, each in signals.items()}
     first = next(iter(signals.values()))
     if len({(each.values.size, each.sample_rate, each.start) for each in signals.values()}) > 1:
         raise SignalError("the signals have unlike times: give one record of all outputs, without gaps")

@@ -1,4 +1,4 @@
-"""The exact orbit of a mechanism for values of its unknown numbers, as lines of its outputs."""
+"""The exact orbit of a mechanism or a loop for values of its unknown numbers, as lines of its outputs."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.flow import MechanismFlow
-from trimmer.errors import MechanismError
+from trimmer.errors import TrimmerError
 from trimmer.fitting.unknowns import Unknown, values_at
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import read
+from trimmer.response.flows import flow_of
 from trimmer.response.orbit import orbit_of
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import Patience, Return, solve
@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Complexes, Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.subject import Subject
     from trimmer.response.orbit import Orbit
 
 SETTLED_WITHIN = 400
@@ -34,7 +35,7 @@ PATIENCE = Patience(iterations=12, halvings=4, followed=2)
 
 @dataclass(frozen=True, eq=False)
 class ModelMotion:
-    """A stable periodic motion of the mechanism.
+    """A stable periodic motion of the mechanism or loop.
 
     Attributes:
         coordinates: Those of the unknowns, (unknowns,).
@@ -49,10 +50,10 @@ class ModelMotion:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """The motion of a mechanism over its unknown numbers.
+    """The motion of a mechanism or a loop over its unknown numbers.
 
     Attributes:
-        mechanism: The mechanism, driven at the measured frequency.
+        subject: The mechanism or loop, driven at the measured frequency.
         unknowns: The numbers.
         outputs: Names of the outputs that are measured.
         derivatives: How often each of them is differentiated.
@@ -60,26 +61,26 @@ class Model:
         count: Number m of lines.
     """
 
-    mechanism: Mechanism
+    subject: Subject
     unknowns: Sequence[Unknown]
     outputs: tuple[str, ...]
     derivatives: tuple[int, ...]
     period_count: int
     count: int
 
-    def mechanism_at(self, coordinates: Reals) -> Mechanism:
-        """Return the mechanism with the numbers of coordinates, (unknowns,).
+    def subject_at(self, coordinates: Reals) -> Subject:
+        """Return the mechanism or loop with the numbers of coordinates, (unknowns,).
 
         Raises:
-            MechanismError: if the numbers do not go together.
+            MechanismError, LoopError: if the numbers do not go together.
         """
-        mechanism = self.mechanism
+        subject = self.subject
         for unknown, value in zip(self.unknowns, values_at(self.unknowns, coordinates), strict=True):
-            mechanism = mechanism.with_value(unknown.place, value)
-        return mechanism
+            subject = subject.with_value(unknown.place, value)
+        return subject
 
     def settled(self, coordinates: Reals) -> ModelMotion | None:
-        """Return what the mechanism settles to from its start; None if that repeats otherwise, or never."""
+        """Return what it settles to from its start; None if that repeats otherwise, or never."""
         flow = self._flow(coordinates)
         return None if flow is None else self._settled(flow, coordinates, flow.rest(), SETTLED_WITHIN)
 
@@ -100,21 +101,19 @@ class Model:
             else self._settled(flow, coordinates, instant, settling)
         )
 
-    def _flow(self, coordinates: Reals) -> MechanismFlow | None:
+    def _flow(self, coordinates: Reals) -> Flow | None:
         try:
-            return MechanismFlow.returning(self.mechanism_at(coordinates))
-        except MechanismError:
+            return flow_of(self.subject_at(coordinates))
+        except TrimmerError:
             return None
 
-    def _settled(
-        self, flow: MechanismFlow, coordinates: Reals, instant: Instant, within: int
-    ) -> ModelMotion | None:
+    def _settled(self, flow: Flow, coordinates: Reals, instant: Instant, within: int) -> ModelMotion | None:
         orbit = Settling(flow, instant).until_settled(within)
         if orbit is None or self.period_count % orbit.period_count:
             return None
         return self._solved(flow, coordinates, orbit.instant)
 
-    def _solved(self, flow: MechanismFlow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
+    def _solved(self, flow: Flow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
         shot = solve(Return(flow, self.period_count), instant, patience=PATIENCE)
         if shot is None:
             return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from trimmer.fitting.search import FitSearch
     from trimmer.fitting.weak import WeakDirection
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
     from trimmer.response.orbit import Orbit
 
 
@@ -57,15 +58,15 @@ class FittedNumber:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Fit(Tabular, Drawn):
-    """Numbers of a mechanism fitted to a measured motion.
+    """Numbers of a mechanism or a loop fitted to a measured motion.
 
     ``plot`` draws the first output over a period: averaged measurement and simulation.
 
     Attributes:
-        mechanism: The mechanism with the fitted numbers, driven at the measured frequency.
-        before: The mechanism as it was.
+        subject: The mechanism or loop with the fitted numbers, driven at the measured frequency.
+        before: The same as it was.
         numbers: The fitted numbers.
-        confidence: Probability with which an interval holds the true number, if the mechanism is right.
+        confidence: Probability with which an interval holds the true number, if what moves is right.
         measured: The lines of the measurement.
         simulated: Those of the fitted motion, shifted in time so that both agree best, (m, outputs).
         shift: By how much later a drive period of the simulation begins than the measurement, s.
@@ -76,8 +77,8 @@ class Fit(Tabular, Drawn):
         notes: What else is to be said, in sentences without full stops.
     """
 
-    mechanism: Mechanism
-    before: Mechanism
+    subject: Subject
+    before: Subject
     numbers: tuple[FittedNumber, ...]
     confidence: float
     measured: MeasuredLines
@@ -88,6 +89,11 @@ class Fit(Tabular, Drawn):
     judgement: Judgement
     weak: tuple[WeakDirection, ...]
     notes: tuple[str, ...]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism with the fitted numbers, if it is one that was fitted."""
+        return cast("Mechanism", self.subject)
 
     @property
     def period(self) -> float:

@@ -9,20 +9,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.errors import FitError
+from trimmer.errors import FitError, TrimmerError
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.places import quantities
 from trimmer.mechanism.quantities import Range
 from trimmer.messages import listed
+from trimmer.response.flows import called
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.subject import Subject
 
 REACH = 1e3
 """Factor by which a positive number may leave its start, and how many times its size another one."""
 USUAL = (("plays", ("gap", "stiffness", "damping")), ("frictions", ("force",)))
-"""Numbers that are fitted if none is named."""
+"""Numbers of a mechanism that are fitted if none is named."""
+USUAL_OF_LOOP = ("element", "frictions")
+"""What of a loop has the numbers that are fitted if none is named."""
 
 
 @dataclass(frozen=True)
@@ -65,56 +69,80 @@ class Unknown:
         return f"{names[-1]} of {names[-2]}" if len(names) > 1 else self.place
 
 
-def unknowns_of(mechanism: Mechanism, free: Sequence[str] = ()) -> tuple[Unknown, ...]:
+def unknowns_of(subject: Subject, free: Sequence[str] = ()) -> tuple[Unknown, ...]:
     """Return the numbers that are fitted.
 
     Args:
-        mechanism: The mechanism with their starting values.
+        subject: The mechanism or loop with their starting values.
         free: Dotted places; by default gap, stiffness and damping of each play and the force of each
-            friction, as far as they are greater than zero.
+            friction, or the numbers of a loop's element and frictions, as far as they are finite and greater
+            than zero.
 
     Raises:
         FitError: if there is nothing to fit, or a number is named that cannot be fitted.
-        MechanismError: if there is no such number.
+        MechanismError, LoopError: if there is no such number.
     """
     if not free:
-        places = [
-            place_text((section, name, key))
-            for section, keys in USUAL
-            for name in getattr(mechanism, section)
-            for key in keys
-        ]
-        usual = tuple(_unknown(mechanism, place) for place in places if mechanism.value(place) > 0)
+        usual = tuple(
+            _unknown(subject, place) for place in _usual(subject) if 0 < subject.value(place) < math.inf
+        )
         if not usual:
+            parts = "play" if isinstance(subject, Mechanism) else "element"
             raise FitError(
-                "the mechanism has no play and no friction with a number greater than zero; name the numbers "
-                "to fit (--free PLACE)"
+                f"the {called(subject)} has no {parts} and no friction with a number greater than zero; name "
+                "the numbers to fit (--free PLACE)"
             )
         return usual
     for place in free:
-        mechanism.value(place)
+        subject.value(place)
     places = [place_text(parse_place(place)) for place in free]
     if twice := sorted({place for place in places if places.count(place) > 1}):
         raise FitError(f"{listed(twice)}: named twice among the numbers to fit")
-    return tuple(_unknown(mechanism, place) for place in places)
+    return tuple(_unknown(subject, place) for place in places)
 
 
-def _unknown(mechanism: Mechanism, place: str) -> Unknown:
+def _usual(subject: Subject) -> list[str]:
+    """Return the places of the numbers that are fitted if none is named."""
+    if not isinstance(subject, Mechanism):
+        return [place for place in subject.places if parse_place(place)[0] in USUAL_OF_LOOP]
+    return [
+        place_text((section, name, key))
+        for section, keys in USUAL
+        for name in getattr(subject, section)
+        for key in keys
+    ]
+
+
+def _unknown(subject: Subject, place: str) -> Unknown:
     names = parse_place(place)
-    quantity = quantities(mechanism)[names]
-    start = mechanism.value(place)
+    start = subject.value(place)
     if names == ("frequency",):
         raise FitError("frequency: is taken from the measurement, and not fitted beside the motion")
     if names[0] == "start":
         raise FitError(f"{place}: a steady motion does not depend on it; leave it out")
-    if quantity.range is Range.WHOLE:
+    if names == ("drive", "phase"):
+        raise FitError(f"{place}: when the record began in the drive's period is fitted anyway; leave it out")
+    unit, is_whole, positive = _kind(subject, place, start)
+    if is_whole:
         raise FitError(f"{place}: is a whole number, and cannot be fitted")
-    if start == 0 and quantity.unit != "rad":
+    if (start == 0 and unit != "rad") or math.isinf(start):
         raise FitError(
-            f"{place}: is 0, which gives no size to begin with; set another start (--set {place}=...)"
+            f"{place}: is {start:g}, which gives no size to begin with; set another start (--set {place}=...)"
         )
-    positive = quantity.range in (Range.POSITIVE, Range.NOT_NEGATIVE)
-    return Unknown(place, quantity.unit, start, positive)
+    return Unknown(place, unit, start, positive)
+
+
+def _kind(subject: Subject, place: str, start: float) -> tuple[str, bool, bool]:
+    """Return the unit of a number, whether it is a whole one, and whether it cannot be negative."""
+    if isinstance(subject, Mechanism):
+        quantity = quantities(subject)[parse_place(place)]
+        positive = quantity.range in (Range.POSITIVE, Range.NOT_NEGATIVE)
+        return quantity.unit, quantity.range is Range.WHOLE, positive
+    try:
+        subject.with_value(place, -1.0 if math.isinf(start) else -abs(start))
+    except TrimmerError:
+        return subject.places[place], False, True
+    return subject.places[place], False, start == 0
 
 
 def values_at(unknowns: Sequence[Unknown], coordinates: Reals) -> list[float]:

@@ -82,4 +82,4 @@ def _change(unknown: Unknown, by: float, name: str) -> str:
     verb = "raising" if by > 0 else "lowering"
     if unknown.positive:
         return f"{verb} the {name} by {100 * abs(math.expm1(by)):.2g} %"
-    return f"{verb} the {name} by {abs(by) * unknown.scale:.2g} {unknown.unit}"
+    return f"{verb} the {name} by {abs(by) * unknown.scale:.2g} {unknown.unit}".rstrip()

@@ -10,7 +10,8 @@ import pytest
 from scipy.stats import binom
 
 from tests.trimmer.fitting.made import exact, record, trimmer
-from trimmer import Mechanism, Signal, fit_mechanism
+from trimmer import Mechanism, Signal
+from trimmer import fit as fit_numbers
 from trimmer.errors import FitError, WrongTypeError
 from trimmer.fitting import Fit, FitSettings
 from trimmer.mechanism import Friction, Output
@@ -35,7 +36,7 @@ def begun(**factors: float) -> Mechanism:
 
 @pytest.fixture(scope="module")
 def usual() -> Fit:
-    return fit_mechanism(begun(**{GAP: 1.4, FORCE: 0.8}), {"stroke": record(trimmer(), 2e-6)}, settings=ONCE)
+    return fit_numbers(begun(**{GAP: 1.4, FORCE: 0.8}), {"stroke": record(trimmer(), 2e-6)}, settings=ONCE)
 
 
 def test_the_numbers_come_back(usual: Fit) -> None:
@@ -86,12 +87,12 @@ def start_of_two() -> Mechanism:
 
 @pytest.fixture(scope="module")
 def two() -> Fit:
-    return fit_mechanism(start_of_two(), {"stroke": record(trimmer(), 2e-6)}, [GAP, FORCE], settings=ONCE)
+    return fit_numbers(start_of_two(), {"stroke": record(trimmer(), 2e-6)}, [GAP, FORCE], settings=ONCE)
 
 
 def test_units_do_not_matter(two: Fit) -> None:
     signal = record(trimmer(), 2e-6).scaled(1e6, "um")
-    fit = fit_mechanism(start_of_two(), {"stroke": signal}, [GAP, FORCE], settings=ONCE)
+    fit = fit_numbers(start_of_two(), {"stroke": signal}, [GAP, FORCE], settings=ONCE)
     for number, same in zip(fit.numbers, two.numbers, strict=True):
         assert number.value == pytest.approx(same.value, rel=1e-5)
         assert number.upper == pytest.approx(same.upper, rel=1e-4)
@@ -103,7 +104,7 @@ def test_a_machine_of_another_size_has_the_same_relative_intervals(two: Fit) -> 
     for place in ("pins.pin.amplitude", GAP, FORCE):
         small = small.with_value(place, 1e-3 * small.value(place))
         start = start.with_value(place, 1e-3 * start.value(place))
-    fit = fit_mechanism(start, {"stroke": record(small, 2e-9)}, [GAP, FORCE], settings=ONCE)
+    fit = fit_numbers(start, {"stroke": record(small, 2e-9)}, [GAP, FORCE], settings=ONCE)
     for number, same in zip(fit.numbers, two.numbers, strict=True):
         assert number.value == pytest.approx(1e-3 * same.value, rel=1e-5)
         assert number.upper == pytest.approx(1e-3 * same.upper, rel=1e-4)  # type: ignore[operator]
@@ -113,7 +114,7 @@ def test_two_outputs_in_two_quantities_tell_more(two: Fit) -> None:
     outputs = {**trimmer().outputs, "motor": Output({"motor": 1})}
     start, true = (dataclasses.replace(each, outputs=outputs) for each in (start_of_two(), trimmer()))
     motor = record(true, 1.0, seed=1, output="motor", derivatives=2)
-    fit = fit_mechanism(start, {**two.measured.signals, "motor": motor}, [GAP, FORCE], settings=ONCE)
+    fit = fit_numbers(start, {**two.measured.signals, "motor": motor}, [GAP, FORCE], settings=ONCE)
     assert fit.judgement.explained
     for number, alone in zip(fit.numbers, two.numbers, strict=True):
         assert number.value == pytest.approx(TRUE[number.place], rel=0.02)
@@ -124,7 +125,7 @@ def test_two_outputs_in_two_quantities_tell_more(two: Fit) -> None:
 def test_a_motion_that_repeats_after_six_periods() -> None:
     true = Mechanism.from_toml("examples/oscillator-stop.toml").with_value("frequency", 0.9)
     signal = record(true, 1e-3, output="mass", samples=4000, sample_rate=40.0)
-    fit = fit_mechanism(true, {"mass": signal}, ["stops.stop.gap"], settings=ONCE)
+    fit = fit_numbers(true, {"mass": signal}, ["stops.stop.gap"], settings=ONCE)
     assert fit.measured.period_count == fit.orbit.period_count == 6
     assert fit.judgement.sentences[1] == "the measured motion repeats after 6 drive periods"
     assert fit.numbers[0].value == pytest.approx(10.0, rel=1e-4)
@@ -139,14 +140,14 @@ def test_a_motion_of_another_period_is_no_start() -> None:
     with pytest.raises(
         FitError, match=r"repeats after one drive period.*the file it repeats after 6 drive per"
     ):
-        fit_mechanism(true, {"mass": signal}, ["stops.stop.gap"], settings=ONCE)
+        fit_numbers(true, {"mass": signal}, ["stops.stop.gap"], settings=ONCE)
 
 
 def test_friction_that_holds_all_the_time_is_not_known() -> None:
     held = dataclasses.replace(
         trimmer(), frictions={**trimmer().frictions, "brake": Friction(("ground", "housing"), 80.0)}
     )
-    fit = fit_mechanism(held, {"stroke": record(held, 2e-6)}, [FORCE, "frictions.brake.force"], settings=ONCE)
+    fit = fit_numbers(held, {"stroke": record(held, 2e-6)}, [FORCE, "frictions.brake.force"], settings=ONCE)
     brake = fit.numbers[1]
     assert brake.upper is None and "upper end is open" in brake.upper_note
     assert any(each.places == ("frictions.brake.force",) for each in fit.weak)
@@ -166,29 +167,29 @@ def test_friction_that_holds_all_the_time_is_not_known() -> None:
 )
 def test_numbers_that_cannot_be_fitted(free: list[str], told: str) -> None:
     with pytest.raises(ValueError, match=told.replace("?", r"\?")):
-        fit_mechanism(trimmer(), {"stroke": Signal(np.ones(100), 1e3, "stroke", "m")}, free)
+        fit_numbers(trimmer(), {"stroke": Signal(np.ones(100), 1e3, "stroke", "m")}, free)
 
 
 def test_wrong_types_are_named() -> None:
     signal = Signal(np.ones(100), 1e3, "stroke", "m")
     with pytest.raises(WrongTypeError, match="mechanism"):
-        fit_mechanism("thesis-play.toml", {"stroke": signal})  # type: ignore[arg-type]
+        fit_numbers("thesis-play.toml", {"stroke": signal})  # type: ignore[arg-type]
     with pytest.raises(WrongTypeError, match="measured"):
-        fit_mechanism(trimmer(), signal)  # type: ignore[arg-type]
+        fit_numbers(trimmer(), signal)  # type: ignore[arg-type]
     with pytest.raises(WrongTypeError, match="signal of stroke"):
-        fit_mechanism(trimmer(), {"stroke": np.ones(100)})  # type: ignore[dict-item]
+        fit_numbers(trimmer(), {"stroke": np.ones(100)})  # type: ignore[dict-item]
     with pytest.raises(WrongTypeError, match="drive_frequency"):
-        fit_mechanism(trimmer(), {"stroke": signal}, drive_frequency="110")  # type: ignore[arg-type]
+        fit_numbers(trimmer(), {"stroke": signal}, drive_frequency="110")  # type: ignore[arg-type]
 
 
 def test_a_mechanism_without_drive_or_output_is_refused() -> None:
     signal = Signal(np.ones(100), 1e3, "stroke", "m")
     with pytest.raises(FitError, match="did you mean stroke"):
-        fit_mechanism(trimmer(), {"strok": signal})
+        fit_numbers(trimmer(), {"strok": signal})
     with pytest.raises(FitError, match="has no drive"):
-        fit_mechanism(Mechanism.from_toml("examples/block-on-belt.toml"), {"block": signal})
+        fit_numbers(Mechanism.from_toml("examples/block-on-belt.toml"), {"block": signal})
     with pytest.raises(FitError, match="nothing was measured"):
-        fit_mechanism(trimmer(), {})
+        fit_numbers(trimmer(), {})
 
 
 @pytest.mark.parametrize(
@@ -210,7 +211,7 @@ def test_settings_are_checked(name: str, value: float, error: type[Exception]) -
 def test_a_drive_that_is_given_must_be_positive_and_finite(frequency: float) -> None:
     signal = Signal(np.ones(100), 1e3, "stroke", "m")
     with pytest.raises(SignalError, match="must be positive and finite"):
-        fit_mechanism(trimmer(), {"stroke": signal}, drive_frequency=frequency)
+        fit_numbers(trimmer(), {"stroke": signal}, drive_frequency=frequency)
 
 
 @pytest.mark.slow
@@ -220,7 +221,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
     values = exact(trimmer(), "stroke", 4000)
     for seed in range(count):
         noise = 5e-6 * np.random.default_rng(1000 + seed).normal(size=values.size)
-        fit = fit_mechanism(
+        fit = fit_numbers(
             trimmer(), {"stroke": Signal(values + noise, 1e4, "stroke", "m")}, free, settings=ONCE
         )
         for place in free:

@@ -10,7 +10,8 @@ import pytest
 from scipy.optimize import brentq, least_squares
 from scipy.stats import f
 
-from trimmer import Mechanism, Signal, fit_mechanism
+from trimmer import Mechanism, Signal
+from trimmer import fit as fit_numbers
 from trimmer.errors import FitError
 from trimmer.fitting import Fit, FitSettings
 from trimmer.mechanism import Body, Force, Link, Output
@@ -59,7 +60,7 @@ def record(
 
 def fitted(signal: Signal) -> Fit:
     start = oscillator(stiffness=1.3e4, damping=10.0)
-    return fit_mechanism(start, {"position": signal}, (STIFFNESS, DAMPING), settings=ONCE)
+    return fit_numbers(start, {"position": signal}, (STIFFNESS, DAMPING), settings=ONCE)
 
 
 def residual(fit: Fit, stiffness: float, damping: float, angle: float) -> np.ndarray:
@@ -119,7 +120,7 @@ def test_ends_of_intervals_are_where_the_profile_exceeds_the_quantile(fit: Fit) 
 
             assert brentq(excess, 0.3, 3.0, xtol=1e-6) == pytest.approx(1.0, abs=0.06)
     assert fit.confidence == 0.95
-    narrow = fit_mechanism(
+    narrow = fit_numbers(
         oscillator(), fit.measured.signals, (STIFFNESS,), settings=FitSettings(starts=1, confidence=0.5)
     ).numbers[0]
     assert narrow.upper - narrow.lower < 0.5 * (fit.numbers[0].upper - fit.numbers[0].lower)  # type: ignore[operator]
@@ -146,8 +147,8 @@ def test_two_outputs_with_a_common_noise_are_weighed_with_its_inverse_covariance
         "double": Signal(2 * clean + hum + own, RATE, "double", "m"),
     }
     start = oscillator(1.1e4, outputs=both)
-    together = fit_mechanism(start, signals, (STIFFNESS,), settings=ONCE).numbers[0]
-    alone = fit_mechanism(start, {"double": signals["double"]}, (STIFFNESS,), settings=ONCE).numbers[0]
+    together = fit_numbers(start, signals, (STIFFNESS,), settings=ONCE).numbers[0]
+    alone = fit_numbers(start, {"double": signals["double"]}, (STIFFNESS,), settings=ONCE).numbers[0]
     assert together.value == pytest.approx(1e4, rel=1e-3)
     assert together.upper - together.lower < 0.1 * (alone.upper - alone.lower)  # type: ignore[operator]
 
@@ -155,7 +156,7 @@ def test_two_outputs_with_a_common_noise_are_weighed_with_its_inverse_covariance
 def test_springs_side_by_side_cannot_be_told_apart() -> None:
     both = oscillator(links={name: Link(("ground", "block"), 1e4, 5.0) for name in "ab"})
     signal = record(numbers=(2e4, 10.0))
-    fit = fit_mechanism(both, {"position": signal}, ["links.a.stiffness", "links.b.stiffness"], settings=ONCE)
+    fit = fit_numbers(both, {"position": signal}, ["links.a.stiffness", "links.b.stiffness"], settings=ONCE)
     (weak,) = fit.weak
     assert set(weak.places) == {"links.a.stiffness", "links.b.stiffness"}
     assert weak.changes[0] == pytest.approx(-weak.changes[1], rel=0.1)
@@ -194,7 +195,7 @@ def test_a_line_of_something_else_is_no_noise() -> None:
 )
 def test_a_drive_that_differs_from_that_of_the_file_is_told(off: float, told: list[str]) -> None:
     start = oscillator(1.1e4, frequency=DRIVE / off)
-    fit = fit_mechanism(start, {"position": record(noise=1e-6)}, (STIFFNESS,), settings=ONCE)
+    fit = fit_numbers(start, {"position": record(noise=1e-6)}, (STIFFNESS,), settings=ONCE)
     assert fit.measured.frequency == pytest.approx(DRIVE, rel=1e-5)
     assert fit.mechanism.frequency == fit.measured.frequency
     assert len(fit.notes) == len(told)
@@ -215,7 +216,7 @@ def test_a_number_that_wants_to_vanish_is_at_the_end_of_what_is_searched() -> No
     extra = replace(
         oscillator(), links={**oscillator().links, "more": Link(("ground", "block"), 0.0, 5.0)}
     ).with_value("links.spring.damping", 16.0)
-    fit = fit_mechanism(extra, {"position": record()}, ["links.more.damping"], settings=ONCE)
+    fit = fit_numbers(extra, {"position": record()}, ["links.more.damping"], settings=ONCE)
     assert any(note.startswith("links.more.damping: 0.005") and "is at the end" in note for note in fit.notes)
     assert fit.numbers[0].lower is None
 
@@ -228,12 +229,12 @@ def test_more_numbers_than_the_lines_tell_are_refused() -> None:
     free += [f"forces.shaker.{key}" for key in ("amplitude", "phase", "constant", "unbalance")]
     wave = 4e-3 * np.cos(2 * np.pi * DRIVE * TIMES) + 1e-5 * np.random.default_rng(1).normal(size=COUNT)
     with pytest.raises(FitError, match="7 numbers cannot be fitted to 4 lines"):
-        fit_mechanism(one, {"position": Signal(wave, RATE, "position", "m")}, free, settings=ONCE)
+        fit_numbers(one, {"position": Signal(wave, RATE, "position", "m")}, free, settings=ONCE)
 
 
 def test_starts_that_agree_are_counted() -> None:
     start, settings = oscillator(stiffness=1.3e4, damping=10.0), FitSettings(starts=3)
-    fit = fit_mechanism(start, {"position": record()}, (STIFFNESS, DAMPING), settings=settings)
+    fit = fit_numbers(start, {"position": record()}, (STIFFNESS, DAMPING), settings=settings)
     searched = fit.searched
     assert searched.agreeing + len(searched.elsewhere) + searched.lost == searched.starts == 3
     assert f"{searched.agreeing} of 3 starts came to this fit" in fit.agreement

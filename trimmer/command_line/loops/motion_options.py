@@ -14,21 +14,26 @@ from trimmer.command_line.loops.loop_options import (
     chosen_parameters,
     unusable,
 )
-from trimmer.command_line.parser import OptionError, refuse_unused, require_positive
+from trimmer.command_line.number_options import positive
+from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.command_line.state_option import chosen_state
 from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import Drive
     from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
+DRIVE_HELP = "drive the pin at a frequency, Hz (open loop)"
 
 
-def add_motion_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
+def add_motion_options(
+    parser: ArgumentParser, *, output_is_file: bool = False, drive_help: str = DRIVE_HELP
+) -> None:
     """Add the options that choose the loop, its element and frictions, and its drive.
 
     Args:
         parser: The parser of the command.
         output_is_file: As for ``add_loop_options``.
+        drive_help: What is said of ``--drive``.
     """
     add_element_options(parser, required=False)
     add_loop_options(parser, output_is_file=output_is_file)
@@ -42,9 +47,9 @@ def add_motion_options(parser: ArgumentParser, *, output_is_file: bool = False) 
     parser.add_argument(
         "--drive",
         "--drive-frequency",
-        type=float,
+        type=positive("Hz"),
         metavar="HZ",
-        help="drive the pin at a frequency, Hz (open loop)",
+        help=drive_help,
     )
     parser.add_argument("--amplitude", type=float, metavar="M", help="amplitude of the drive, m")
 
@@ -116,7 +121,6 @@ def _drive(arguments: Namespace) -> Drive | None:
         raise OptionError(f"a drive has a frequency and an amplitude: {missing} is missing")
     if arguments.drive is None:
         return None
-    require_positive(arguments, "drive", "Hz")
     if not 0 <= arguments.amplitude < math.inf:
         raise OptionError(f"--amplitude {arguments.amplitude:g}: must be finite and not negative (m)")
     try:

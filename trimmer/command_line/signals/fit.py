@@ -1,4 +1,4 @@
-"""``trimmer fit``: numbers of a mechanism from a measured steady motion."""
+"""``trimmer fit``: numbers of a mechanism or a loop from a measured steady motion."""
 
 from __future__ import annotations
 
@@ -15,12 +15,9 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
-from trimmer.command_line.mechanism_options import (
-    add_mechanism_options,
-    add_seed_option,
-    chosen_mechanism,
-)
-from trimmer.command_line.number_options import positive, positive_whole
+from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
+from trimmer.command_line.mechanism_options import add_seed_option, add_set_option, chosen_mechanism
+from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.command_line.patience import patience
@@ -30,29 +27,45 @@ from trimmer.command_line.signals.signal_options import (
     chosen_recording,
     column,
 )
+from trimmer.command_line.system_options import OF_LOOP, SOURCES, refuse_loop_options
 from trimmer.files import MECHANISM, STANDARD_INPUT, write_atomically
 from trimmer.messages import near_match
 
 if TYPE_CHECKING:
+    from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.signals.signal import Signal
 
+DRIVE_HELP = (
+    "frequency of the drive: of a mechanism that in the measurement (default: found within 3 %% of the "
+    "mechanism's), of a loop its own, near which that is found"
+)
+
 
 def _configure(parser: ArgumentParser) -> None:
-    add_mechanism_options(parser)
+    parser.add_argument(
+        "file",
+        type=file_to_read,
+        metavar="FILE",
+        help="mechanism, a TOML file, - for standard input; left out, a loop of the thesis moves",
+    )
+    add_set_option(parser, OF_LOOP)
+    add_motion_options(parser, output_is_file=True, drive_help=DRIVE_HELP)
+    # A single word is the measurement.
     parser.add_argument(
         "measured",
         type=file_to_read,
         metavar="MEASURED",
         help="CSV file with the samples, one row each, or WAV file; - for CSV from standard input",
-    )
+    ).required = False
     parser.add_argument(
         "--free",
         action="append",
         default=[],
         metavar="PLACE",
         help="number to fit, such as plays.bridge.gap; may be repeated (default: gap, stiffness and damping "
-        "of each play, and the force of each friction, where greater than zero)",
+        "of each play, and the force of each friction, or of a loop all numbers of element and frictions, "
+        "where greater than zero)",
     )
     parser.add_argument(
         "--column",
@@ -61,16 +74,10 @@ def _configure(parser: ArgumentParser) -> None:
         type=column,
         default=[],
         metavar="[OUTPUT=]COLUMN",
-        help="column by name or number, and which output of the mechanism it measures; may be repeated "
+        help="column by name or number, and which output it measures; may be repeated "
         "(default: columns with the names of outputs, or the only column and the only output)",
     )
     add_record_options(parser)
-    parser.add_argument(
-        "--drive",
-        type=positive("Hz"),
-        metavar="HZ",
-        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
-    )
     parser.add_argument(
         "--starts",
         type=positive_whole,
@@ -90,19 +97,22 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.signals.fit_text import ShownFit, as_json, as_text
-    from trimmer.fitting.fit import FitSettings, fit_mechanism
+    from trimmer.fitting.fit import FitSettings, fit
+    from trimmer.response.flows import flow_of
     from trimmer.signals.signal import SignalError
 
+    if arguments.measured is None:
+        arguments.file, arguments.measured = None, arguments.file
     _check(arguments)
-    mechanism = chosen_mechanism(arguments)
-    chosen = _recordings(arguments, mechanism)
+    system, drive = _system(arguments)
+    chosen = _recordings(arguments, list(flow_of(system).outputs))
     try:
         with patience():
-            fit = fit_mechanism(
-                mechanism,
+            fitted = fit(
+                system,
                 {name: each.signal for name, each in chosen.items()},
                 arguments.free,
-                drive_frequency=arguments.drive,
+                drive_frequency=drive,
                 settings=FitSettings(starts=arguments.starts, seed=arguments.seed),
             )
     except SignalError as error:
@@ -110,12 +120,28 @@ def _run(arguments: Namespace) -> int:
     if arguments.plot is not None:
         from trimmer.drawing.signals.fit import fit_figure
 
-        write_picture(arguments, fit_figure(fit))
+        write_picture(arguments, fit_figure(fitted))
     if arguments.output is not None:
-        write_atomically(arguments.output, fit.mechanism.to_toml(), overwrite=arguments.overwrite)
-    shown = ShownFit(arguments.file, arguments.measured, arguments.output, chosen, fit)
+        write_atomically(arguments.output, fitted.mechanism.to_toml(), overwrite=arguments.overwrite)
+    shown = ShownFit(arguments.file, arguments.measured, arguments.output, chosen, fitted)
     show((as_json if arguments.json else as_text)(shown), arguments.plot, arguments.output)
     return 0
+
+
+def _system(arguments: Namespace) -> tuple[Mechanism | TrimmerLoop, float | None]:
+    """Return what is fitted, and the drive of the measurement where it is given, Hz.
+
+    The drive of a loop is that near which the measured one is looked for.
+    """
+    if arguments.file is not None:
+        refuse_loop_options(arguments, but=("drive",))
+        return chosen_mechanism(arguments), arguments.drive
+    if arguments.output is not None:
+        raise OptionError("--output writes the file of a mechanism, and a loop has none: leave it out")
+    loop = chosen_loop(arguments)
+    if loop.drive is None:
+        raise OptionError("only driven motions are fitted: give the loop a drive (--drive HZ --amplitude M)")
+    return loop, None
 
 
 def _check(arguments: Namespace) -> None:
@@ -125,13 +151,13 @@ def _check(arguments: Namespace) -> None:
         refuse_unused(arguments, ["seed"], "--starts")
     if arguments.seed < 0:
         raise OptionError(f"--seed {arguments.seed}: must not be negative")
-    sources = {"file": "the file of the mechanism", "measured": "the file of the measurement"}
+    sources = {**SOURCES, "measured": "the file of the measurement"}
     check_targets(arguments, {"output": {"": MECHANISM}, "plot": PICTURES}, sources)
 
 
-def _recordings(arguments: Namespace, mechanism: Mechanism) -> dict[str, ChosenRecording]:
+def _recordings(arguments: Namespace, outputs: list[str]) -> dict[str, ChosenRecording]:
     """Read what was measured of each output."""
-    columns = _columns(arguments, mechanism)
+    columns = _columns(arguments, outputs)
     if len(columns) > 1:
         refuse_unused(arguments, ["scale", "unit"], "a single column; with several their headings say units")
         if arguments.measured == STANDARD_INPUT:
@@ -152,9 +178,8 @@ def _reading(arguments: Namespace, chosen: str | None) -> Namespace:
     return Namespace(**(vars(arguments) | ours))
 
 
-def _columns(arguments: Namespace, mechanism: Mechanism) -> dict[str, str | None]:
+def _columns(arguments: Namespace, outputs: list[str]) -> dict[str, str | None]:
     """Return the column of each output that was measured."""
-    outputs = list(mechanism.outputs)
     if not outputs:
         raise OptionError(
             f"{arguments.file}: the mechanism has no output that could be measured; add [outputs]"
@@ -201,7 +226,7 @@ def _paired(text: str, outputs: list[str]) -> tuple[str, str]:
         raise OptionError(f"--column {text}: {told}")
     output = text.partition("=")[0]
     there = near_match(output, outputs) or f"there are {', '.join(outputs)}"
-    raise OptionError(f"--column {text}: the mechanism has no output {output!r}; {there}")
+    raise OptionError(f"--column {text}: there is no output {output!r}; {there}")
 
 
 def _headings(file: Path) -> list[str]:
@@ -218,7 +243,7 @@ def _headings(file: Path) -> list[str]:
 
 COMMAND = Command(
     "fit",
-    "gap, stiffness, damping and friction of a mechanism from a measured motion, with intervals",
+    "gap, stiffness, damping and friction of a mechanism or a loop from a measured motion, with intervals",
     _configure,
     _run,
     examples=(
