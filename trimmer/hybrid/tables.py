@@ -149,12 +149,14 @@ class Modes(Generic[_System]):
 
     Attributes:
         system: What moves.
+        most_bytes: Memory that their tables may take.
         tables: Tables of the modes that were asked for.
     """
 
     may_be_sparse: ClassVar[bool] = True
     """Whether those of a large system are rows."""
     system: _System
+    most_bytes: int = MOST_BYTES
     _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)
     _known: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
@@ -163,7 +165,9 @@ class Modes(Generic[_System]):
     def tables(self) -> Tables:
         """Tables of all modes so far; they are replaced where there is no room."""
         is_sparse = self.may_be_sparse and _entries(self.system) > MOST_ENTRIES
-        return _empty(self.system, CAPACITY, 2 * self.system.part_count, is_sparse)
+        fitting = CAPACITY if is_sparse else self.most_bytes // (8 * _entries(self.system))
+        capacity = max(min(fitting, CAPACITY), 1)
+        return _empty(self.system, capacity, 2 * self.system.part_count, is_sparse)
 
     def __getitem__(self, number: int) -> Mode:
         if number not in self._known:
@@ -227,10 +231,10 @@ class Modes(Generic[_System]):
         room = 2 * room if modes > room else room
         arrays = (*tables, *(tables.rows or ()))
         most = sum(each.nbytes for each in arrays if isinstance(each, np.ndarray))
-        if most * (room / len(tables.step)) * (max(functions, has) / has) > MOST_BYTES:
+        if most * (room / len(tables.step)) * (max(functions, has) / has) > self.most_bytes:
             raise UnsupportedMotionError(
                 f"the motion meets more than {modes - 1} combinations of contact and stick, "
-                f"and the tables of more would take more than {MOST_BYTES / 2**30:g} GB"
+                f"and the tables of more would take more than {self.most_bytes / 2**30:g} GB"
             )
         larger = _empty(self.system, room, max(functions, has), tables.rows is not None)
         for name, old in tables._asdict().items():

@@ -6,9 +6,12 @@ import math
 import tracemalloc
 
 import numpy as np
+import pytest
 
 from trimmer.contact.flow import MechanismFlow
-from trimmer.hybrid.advance import Ending
+from trimmer.errors import UnsupportedMotionError
+from trimmer.hybrid.advance import Ending, advance
+from trimmer.hybrid.tables import Modes
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop
 from trimmer.motion.course import Course
@@ -80,3 +83,16 @@ def test_many_modes_take_little_memory() -> None:
     # Tables of a step would take 1.5 MB for each mode.
     assert most < 0.2e6 * len(modes)
     assert math.isclose(course.duration, PERIODS / FREQUENCY)
+
+
+@pytest.mark.parametrize("count", [4, 20])
+def test_modes_that_would_take_too_much_memory_end_with_a_sentence(count: int) -> None:
+    """Of few bodies modes are tables, of many they are rows; both are refused before they take the memory."""
+    flow = MechanismFlow(copies(range(count)))
+    modes = Modes(flow.modes.system, most_bytes=2**21)
+    with pytest.raises(
+        UnsupportedMotionError, match=r"more than \d+ combinations .* more than 0\.00195312 GB"
+    ):
+        advance(modes, flow.rest(), PERIODS, flow.period, False, 10_000)
+    arrays = (*modes.tables, *(modes.tables.rows or ()))
+    assert sum(each.nbytes for each in arrays if isinstance(each, np.ndarray)) <= 2**21
