@@ -8,15 +8,17 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.loops.reference.peers import Course, Plant, play, switch
+from tests.trimmer.loops.reference.peers import Course, Plant, Regions, play, regions, switch
 from trimmer import (
     ClosedLoop,
     CoulombFriction,
+    DeadZone,
     Drive,
     FrictionBacklash,
     InertiaBacklash,
     OpenLoop,
     Relay,
+    Saturation,
     ViscousBacklash,
     ViscousFriction,
     simulate,
@@ -95,6 +97,41 @@ def test_coulomb_friction(system: control.StateSpace, drive: tuple[float, float,
     start = np.array([3.5, 0.3, -0.6])[: system.nstates]
     course = switch(plant(system, drive), LEVEL, True, start, 8.0)
     compare(system, CoulombFriction(LEVEL), drive, start, course, 8.0)
+
+
+STATIC: list[tuple[Element, Regions]] = [
+    (
+        Relay(LEVEL, hysteresis=0.2),
+        {0: (lambda u: LEVEL, ((-1, -0.2, 1),)), 1: (lambda u: -LEVEL, ((1, 0.2, 0),))},
+    ),
+    (
+        Saturation(0.3),
+        {
+            0: (lambda u: u, ((1, 0.3, 1), (-1, -0.3, -1))),
+            1: (lambda u: 0.3, ((-1, 0.3, 0),)),
+            -1: (lambda u: -0.3, ((1, -0.3, 0),)),
+        },
+    ),
+    (
+        DeadZone(0.3) + Relay(LEVEL),
+        {
+            0: (lambda u: LEVEL, ((1, 0.3, 1), (-1, 0.0, -1))),
+            1: (lambda u: u - 0.3 + LEVEL, ((-1, 0.3, 0),)),
+            -1: (lambda u: -LEVEL, ((1, 0.0, 0), (-1, -0.3, -2))),
+            -2: (lambda u: u + 0.3 - LEVEL, ((1, -0.3, -1),)),
+        },
+    ),
+]
+
+
+@pytest.mark.parametrize(("element", "laws"), STATIC)
+@pytest.mark.parametrize("drive", [None, (*DRIVE[:2], 0.1)])
+def test_elements_by_regions(
+    element: Element, laws: Regions, drive: tuple[float, float, float] | None
+) -> None:
+    start = with_pin_in_the_middle(THIRD_ORDER) - 0.005 * THIRD_ORDER.C[0]
+    course = regions(plant(THIRD_ORDER, drive), laws, start, 12.0)
+    compare(THIRD_ORDER, element, drive, start, course, 12.0)
 
 
 def test_viscous_friction_is_damping() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -167,4 +167,26 @@ def switch(plant: Plant, level: float, of_rate: bool, start: Reals, end: float) 
             sign = 1.0 if fired == 0 else -1.0
         else:
             sign = -sign
+    return course
+
+
+Regions = Mapping[int, tuple[Callable[[float], float], tuple[tuple[int, float, int], ...]]]
+"""Output over input in each region, and its exits: to which side of which input, into which region."""
+
+
+def regions(plant: Plant, laws: Regions, start: Reals, end: float) -> Course:
+    """Follow a plant behind an element whose input alone says its output in each region, from region 0 on."""
+    course, time, x, region = Course(), 0.0, start, 0
+    while time < end:
+        law, exits = laws[region]
+        time, x, fired = _until(
+            course,
+            lambda t, x, law=law: plant.A @ x + plant.B * law(plant.input(t, x)),
+            *(time, x, end),
+            *(
+                lambda t, x, side=side, limit=limit: side * (limit - plant.input(t, x))
+                for side, limit, _ in exits
+            ),
+        )
+        region = exits[fired][2] if fired >= 0 else region
     return course
