@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
-from trimmer.command_line.main import main
 from trimmer.ensembles.limit_cycles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
 from trimmer.parameters import ParameterError
@@ -105,30 +103,3 @@ def test_what_cannot_be_used_is_named(tmp_path, lines: str, error: type[Exceptio
             read_parameter_sample_file(written(tmp_path / "series.toml", lines), GAP),
             SampleSettings(count=200),
         )
-
-
-def test_the_command(path, capsys) -> None:
-    words = ["sample", str(path), "--gap", "4e-5", "--count", "64"]
-    assert main(words) == 0
-    assert "a stable limit cycle is predicted for 100.0% of 64" in capsys.readouterr().out
-    assert main([*words, "--json", "--channels", "displacement"]) == 0
-    data = json.loads(capsys.readouterr().out)
-    assert data["stable"]["share"] == 1.0
-    assert np.isfinite(data["amplitude"]["mean"])
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["--gap", "4e-5", "--plot", "x.svg"], "has no effect without"),
-        (["--channels", "both"], "is for the loops of the thesis"),
-    ],
-)
-def test_options_without_effect_are_refused(path, capsys, words, told) -> None:
-    assert main(["sample", str(path), *words]) == 2
-    assert told in capsys.readouterr().err
-
-
-def test_a_parameter_file_without_a_gap_is_told(path, capsys) -> None:
-    assert main(["sample", str(path)]) == 2
-    assert "parameter file" in capsys.readouterr().err

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from trimmer import MotionKind, respond
-from trimmer.command_line.main import main
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
@@ -217,35 +216,3 @@ def test_balance_is_near_the_exact_orbits() -> None:
     assert (study.balanced.numbers, study.balanced.harmonics, study.indices) == ((0, 1), 15, {})
     assert study.per_second > 0.0
     assert (study.balanced.distances < 1e-2).all()
-
-
-def test_the_command(tmp_path, capsys) -> None:
-    path, picture = tmp_path / "stop.toml", tmp_path / "scatter.svg"
-    path.write_text(TEXT, encoding="utf-8")
-    words = ["sample", str(path), "--count", "10", "--seed", "4", "--periods", "60", "--jobs", "1"]
-    assert main([*words, "--plot", str(picture)]) == 0
-    text = capsys.readouterr().out
-    assert "all targets are met by" in text
-    assert "10 samples (latin-hypercube, seed 4)" in text
-    assert picture.read_text(encoding="utf-8").startswith("<?xml")
-    assert main([*words, "--json"]) == 0
-    data = json.loads(capsys.readouterr().out)
-    assert data["count"] == 10
-    assert 0 <= data["yield"]["interval"][0] <= data["yield"]["share"] <= data["yield"]["interval"][1] <= 1
-    assert {each["place"] for each in data["scatters"]} == {"stops.stop.gap", "links.spring.stiffness"}
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["--resume"], "--resume goes on with the file of --output"),
-        (["--seed", "-1"], "--seed -1"),
-        (["--indices", "--plan", "sobol"], "leave out --plan"),
-        (["--jobs", "0"], "--jobs 0"),
-    ],
-)
-def test_wrong_use_is_told(tmp_path, capsys, words, told: str) -> None:
-    path = tmp_path / "stop.toml"
-    path.write_text(TEXT, encoding="utf-8")
-    assert main(["sample", str(path), *words]) == 2
-    assert told in capsys.readouterr().err
