@@ -161,3 +161,10 @@ def locus() -> trimmer.branches.Locus:
 
 def curves() -> trimmer.maps.SpecialCurves:
     return trimmer.maps.SpecialCurves((trimmer.maps.SpecialCurve((locus(),)),), "by hand")
+
+
+@cache
+def samples() -> trimmer.uncertainty.Samples:
+    scattering = trimmer.uncertainty.uncertainty_from(forced().mechanism, {"frequency": {"normal": "1 %"}})
+    settings = trimmer.uncertainty.SampleSettings(3)
+    return trimmer.sample(forced().mechanism, scattering, settings, runner=SerialRunner())

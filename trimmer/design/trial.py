@@ -19,6 +19,12 @@ from trimmer.motion.units import Units
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
 
+_COLUMNS = {
+    Measure.STROKE: ("outputs", "peak_to_peak"),
+    Measure.RMS_ACCELERATION: ("bodies", "rms_acceleration"),
+    Measure.IMPACT_SPEED: ("contacts", "impact_speed"),
+    Measure.WEAR_POWER: ("frictions", "wear_power"),
+}
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
 
@@ -34,6 +40,12 @@ class MeasureOfPart:
 
     measure: Measure
     part: str
+
+    @property
+    def column(self) -> str:
+        """What heads it in a table, as in that of a map."""
+        section, name = _COLUMNS[self.measure]
+        return f"{section}.{self.part}.{name}"
 
     def unit(self, units: Units) -> str:
         """Return its unit among those of what moves; empty for a number."""

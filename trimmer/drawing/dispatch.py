@@ -28,6 +28,7 @@ PICTURES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "orbits": ("orbit",),
         "response": ("mechanisms.motions", "mechanisms.response"),
         "signals": ("signals.samples",),
+        "uncertainty": ("mechanisms.scatter",),
         "spectra": ("signals.comparison", "signals.spectrum"),
     }
 )

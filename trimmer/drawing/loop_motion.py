@@ -30,11 +30,12 @@ def draw_loop_motion(motion: LoopMotion, axes: Axes) -> None:
     for number, (name, values) in enumerate(signals_of(motion, times).items()):
         axes.plot(times, values, label=name, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, motion.duration)
-    finish(axes, ("time", "s"), ("displacement", "m"), strips_of(motion))
+    unit = motion.loop.length
+    finish(axes, ("time", "s"), ("displacement" if unit else "signals", unit), strips_of(motion))
 
 
 def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
-    """Return the displacements of a loop at times, s: its output, and of a play its input and its output.
+    """Return what is drawn of a loop at times, s: its output, and of a play its input and its output.
 
     Without a drive the input of the play is less the output of the loop, and is left out.
     What an element gives that is no play is a force or of another unit, and is left out.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, final, overload
 
 import numpy as np
 
@@ -17,12 +17,14 @@ from trimmer.linear.model import InputChannels
 from trimmer.loops.components_of_elements import components_of
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.trimmer_loop import TrimmerLoop
+from trimmer.motion.motion import Motion
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.loops.mode import LoopMode
+    from trimmer.motion.motion import Energy
 
 
 NODES = DEGREE + 1
@@ -59,6 +61,26 @@ class EnergyBalance(Tabular):
     damping_loss: float
     friction_loss: float
     bridge_energy: float = 0.0
+
+    @property
+    def kinetic(self) -> tuple[float, float]:
+        """Kinetic energy at start and end."""
+        return self.kinetic_at_start, self.kinetic_at_end
+
+    @property
+    def stored(self) -> tuple[float, float]:
+        """Potential energy at start and end."""
+        return self.potential_at_start, self.potential_at_end
+
+    @property
+    def work(self) -> float:
+        """Work of the pin."""
+        return self.pin_work
+
+    @property
+    def loss(self) -> float:
+        """All losses together."""
+        return self.damping_loss + self.friction_loss
 
     @property
     def residual(self) -> float:
@@ -104,7 +126,24 @@ class _Sampled:
     sliding: Reals
 
 
-def energy_balance(motion: LoopMotion) -> EnergyBalance:
+@overload
+def energy_balance(motion: LoopMotion) -> EnergyBalance: ...
+@overload
+def energy_balance(motion: Motion) -> Energy: ...
+def energy_balance(motion: Motion) -> Energy:
+    """Balance the energy of a mechanism or a trimmer over a motion, which is ``motion.energy``.
+
+    Args:
+        motion: A motion of a mechanism or of a ``TrimmerLoop``.
+
+    Raises:
+        UnsupportedMotionError: if it is the motion of another loop.
+    """
+    require_instance("motion", motion, Motion, "a trimmer.Motion, which simulate returns")
+    return motion.energy
+
+
+def balance_of(motion: LoopMotion) -> EnergyBalance:
     """Balance the energy of a trimmer over a motion.
 
     The integrals are those of Gauss and Legendre on the exact flow, between events and within steps on which
@@ -117,7 +156,6 @@ def energy_balance(motion: LoopMotion) -> EnergyBalance:
     Raises:
         UnsupportedMotionError: if it is the motion of another loop.
     """
-    require_instance("motion", motion, LoopMotion, "a trimmer.LoopMotion, which simulate returns")
     loop = motion.loop
     if not isinstance(loop, TrimmerLoop):
         raise UnsupportedMotionError(f"an energy balance needs the motion of a TrimmerLoop, not of {loop!r}")

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from trimmer.arrays import Reals
     from trimmer.hybrid.work import Log
+    from trimmer.loops.energy import EnergyBalance
     from trimmer.loops.loops import Loop
     from trimmer.loops.mode import LoopMode
 
@@ -125,6 +126,17 @@ class LoopMotion(Motion):
             )
             for each in listed
         )
+
+    @cached_property
+    def energy(self) -> EnergyBalance:
+        """The energy balance of a trimmer from start to end.
+
+        Raises:
+            UnsupportedMotionError: if it is the motion of another loop.
+        """
+        from trimmer.loops.energy import balance_of
+
+        return balance_of(self)
 
     @property
     def event_times(self) -> Reals:

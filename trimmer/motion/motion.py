@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from trimmer.messages import listed, near_match
 from trimmer.showing.drawn import Drawn
@@ -21,6 +21,30 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 
+class Energy(Protocol):
+    """What the energy balances of a mechanism and of a loop have in common, J."""
+
+    @property
+    def kinetic(self) -> tuple[float, float]:
+        """Kinetic energy at start and end."""
+
+    @property
+    def stored(self) -> tuple[float, float]:
+        """Energy of springs at start and end."""
+
+    @property
+    def work(self) -> float:
+        """Work of pins and forces together."""
+
+    @property
+    def loss(self) -> float:
+        """All losses together."""
+
+    @property
+    def residual(self) -> float:
+        """What does not close, as a share of the largest term."""
+
+
 class Motion(Tabular, Drawn):
     """A simulated motion of a mechanism or a loop, exact between and at its events."""
 
@@ -36,6 +60,15 @@ class Motion(Tabular, Drawn):
     @abstractmethod
     def message(self) -> str:
         """How it ended, in words."""
+
+    @property
+    @abstractmethod
+    def energy(self) -> Energy:
+        """The energy balance from start to end.
+
+        Raises:
+            UnsupportedMotionError: of a loop that is no trimmer, whose bodies are not known.
+        """
 
     @property
     @abstractmethod

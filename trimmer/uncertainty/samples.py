@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -11,7 +11,7 @@ from warnings import warn
 
 import numpy as np
 
-from trimmer.design.targets import Target
+from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
 from trimmer.mechanism.mechanism import Mechanism
@@ -19,7 +19,9 @@ from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import SerialRunner
-from trimmer.showing.shown import counted
+from trimmer.showing.drawn import Drawn
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Column, Table, attributes
 from trimmer.uncertainty import sample_records
 from trimmer.uncertainty.points import left_out
 from trimmer.uncertainty.sample_inputs import SampleInputs, SampleSettings, sample_inputs
@@ -48,9 +50,11 @@ class SampleWork:
         return sample[0], self.trial(sample[1])
 
 
-@dataclass(frozen=True, eq=False)
-class Samples:
+@dataclass(frozen=True, eq=False, repr=False)
+class Samples(Tabular, Drawn):
     """What the samples of a mechanism or a loop do, from rest or from its own start.
+
+    ``plot`` draws how the first measure is distributed.
 
     Attributes:
         inputs: What they depend on.
@@ -82,6 +86,20 @@ class Samples:
     def units(self) -> Units:
         """Units of what is measured: a loop whose unit is not known has no metres."""
         return flow_of(self.inputs.subject).units
+
+    def _told(self) -> str:
+        kinds = (f"{count} {kind}" for kind, count in self.kinds.items())
+        return f"{counted(len(self.trials), 'sample')}: {', '.join(kinds)}"
+
+    def _table(self) -> Table:
+        scatters = self.inputs.uncertainty.scatters
+        asked = [each for each in self.asked if each.measure is not Measure.PERIOD]
+        columns = (
+            *(Column(each.place, each.unit, _value_at(at)) for at, each in enumerate(scatters)),
+            *attributes(kind="", period_count=""),
+            *(Column(each.column, each.unit(self.units), _measure(each)) for each in asked),
+        )
+        return Table("Samples", self.trials, columns)
 
     @property
     def met(self) -> Flags:
@@ -123,6 +141,14 @@ class Samples:
         whose = "its" if self.failed == 1 else "their"
         failed = f" {counted(self.failed, 'motion')} could not be followed to {whose} end."
         return told + (failed if self.failed else "")
+
+
+def _value_at(place: int) -> Callable[[Trial], float]:
+    return lambda trial: trial.values[place]
+
+
+def _measure(asked: MeasureOfPart) -> Callable[[Trial], float]:
+    return lambda trial: trial.value(asked.measure, asked.part)
 
 
 def sample(

@@ -176,6 +176,7 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "MotionMap": lambda ax=None: results.motion_map().plot(ax),
     "MotionMap, stroke": lambda ax=None: stroke().plot(ax),
     "Basin": lambda ax=None: results.basin().plot(ax),
+    "Samples": lambda ax=None: samples().plot(ax),
     "SpecialCurves": lambda ax=None: results.curves().plot(ax),
     "SpecialCurve": lambda ax=None: results.curves().curves[0].plot(ax),
     "Locus": lambda ax=None: results.locus().plot(ax),

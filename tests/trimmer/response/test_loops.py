@@ -10,6 +10,7 @@ import control
 import numpy as np
 import pytest
 import scipy.optimize
+from matplotlib.figure import Figure
 
 import trimmer
 from trimmer.command_line.mechanisms import follow_text, respond_text, sample_text
@@ -141,12 +142,37 @@ def test_samples_of_a_loop_are_those_of_the_same_machine(machine: trimmer.Mechan
     np.testing.assert_allclose(powers[0], powers[1], rtol=1e-9)
 
 
-def test_samples_of_plain_numbers_have_no_units_and_none_without_a_drive() -> None:
+def test_energies_are_asked_of_a_loop_as_of_a_machine(machine: trimmer.Mechanism) -> None:
+    ours, theirs = (trimmer.simulate(each, 0.03) for each in (driven(1.0), machine))
+    assert trimmer.energy_balance(ours) == ours.energy
+    assert trimmer.energy_balance(theirs) is theirs.energy
+    assert ours.energy.kinetic == pytest.approx(theirs.energy.kinetic, rel=1e-9)
+    assert ours.energy.friction_loss == pytest.approx(theirs.energy.frictions["blade"], rel=1e-9)
+    for each in (ours.energy, theirs.energy):
+        stored, kinetic = each.stored[1] - each.stored[0], each.kinetic[1] - each.kinetic[0]
+        assert each.work == pytest.approx(kinetic + stored + each.loss, rel=1e-12)
+
+
+def test_plain_numbers_have_no_units() -> None:
     scattering = uncertainty_from(relay(1.0), {"element.level": {"normal": "5 %"}})
     drive = trimmer.Drive(1.0, omega=1.5)
     driven_relay = trimmer.OpenLoop(control.tf([1.0], [1.0, 0.3, 1.0]), trimmer.Relay(1.0), drive)
-    study = SampleStudy(trimmer.sample(driven_relay, scattering, SampleSettings(3)), {}, None, math.nan)
-    assert {each["unit"] for each in json.loads(sample_text.as_json(study))["measures"]} == {""}
+    samples = trimmer.sample(driven_relay, scattering, SampleSettings(3), runner=SerialRunner())
+    data = json.loads(sample_text.as_json(SampleStudy(samples, {}, None, math.nan)))
+    assert {each["unit"] for each in data["measures"]} == {""}
+    assert set(samples.to_dataframe().attrs["units"].values()) == {""}
+    for drawn in (samples, trimmer.simulate(driven_relay, 9.0)):
+        axes = drawn.plot(Figure().add_subplot())
+        assert {axes.get_xlabel(), axes.get_ylabel()} <= {
+            "peak to peak of output",
+            "samples",
+            "signals",
+            "time, s",
+        }
+
+
+def test_what_no_samples_are_of_is_told() -> None:
+    scattering = uncertainty_from(relay(1.0), {"element.level": {"normal": "5 %"}})
     with pytest.raises(trimmer.TrimmerError, match="the loop has no drive"):
         trimmer.sample(relay(1.0), scattering)
     with pytest.raises(trimmer.TrimmerError, match=r"there is no number at element\.level"):

@@ -49,6 +49,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "SpecialPoint": lambda: results.branch().special[0],
     "MotionMap": results.motion_map,
     "Basin": results.basin,
+    "Samples": results.samples,
     "Coexistence": lambda: trimmer.coexisting_motions(results.motion_map(), quiet=True),
     "SpecialCurves": results.curves,
     "SpecialCurve": lambda: results.curves().curves[0],

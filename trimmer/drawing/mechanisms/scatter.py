@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
+from trimmer.drawing.dispatch import draw
 from trimmer.drawing.units import name_axis
 from trimmer.uncertainty.samples import Samples
 from trimmer.uncertainty.study import name_of
@@ -28,6 +29,12 @@ def sample_figure(samples: Samples) -> Figure:
     for axes in all_axes[len(asked) :]:
         axes.set_axis_off()
     return figure
+
+
+@draw.register(Samples)
+def draw_samples(samples: Samples, axes: Axes) -> None:
+    """Draw the histogram of the first measure."""
+    draw_distribution(samples, samples.asked[0], axes)
 
 
 def draw_distribution(samples: Samples, asked: MeasureOfPart, axes: Axes) -> Axes:
