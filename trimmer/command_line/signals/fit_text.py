@@ -21,14 +21,14 @@ class ShownFit:
     """What is shown of a fit.
 
     Attributes:
-        file: File of the mechanism.
+        file: File of the mechanism; None of a loop.
         measured: File of the measurement.
         output: File of the fitted mechanism, if one was written.
         recordings: What was read of each output.
         fit: The fit.
     """
 
-    file: Path
+    file: Path | None
     measured: Path
     output: Path | None
     recordings: Mapping[str, ChosenRecording]
@@ -103,7 +103,7 @@ def as_json(shown: ShownFit) -> str:
     """Return the fit as JSON: full precision, SI units."""
     fit, measured = shown.fit, shown.fit.measured
     content = {
-        "file": str(shown.file),
+        "file": None if shown.file is None else str(shown.file),
         "measured": str(shown.measured),
         "written": None if shown.output is None else str(shown.output),
         "outputs": {name: _output_json(shown, name) for name in measured.outputs},
