@@ -14,8 +14,9 @@ import numpy as np
 import pytest
 
 from trimmer import TrimmerParameters
+from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
 from trimmer.command_line.main import installed_commands, main
-from trimmer.command_line.parser import WRONG_USE
+from trimmer.command_line.parser import WRONG_USE, as_option
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")
@@ -41,6 +42,7 @@ WORDS = [
         "simulate", "respond --periods 20",
         "follow --points 3 --wait 30 --vary frequency --from 110 --to 111",
         "map --jobs 1 --periods 5 --vary frequency=110:111:2",
+        "sample --parameters p.toml --count 2 --periods 5 --jobs 1",
     ) for words in (
         f"{PLAY} --amplitude 1e-3 --drive X", f"{PLAY} --drive 110 --amplitude X",
         *(f"--drive 110 --amplitude 1e-3 --element {element} X" for element in (
@@ -90,8 +92,8 @@ WORDS = [
     f"compare {TWIN} {SCATTER} --jobs X", f"design {TWIN} --jobs X",
 ]  # fmt: skip
 """Commands, with X in the place of a number."""
-UNTRIED = {"fit --scale"}
-"""It is read as that of ``overlay`` is, and what is no number that nobody means takes a whole fit."""
+UNTRIED = {"fit --scale", "fit --amplitude", *(f"fit {as_option(name)}" for name in ELEMENT_OPTIONS)}
+"""They are read as by other commands, and what is no number that nobody means takes a whole fit."""
 
 
 @pytest.mark.parametrize("command", [command.name for command in installed_commands()])

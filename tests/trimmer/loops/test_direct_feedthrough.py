@@ -8,9 +8,8 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import ClosedLoop, Drive, FrictionBacklash, OpenLoop, ViscousBacklash, simulate
+from trimmer import Drive, FrictionBacklash, OpenLoop, ViscousBacklash, simulate
 from trimmer.elements.element import Element
-from trimmer.errors import IllPosedLoopError
 
 GAP = 0.1
 DRIVE = Drive(0.3, 2.0 * math.pi)
@@ -32,10 +31,3 @@ def test_a_driven_system_adds_the_element_output_times_d(element: Element) -> No
     assert np.ptp(passed) > GAP
     assert added == pytest.approx(0.7 * passed, abs=1e-12)
     assert motions[1].state(TIMES) == pytest.approx(motions[0].state(TIMES), abs=1e-12)
-
-
-@pytest.mark.parametrize("direct", [0.4, -0.3])
-def test_in_feedback_it_is_refused(direct: float) -> None:
-    """The output of the element would act on its own input at the same instant."""
-    with pytest.raises(IllPosedLoopError, match=r"backlash: .* strictly proper"):
-        simulate(ClosedLoop(system(direct), FrictionBacklash(GAP)), 1.0)

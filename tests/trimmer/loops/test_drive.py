@@ -32,11 +32,16 @@ def test_frequency_and_omega_give_the_same_drive() -> None:
         ({"frequency": math.nan}, "frequency of the drive must be finite, not nan"),
         ({"frequency": 1e308}, "omega of the drive must be finite, not inf"),
         ({"omega": -1.0}, r"omega of the drive must be positive \(rad/s\), not -1.0"),
+        ({"omega": 0.0}, r"omega of the drive must be positive \(rad/s\), not 0.0"),
+        ({"omega": math.inf}, "omega of the drive must be finite, not inf"),
+        ({"omega": 1.0, "amplitude": -1.0}, "amplitude of the drive must not be negative, not -1.0"),
+        ({"omega": 1.0, "amplitude": math.nan}, "amplitude of the drive must be finite, not nan"),
+        ({"omega": 1.0, "phase": math.nan}, "phase of the drive must be finite, not nan"),
     ],
 )
 def test_a_drive_that_has_no_frequency_is_an_error(options: dict[str, float], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        Drive(1e-3, **options)
+        Drive(**{"amplitude": 1e-3, **options})
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.loops.reference.peers import Course, Plant, Regions, play, regions, switch
+from tests.trimmer.loops.reference.peers import Course, Plant, pieces, play, switch
 from trimmer import (
     ClosedLoop,
     CoulombFriction,
@@ -99,38 +99,23 @@ def test_coulomb_friction(system: control.StateSpace, drive: tuple[float, float,
     compare(system, CoulombFriction(LEVEL), drive, start, course, 8.0)
 
 
-STATIC: list[tuple[Element, Regions]] = [
-    (
-        Relay(LEVEL, hysteresis=0.2),
-        {0: (lambda u: LEVEL, ((-1, -0.2, 1),)), 1: (lambda u: -LEVEL, ((1, 0.2, 0),))},
-    ),
-    (
-        Saturation(0.3),
-        {
-            0: (lambda u: u, ((1, 0.3, 1), (-1, -0.3, -1))),
-            1: (lambda u: 0.3, ((-1, 0.3, 0),)),
-            -1: (lambda u: -0.3, ((1, -0.3, 0),)),
-        },
-    ),
+PIECES = [
+    (Relay(LEVEL, hysteresis=0.2), (0.0,), (lambda u: -LEVEL, lambda u: LEVEL), 0.2),
+    (Saturation(0.3), (-0.3, 0.3), (lambda u: -0.3, lambda u: u, lambda u: 0.3), 0.0),
     (
         DeadZone(0.3) + Relay(LEVEL),
-        {
-            0: (lambda u: LEVEL, ((1, 0.3, 1), (-1, 0.0, -1))),
-            1: (lambda u: u - 0.3 + LEVEL, ((-1, 0.3, 0),)),
-            -1: (lambda u: -LEVEL, ((1, 0.0, 0), (-1, -0.3, -2))),
-            -2: (lambda u: u + 0.3 - LEVEL, ((1, -0.3, -1),)),
-        },
+        (-0.3, 0.0, 0.3),
+        (lambda u: u + 0.3 - LEVEL, lambda u: -LEVEL, lambda u: LEVEL, lambda u: u - 0.3 + LEVEL),
+        0.0,
     ),
 ]
 
 
-@pytest.mark.parametrize(("element", "laws"), STATIC)
+@pytest.mark.parametrize(("element", "limits", "laws", "hysteresis"), PIECES)
 @pytest.mark.parametrize("drive", [None, (*DRIVE[:2], 0.1)])
-def test_elements_by_regions(
-    element: Element, laws: Regions, drive: tuple[float, float, float] | None
-) -> None:
+def test_elements_by_pieces(element: Element, limits, laws, hysteresis: float, drive) -> None:
     start = with_pin_in_the_middle(THIRD_ORDER) - 0.005 * THIRD_ORDER.C[0]
-    course = regions(plant(THIRD_ORDER, drive), laws, start, 12.0)
+    course = pieces(plant(THIRD_ORDER, drive), limits, laws, hysteresis, start, 12.0)
     compare(THIRD_ORDER, element, drive, start, course, 12.0)
 
 

@@ -102,10 +102,11 @@ def test_a_half_written_line_is_dropped(file: Path, whole, kept: int) -> None:
     assert len(file.read_text("utf-8").splitlines()) == 7
 
 
-def test_a_line_that_is_no_cell_is_named(file: Path) -> None:
+@pytest.mark.parametrize("change", [lambda line: '{"number": 1}\n', lambda line: line.replace("1", "17", 1)])
+def test_a_line_that_is_no_cell_of_the_map_is_named(file: Path, change) -> None:
     interrupted(file, 3)
     lines = file.read_text("utf-8").splitlines(keepends=True)
-    file.write_text("".join([*lines[:2], '{"number": 1}\n', *lines[3:]]), "utf-8")
+    file.write_text("".join([*lines[:2], change(lines[2]), *lines[3:]]), "utf-8")
     with pytest.raises(MapFileError, match=r"map.jsonl, line 3: is no cell"):
         resume(file)
 
@@ -157,23 +158,6 @@ def test_a_file_of_another_kind_is_not_lost(file: Path) -> None:
     with pytest.raises(MapFileError, match="no file of a map"):
         resume(file)
     assert file.read_text() == "my notes\n"
-
-
-def test_going_on_with_nothing_is_told(file: Path) -> None:
-    with pytest.raises(MapFileError, match="cannot be read: No such file"):
-        resume(file)
-
-
-def test_a_stream_is_refused() -> None:
-    with pytest.raises(MapFileError, match="is a stream"):
-        motion_map(impact_oscillator(), PLACES, runner=SERIAL, file="/dev/null")
-
-
-def test_a_number_that_is_no_cell_of_the_map_is_named(file: Path) -> None:
-    interrupted(file, 2)
-    file.write_text(file.read_text("utf-8").replace('"number": 1,', '"number": 17,'), "utf-8")
-    with pytest.raises(MapFileError, match=r"line 3: is no cell"):
-        resume(file)
 
 
 PROGRAM = """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -170,23 +170,25 @@ def switch(plant: Plant, level: float, of_rate: bool, start: Reals, end: float) 
     return course
 
 
-Regions = Mapping[int, tuple[Callable[[float], float], tuple[tuple[int, float, int], ...]]]
-"""Output over input in each region, and its exits: to which side of which input, into which region."""
-
-
-def regions(plant: Plant, laws: Regions, start: Reals, end: float) -> Course:
-    """Follow a plant behind an element whose input alone says its output in each region, from region 0 on."""
-    course, time, x, region = Course(), 0.0, start, 0
+def pieces(
+    plant: Plant,
+    limits: tuple[float, ...],
+    laws: tuple[Callable[[float], float], ...],
+    hysteresis: float,
+    start: Reals,
+    end: float,
+) -> Course:
+    """Follow a plant behind an element whose input alone says its output between limits, which may lag."""
+    course, time, x = Course(), 0.0, start
+    piece = int(np.searchsorted(limits, plant.input(time, x)))
     while time < end:
-        law, exits = laws[region]
+        above = [(1, limit + hysteresis) for limit in limits[piece : piece + 1]]
+        exits = above + [(-1, limit - hysteresis) for limit in limits[max(piece - 1, 0) : piece]]
         time, x, fired = _until(
             course,
-            lambda t, x, law=law: plant.A @ x + plant.B * law(plant.input(t, x)),
+            lambda t, x, law=laws[piece]: plant.A @ x + plant.B * law(plant.input(t, x)),
             *(time, x, end),
-            *(
-                lambda t, x, side=side, limit=limit: side * (limit - plant.input(t, x))
-                for side, limit, _ in exits
-            ),
+            *(lambda t, x, up=up, limit=limit: up * (limit - plant.input(t, x)) for up, limit in exits),
         )
-        region = exits[fired][2] if fired >= 0 else region
+        piece += exits[fired][0] if fired >= 0 else 0
     return course
