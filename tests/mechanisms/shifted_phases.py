@@ -21,7 +21,6 @@ from trimmer import (
     FollowedBranch,
     FollowSettings,
     Mechanism,
-    MechanismOrbit,
     MotionKind,
     Response,
     TrimmerError,
@@ -30,6 +29,7 @@ from trimmer import (
     respond,
 )
 from trimmer.contact.flow import MechanismFlow
+from trimmer.response import MechanismOrbit
 
 PERIODS = 300
 """Drive periods to wait."""
