@@ -160,10 +160,10 @@ class MechanismFlow(Flow):
         if relaxes and not stretched:
             extended[z] = nearest
         held = relaxes and stretched and extended[z] != 0
-        side = PLUS if distance >= upper else MINUS if distance <= lower else FREE
-        if held:
-            reach = distance - extended[z]
-            side = PLUS if reach >= upper else MINUS if reach <= lower else FREE
+        reach = distance - extended[z] if held else distance
+        # Behind a spring the distance at which contact begins is known to its rounding.
+        near = AT_REST * (abs(distance) + abs(extended[z])) if held else 0.0
+        side = PLUS if reach >= upper - near else MINUS if reach <= lower + near else FREE
         if side == FREE:
             return RELAXING if held else FREE
         force = force_of(machine, contact, side) @ extended
