@@ -136,6 +136,8 @@ def _changed(loop: Any, names: Place, number: float) -> Loop:
         case (section, name):
             changes[section] = replace(getattr(loop, section), **{name: number})
     changed: Loop = replace(loop, **changes)
+    if names[0] != "parameters":
+        vars(changed)["model"] = loop.model  # The linear system is the same.
     return changed
 
 
