@@ -286,7 +286,7 @@ class Flow(ABC):
     def _joined(
         self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None
     ) -> Course:
-        log = Log(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+        log = parts[0] if len(parts) == 1 else Log(*map(np.concatenate, zip(*parts, strict=True)))
         if duration is None or ending is not Ending.REACHED_END:
             duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
         return Course(self.modes, begin, end, ending, float(duration), log)
