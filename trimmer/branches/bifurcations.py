@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.orbit import Place
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -107,9 +107,9 @@ def dips(arc: Arc, before: Place, near: Place, far: Place) -> list[float]:
 def _tests(arc: Arc) -> dict[SpecialKind, _Test]:
     return {
         SpecialKind.FOLD: lambda place: _tangent(arc, place)[-1],
-        SpecialKind.PERIOD_DOUBLING: lambda place: float(np.prod(place.multipliers + 1.0).real),
+        SpecialKind.PERIOD_DOUBLING: lambda place: place.doubling,
         SpecialKind.SYMMETRY_BREAKING: lambda place: place.orientation(_tangent(arc, place)),
-        SpecialKind.TORUS: lambda place: float(np.prod(_products(place) - 1.0).real),
+        SpecialKind.TORUS: lambda place: place.torus,
     }
 
 
@@ -120,18 +120,11 @@ def _tangent(arc: Arc, place: Place) -> Reals:
     return tangent
 
 
-def _products(place: Place) -> Complexes:
-    """Return the products of all pairs of multipliers; one of them is 1 where a pair crosses the circle."""
-    first, second = np.triu_indices(len(place.multipliers), 1)
-    products: Complexes = place.multipliers[first] * place.multipliers[second]
-    return products
-
-
 def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
     """Return the bifurcation at a root of a test function; none where two real multipliers have product 1."""
     if kind is SpecialKind.TORUS:
         first, _ = np.triu_indices(len(place.multipliers), 1)
-        pair = place.multipliers[first[int(np.argmin(abs(_products(place) - 1.0)))]]
+        pair = place.multipliers[first[int(np.argmin(abs(place.products - 1.0)))]]
         if pair.imag == 0.0:
             return []
     mirrored = arc.problem.map.mirrored and kind is SpecialKind.PERIOD_DOUBLING

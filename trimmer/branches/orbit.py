@@ -7,12 +7,14 @@ that does not is halved.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.branches.null_vector import null_vector
 from trimmer.branches.period_maps.period_map import Passage, PeriodMap
 from trimmer.errors import TrimmerError
 from trimmer.motion.part import Phase
@@ -35,11 +37,13 @@ class Place:
         problem: The problem.
         position: State and value, shape (n + 1,).
         passage: The motion over a period.
+        known: The same place in another scale; None if there is none.
     """
 
     problem: Problem
     position: Reals
     passage: Passage
+    known: Place | None = None
 
     @property
     def value(self) -> float:
@@ -84,7 +88,9 @@ class Place:
 
     @cached_property
     def multipliers(self) -> Complexes:
-        """Multipliers of the passage, shape (n,)."""
+        """Multipliers of the passage, shape (n,); they are the same in any scale."""
+        if self.known is not None:
+            return self.known.multipliers
         return np.asarray(np.linalg.eigvals(self.monodromy), dtype=np.complex128)
 
     @cached_property
@@ -92,16 +98,52 @@ class Place:
         """The phases that begin during the passage, in a form to compare."""
         return frozenset((key, count) for key, count in self.passage.signature.items() if count)
 
-    def tangent(self, reference: Reals) -> Reals | None:
-        """Return the unit tangent, shape (n + 1,), that points along a reference; None if there is no one."""
-        unit = np.zeros(len(reference))
-        unit[-1] = 1.0
+    @cached_property
+    def _along(self) -> tuple[Reals, float] | None:
+        """A unit vector along the branch, (n + 1,), and the determinant of slope and it; None if singular."""
         try:
-            tangent = np.linalg.solve(np.vstack([self.slope, reference]), unit)
+            along = null_vector(self.slope) if self.known is None else self._rescaled(self.known)
         except (np.linalg.LinAlgError, TrimmerError):
             return None
-        length = np.linalg.norm(tangent)
-        return tangent / length if np.isfinite(length) else None
+        turn = 0.0 if along is None else float(np.linalg.det(np.vstack([self.slope, along])))
+        return None if along is None or not turn else (along, turn)
+
+    def _rescaled(self, known: Place) -> Reals | None:
+        """Return the unit vector along the branch of the same place in another scale; None if it has none."""
+        if known._along is None:
+            return None
+        along = known._along[0].copy()
+        along[:-1] *= known.problem.sizes / self.problem.sizes
+        return np.asarray(along / np.linalg.norm(along))
+
+    def tangent(self, reference: Reals) -> Reals | None:
+        """Return the unit tangent, shape (n + 1,), that points along a reference; None if there is no one."""
+        if self._along is None:
+            return None
+        along, _ = self._along
+        ahead = float(along @ reference)
+        return along * math.copysign(1.0, ahead) if ahead else None
+
+    @cached_property
+    def doubling(self) -> float:
+        """Product of all multipliers plus 1, which changes its sign where a period doubles."""
+        if self.known is not None:
+            return self.known.doubling
+        return float(np.prod(self.multipliers + 1.0).real)
+
+    @cached_property
+    def products(self) -> Complexes:
+        """Products of all pairs of multipliers; one of them is 1 where a pair crosses the circle."""
+        first, second = np.triu_indices(len(self.multipliers), 1)
+        products: Complexes = self.multipliers[first] * self.multipliers[second]
+        return products
+
+    @cached_property
+    def torus(self) -> float:
+        """Product of all of them less 1."""
+        if self.known is not None:
+            return self.known.torus
+        return float(np.prod(self.products - 1.0).real)
 
     def orientation(self, tangent: Reals) -> float:
         """Return the determinant of slope and tangent.
@@ -110,7 +152,9 @@ class Place:
         both sides differ by a matrix of rank one that acts along the normal of the border. It changes where
         another branch crosses.
         """
-        return float(np.linalg.det(np.vstack([self.slope, tangent])))
+        # What the tangent has of the rows of the slope adds nothing to it.
+        along, turn = self._along or (tangent, 0.0)
+        return float(along @ tangent) * turn
 
     def correction(self, normal: Reals, offset: float) -> Reals | None:
         """Return Newton's step to the plane normal · position = offset, shape (n + 1,); None if singular.
@@ -169,7 +213,7 @@ class Problem:
         """Return a place of the same problem with other sizes of the states as one of this problem."""
         position = place.position.copy()
         position[:-1] *= place.problem.sizes / self.sizes
-        return Place(self, position, place.passage)
+        return Place(self, position, place.passage, place.known or place)
 
     def correct(self, guess: Reals, normal: Reals, offset: float) -> Place | None:
         """Solve for the orbit on the plane normal · position = offset; None if Newton's method fails."""

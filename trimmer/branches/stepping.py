@@ -30,6 +30,8 @@ AFTER_CORNER = 1e-3
 """Length of the step after a corner."""
 LEAST_SIZE = 1e-2
 """Least scale of a state, relative to the largest that it had on the branch."""
+NEAR = 0.1
+"""Distance of an orbit from the chord of two, as a share of it, within which a branch may pass it."""
 AT_END = 1e-12
 """Distance from an end of the interval, as a share of it, within which a value is that end."""
 
@@ -154,9 +156,12 @@ def _closed(first: Front, before: Front, after: Front) -> bool:
     """Say whether the branch passes its first orbit between two fronts, in its first direction."""
     if first.place.signature not in (before.place.signature, after.place.signature):
         return False
-    value = first.place.value
-    phases = before.problem.map.phases(value, first.place.strobed)
-    return any(_passed(before.problem.position(value, each), before, after) for each in phases)
+    here, chord = first.place.position[-1], after.place.position - before.place.position
+    ends, near = (before.place.position[-1], after.place.position[-1]), NEAR * float(np.linalg.norm(chord))
+    if not min(ends) - near <= here <= max(ends) + near:
+        return False
+    phases = before.problem.map.phases(first.place.value, first.place.strobed)
+    return any(_passed(before.problem.position(first.place.value, each), before, after) for each in phases)
 
 
 def _passed(position: Reals, before: Front, after: Front) -> bool:
@@ -166,7 +171,7 @@ def _passed(position: Reals, before: Front, after: Front) -> bool:
     if not 0.0 < share <= 1.0:
         return False
     guess = before.place.position + share * chord
-    if float(np.linalg.norm(guess - position)) > 0.1 * float(np.linalg.norm(chord)):
+    if float(np.linalg.norm(guess - position)) > NEAR * float(np.linalg.norm(chord)):
         return False
     normal = chord / np.linalg.norm(chord)
     found = before.problem.correct(guess, normal, float(normal @ position))

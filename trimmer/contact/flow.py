@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -37,6 +37,7 @@ from trimmer.contact.statuses import (
 )
 from trimmer.contact.system import MechanismSystem
 from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.affine_modes import Change, is_straight
 from trimmer.hybrid.system import ARRIVED, NO_STATE
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
@@ -45,10 +46,10 @@ from trimmer.motion.flow import Flow
 from trimmer.sides import DIFFERENT
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.system import Mode
+    from trimmer.hybrid.system import Mode, System
     from trimmer.mechanism.parts import Force, Pin
     from trimmer.motion.course import Course
     from trimmer.motion.part import Part
@@ -160,10 +161,10 @@ class MechanismFlow(Flow):
         if relaxes and not stretched:
             extended[z] = nearest
         held = relaxes and stretched and extended[z] != 0
-        side = PLUS if distance >= upper else MINUS if distance <= lower else FREE
-        if held:
-            reach = distance - extended[z]
-            side = PLUS if reach >= upper else MINUS if reach <= lower else FREE
+        reach = distance - extended[z] if held else distance
+        # Behind a spring the distance at which contact begins is known to its rounding.
+        near = AT_REST * (abs(distance) + abs(extended[z])) if held else 0.0
+        side = PLUS if reach >= upper - near else MINUS if reach <= lower + near else FREE
         if side == FREE:
             return RELAXING if held else FREE
         force = force_of(machine, contact, side) @ extended
@@ -231,6 +232,32 @@ class MechanismFlow(Flow):
         """Return the motion of another mechanism, in the frame in which it repeats."""
         assert isinstance(subject, Mechanism)
         return MechanismFlow.returning(subject)
+
+    def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
+        """Return what gives the equations of a mechanism with a number between; see ``Flow.between``."""
+        layout, *others = (each.modes.system.layout for each in (self, middle, last))
+        arrays = [each.modes.system.machine for each in (self, middle, last)]
+        if not all(layout.is_alike(each) for each in others) or not all(map(is_straight, *arrays)):
+            return None
+        machine = arrays[0]
+        changes = {
+            name: change
+            for name, first, end in zip(machine._fields, machine, arrays[2], strict=True)
+            if len((change := Change.between(first, end)).places)
+        }
+
+        def system(_: Subject, share: float) -> MechanismSystem:
+            changed = {name: change.on(getattr(machine, name), share) for name, change in changes.items()}
+            return MechanismSystem(machine._replace(**changed), layout)
+
+        return system
+
+    def with_modes(self, subject: Subject, modes: Modes[Any]) -> MechanismFlow:
+        """Return the motion of another mechanism, in the same frame, whose modes are known."""
+        assert isinstance(subject, Mechanism)
+        flow = MechanismFlow(subject, self.frame)
+        vars(flow)["modes"] = modes
+        return flow
 
     @cached_property
     def axes(self) -> Mapping[str, tuple[int, ...]]:

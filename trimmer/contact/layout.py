@@ -7,7 +7,7 @@ Displacements are those in a frame, which may move.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -143,6 +143,18 @@ class Layout:
         sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
         sizes[sizes == 0.0] = 1.0
         return sizes
+
+    def is_alike(self, other: Layout) -> bool:
+        """Say whether another mechanism has the same states, in the same frame, with the same drive."""
+        here, there = ({**vars(each), "frame": None, "pin_rows": None} for each in (self, other))
+        names = [each.name for each in fields(self)]
+        return (
+            all(here[name] == there[name] for name in names)
+            and np.array_equal(self.pin_rows, other.pin_rows)
+            and np.array_equal(self.frame.leaders, other.frame.leaders)
+            and np.array_equal(self.frame.velocities, other.frame.velocities)
+            and (self.frame.follows, self.frame.pulled) == (other.frame.follows, other.frame.pulled)
+        )
 
     def sine(self, order: int) -> int:
         """Return the place of the sine of an order; its cosine follows."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,7 +24,7 @@ from trimmer.hybrid.step_event import NO_EVENT
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, HOLD_ENDED, NOTHING, REVERSED, Mode
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
-from trimmer.hybrid.work import Log, work_for
+from trimmer.hybrid.work import ROWS, Log, work_for
 from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:
@@ -189,7 +189,6 @@ class _Integration:
         self.mode = modes.number(instant.statuses)
         self.work = work_for(modes.tables)
         self._take(instant)
-        self.log = Log.empty(0, modes.system.layout.size)
         self.states = np.empty((periods + 1, modes.system.layout.state_count))
         self.states[0] = instant.state
         self.counts = np.zeros((periods, modes.system.kind_count), dtype=np.int64)
@@ -214,7 +213,7 @@ class _Integration:
         reached = np.array([0.0, 0.0, self.mode, 0.0, 0.0])
         task = Task(self.length, exact, self.keeps, forcing, self.states, self.counts, reached)
         left, place = most_steps, Place(0, 0, self.mode, 0.0, 0)
-        self.log = self.log.longer(most_events + 1)
+        self.log = Log.empty(min(ROWS, most_events + 1), self.modes.system.layout.size)
         watch = _Watch(self.length, watched)
         try:
             while True:
@@ -277,14 +276,15 @@ class _Integration:
             self.log = self.log.longer(most_events + 1)
         mode, event = self.modes[self.mode], (self.mode, place.fired, place.jumped)
         function = mode.functions[place.fired]
-        at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
-        arriving = {*at_rest.tolist()} - {*mode.held, function.owner}
-        alone = function.action not in (ARRIVED, AT_LIMIT) or not arriving
+        at_rest, alone = None, function.action not in (ARRIVED, AT_LIMIT)
+        if not alone:
+            at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
+            alone = not {*at_rest.tolist()} - {*mode.held, function.owner}
         if alone or (function.action == AT_LIMIT and not place.jumped):
             self.modes.follow(*event)
             if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] >= 0:
                 return place
-        return self._together(place, most_events, at_rest)
+        return self._together(place, most_events, self._at_rest(None) if at_rest is None else at_rest)
 
     def _together(self, place: Place, most_events: int, at_rest: Places, dropped: int = 0) -> Place:
         """Let parts at rest decide together what they do, in place of some rows of the log."""
@@ -361,14 +361,13 @@ class _Integration:
         free, work, done = self.modes.system.layout.state_count, self.work, place.done
         within = 0.0 if done == len(self.counts) else place.time
         periods, phase = self._reached(done, within)
-        end = replace(
-            self.instant,
-            state=work.state[:free].copy(),
-            statuses=self.modes[self.mode].statuses,
-            periods=self.instant.periods + periods,
-            phase=phase,
-            zeros=work.zeros.copy(),
-            negligible=work.negligible.copy(),
+        end = Instant(
+            work.state[:free].copy(),
+            self.modes.statuses[self.mode],
+            self.instant.periods + periods,
+            phase,
+            work.zeros.copy(),
+            work.negligible.copy(),
         )
         return Stretch(
             end,
@@ -384,7 +383,7 @@ class _Integration:
         """Return a log with times since the start of all; before, each is since that of its period."""
         begun = log.function == PERIOD_BEGUN
         log.function[begun] = NO_EVENT
-        if self.keeps:
+        if self.keeps and (self.before or len(self.counts) > 1):
             # What was decided together at the start of a period goes on in it.
             begun[[row for row in self.continued if row < len(begun)]] = False
             log.start[:] += (np.cumsum(begun) - 1 + self.before) * self.length

@@ -1,7 +1,7 @@
 """Small distances from a motion, carried along its segments and over its events: compiled.
 
-An instant at which event functions of several parts fall to zero, or an event resets the state, is left to
-``trimmer.hybrid.variation``.
+An instant at which event functions of several parts fall to zero, or several events reset the state, is left
+to ``trimmer.hybrid.variation``.
 """
 
 from __future__ import annotations
@@ -10,22 +10,45 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+import numpy as np
+
 from trimmer.arrays import Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
-from trimmer.hybrid.linear_combination import combined_moduli
+from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
 from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.tabulated_change import AT_REST
-from trimmer.hybrid.taylor import LEVELS
+from trimmer.hybrid.taylor import DEGREE, LEVELS
 from trimmer.hybrid.work import Log
+
+SEVERAL = -2
+"""In place of the number of a reset: more than one event at an instant resets the state."""
 
 
 class Room(NamedTuple):
-    """Room for distances, (n, columns), a flow, (n, n), and the rates before and after an event, (N,)."""
+    """Room for what is carried.
+
+    Attributes:
+        distances: Distances, (n, columns).
+        flow: A flow, (n, n).
+        here, there: States before and after an event, (N,).
+        before, after: Their rates, (N,).
+        terms: Terms of a series, ((K + 1) N,).
+    """
 
     distances: Reals
     flow: Reals
+    here: Reals
+    there: Reals
     before: Reals
     after: Reals
+    terms: Reals
+
+
+def room_for(states: int, columns: int, size: int) -> Room:
+    """Return room for distances of so many states, in an extended state of some size."""
+    here, there, before, after = np.empty((4, size))
+    terms = np.empty((DEGREE + 1) * size)
+    return Room(np.empty((states, columns)), np.empty((states, states)), here, there, before, after, terms)
 
 
 @compiled
@@ -81,6 +104,28 @@ def _fit(tables: Tables, mode: int, distances: Reals, room: Reals) -> None:
 
 
 @compiled
+def parted(tables: Tables, now: int, duration: float) -> tuple[int, float, int]:
+    """Return how many whole steps come first in a duration, s, the rest as a fraction of one, its terms."""
+    step = tables.step[now]
+    steps = max(math.ceil(duration / step) - 1, 0)
+    fraction = duration / step - steps
+    level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0) if fraction > 0.0 else LEVELS - 1
+    return steps, fraction, tables.terms[now, level]
+
+
+@compiled
+def fly(tables: Tables, now: int, duration: float, vector: Reals, room: Room) -> None:
+    """Multiply a vector, (N,), by the flow of a mode over a duration, s, but for states that decay."""
+    steps, fraction, terms = parted(tables, now, duration)
+    size = vector.size
+    for _ in range(steps):
+        combine(vector, tables.screen[now], size, room.after)
+        copy(room.after, size, vector)
+    combine(vector, tables.series[now], terms * size, room.terms)
+    evaluate_terms(room.terms, terms, fraction, vector)
+
+
+@compiled
 def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: Room) -> None:
     """Multiply distances by the flow of a mode over a duration, s.
 
@@ -88,11 +133,8 @@ def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: R
     """
     count, columns = distances.shape
     now, other = tables.settled[mode], room.distances
-    step = tables.step[now]
-    steps = max(math.ceil(duration / step) - 1, 0)
-    fraction = duration / step - steps
-    level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0) if fraction > 0.0 else LEVELS - 1
-    _flow_of(tables.series[now], tables.terms[now, level], fraction, count, room.flow)
+    steps, fraction, terms = parted(tables, now, duration)
+    _flow_of(tables.series[now], terms, fraction, count, room.flow)
     for k in range(steps + 1):
         _multiply(tables.screen[now] if k < steps else room.flow, distances, other)
         for i in range(count):
@@ -122,57 +164,83 @@ def _falls_with(tables: Tables, mode: int, fired: int, state: Reals, rates: Real
 
 
 @compiled
-def _jump(  # noqa: PLR0913
-    tables: Tables,
-    before: int,
-    fired: int,
-    after: int,
-    here: Reals,
-    state: Reals,
-    distances: Reals,
-    room: Room,
-) -> bool:
-    """Multiply distances by the jump of an event; return False, and do nothing, if it is not the only one.
+def met(tables: Tables, log: Log, row: int, last: int, fired: int, reset: int, room: Room) -> bool:
+    """Write the states and rates before and after an event; return False if it is not the only one.
 
     Args:
         tables: The modes.
-        before: The mode before.
-        fired: What has fallen to zero.
-        after: The mode after.
-        here: The state in which it has.
-        state: The state from which the motion goes on.
-        distances: The distances, (n, columns).
-        room: Room for more.
+        log: The segments of the motion.
+        row: The first row at its instant.
+        last: The last one.
+        fired: The event function of the mode before.
+        reset: Number of the reset of the state, ``NO_RESET`` for none.
+        room: Where states and rates are written: of those afterwards, what they are more than before.
     """
-    count, columns = distances.shape
-    _multiply_state(tables.flow[before], here, room.before)
-    if tables.owner[before, fired] >= 0 and _falls_with(tables, before, fired, here, room.before):
+    before, after = log.mode[row - 1], log.mode[last]
+    size = room.here.size
+    copy(log.state[row], size, room.here)
+    _multiply_state(tables.flow[before], room.here, room.before)
+    if tables.owner[before, fired] >= 0 and _falls_with(tables, before, fired, room.here, room.before):
         return False
-    _multiply_state(tables.flow[after], state, room.after)
-    slope, gradient = 0.0, tables.taylor[before, fired]
-    for i in range(here.size):
-        slope += gradient[i, 0] * room.before[i]
-    if slope != 0.0:
-        for c in range(columns):
-            earlier = 0.0
-            for i in range(count):
-                earlier += gradient[i, 0] * distances[i, c]
-            for i in range(count):
-                distances[i, c] += (room.after[i] - room.before[i]) / slope * earlier
-    _fit(tables, after, distances, room.distances)
+    copy(log.state[last], size, room.there)
+    if reset == NO_RESET:
+        _multiply_state(tables.flow[after], room.there, room.after)
+        for i in range(size):
+            room.after[i] -= room.before[i]
+    else:
+        copy(log.state[row - 1], size, room.here)
+        fly(tables, tables.settled[before], log.start[row] - log.start[row - 1], room.here, room)
+        _multiply_state(tables.flow[before], room.here, room.before)
+        combine(room.here, tables.resets[reset], size, room.there)
+        _multiply_state(tables.flow[after], room.there, room.after)
+        combine(room.before, tables.resets[reset], size, room.terms)
+        for i in range(size):
+            room.after[i] -= room.terms[i]
     return True
 
 
 @compiled
-def _resets(tables: Tables, log: Log, first: int, last: int) -> bool:
-    """Return whether an event of some rows at one instant resets the state."""
+def falling(tables: Tables, before: int, fired: int, vector: Reals) -> float:
+    """Return the functional of an event function of the mode before times a vector."""
+    total = 0.0
+    for i in range(vector.size):
+        total += tables.taylor[before, fired, i, 0] * vector[i]
+    return total
+
+
+@compiled
+def _jump(tables: Tables, before: int, fired: int, reset: int, distances: Reals, room: Room) -> None:
+    """Multiply distances by the jump of an event; before a reset they decide how much later it comes."""
+    count, columns = distances.shape
+    slope, other = falling(tables, before, fired, room.before), room.distances
+    if reset == NO_RESET:
+        for i in range(count):
+            for c in range(columns):
+                other[i, c] = distances[i, c]
+    else:
+        _multiply(tables.resets[reset], distances, other)
+    for c in range(columns):
+        earlier = 0.0
+        if slope != 0.0:
+            for i in range(count):
+                earlier += tables.taylor[before, fired, i, 0] * distances[i, c]
+            earlier /= slope
+        for i in range(count):
+            distances[i, c] = other[i, c] + room.after[i] * earlier
+
+
+@compiled
+def reset_at(tables: Tables, log: Log, first: int, last: int) -> int:
+    """Return the number of the reset at an instant, ``NO_RESET`` for none, ``SEVERAL`` if a later one has."""
+    found, others = NO_RESET, False
     for row in range(first, last + 1):
         mode, fired = log.mode[row - 1], log.function[row]
-        if fired >= 0 and (
-            tables.reset[mode, fired, 0] != NO_RESET or tables.reset[mode, fired, 1] != NO_RESET
-        ):
-            return True
-    return False
+        if fired >= 0:
+            reset = max(tables.reset[mode, fired, 0], tables.reset[mode, fired, 1])
+            if reset != NO_RESET:
+                found = SEVERAL if others else reset
+            others = True
+    return int(found)
 
 
 def _entry(sources: bytes) -> Callable[..., int]:
@@ -190,11 +258,11 @@ def _entry(sources: bytes) -> Callable[..., int]:
                 following += 1
             last = following - 1  # Of the segments at one instant, the last one is that which goes on.
             if row > 0 and fired >= 0 and not jumped:
-                if _resets(tables, log, row, last):
+                reset = reset_at(tables, log, row, last)
+                if reset == SEVERAL or not met(tables, log, row, last, fired, reset, room):
                     break
-                before, here, state = log.mode[row - 1], log.state[row], log.state[last]
-                if not _jump(tables, before, fired, log.mode[last], here, state, distances, room):
-                    break
+                _jump(tables, log.mode[row - 1], fired, reset, distances, room)
+                _fit(tables, log.mode[last], distances, room.distances)
             until = log.start[following] if following < rows else end
             _go_on(tables, log.mode[last], until - log.start[last], distances, room)
             row, jumped = following, False

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import ClassVar, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,9 @@ from trimmer.hybrid.series import ModeTables, tabulate
 from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 UNKNOWN = -1
 """In place of a mode to go on in: not tabulated yet."""
@@ -114,14 +117,14 @@ def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Ta
         rows=rows,
         statuses=integers(system.part_count),
         settled=integers(),
-        step=np.empty(capacity),
-        screen=np.empty((capacity, tabulated, tabulated + functions * degree)),
-        series=np.empty((capacity, tabulated, degree * tabulated)),
+        step=np.zeros(capacity),
+        screen=np.zeros((capacity, tabulated, tabulated + functions * degree)),
+        series=np.zeros((capacity, tabulated, degree * tabulated)),
         terms=integers(LEVELS),
-        taylor=np.empty((capacity, functions, tabulated, degree)),
-        sizes=np.empty((capacity, functions, degree, tabulated)),
-        flow=np.empty((capacity, tabulated, tabulated)),
-        hold=np.empty((capacity, tabulated, tabulated)),
+        taylor=np.zeros((capacity, functions, tabulated, degree)),
+        sizes=np.zeros((capacity, functions, degree, tabulated)),
+        flow=np.zeros((capacity, tabulated, tabulated)),
+        hold=np.zeros((capacity, tabulated, tabulated)),
         function_count=integers(),
         owner=integers(functions),
         action=integers(functions),
@@ -139,7 +142,8 @@ def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Ta
     )
 
 
-_FIXED = ("rows", "decaying_state", "scale", "bernstein_from_taylor", "resets")
+FIXED = ("rows", "decaying_state", "scale", "bernstein_from_taylor", "resets")
+"""Tables whose first axis is not the mode."""
 _System = TypeVar("_System", bound=System)
 
 
@@ -168,6 +172,18 @@ class Modes(Generic[_System]):
         fitting = CAPACITY if is_sparse else self.most_bytes // (8 * _entries(self.system))
         capacity = max(min(fitting, CAPACITY), 1)
         return _empty(self.system, capacity, 2 * self.system.part_count, is_sparse)
+
+    @property
+    def statuses(self) -> Sequence[tuple[int, ...]]:
+        """Statuses of all parts in the modes so far, by their numbers."""
+        return self._statuses
+
+    def continued(self, system: _System, tables: Tables) -> Modes[_System]:
+        """Return the modes of another system with the same statuses and numbers, whose tables are known."""
+        modes = type(self)(system)
+        modes._statuses, modes._numbers = self._statuses.copy(), self._numbers.copy()
+        vars(modes)["tables"] = tables
+        return modes
 
     def __getitem__(self, number: int) -> Mode:
         if number not in self._known:
@@ -238,7 +254,7 @@ class Modes(Generic[_System]):
             )
         larger = _empty(self.system, room, max(functions, has), tables.rows is not None)
         for name, old in tables._asdict().items():
-            if name not in _FIXED:
+            if name not in FIXED:
                 new = getattr(larger, name)
                 new[tuple(slice(0, length) for length in old.shape)] = old
         rows = larger.rows

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.hybrid.propagation import Room, propagate
+from trimmer.hybrid.propagation import propagate, room_for
 from trimmer.hybrid.sparse import carry
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE
@@ -39,12 +39,10 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     Returns:
         Distances at its end, (n, columns). Where contact or stick holds at the start, they fit it first.
     """
-    distances, size = np.array(tangents, dtype=np.float64, order="C"), log.state.shape[1]
-    count = len(distances)
-    room = Room(np.empty_like(distances), np.empty((count, count)), np.empty(size), np.empty(size))
+    distances = np.array(tangents, dtype=np.float64, order="C")
     if modes.tables.rows is not None:
         return _by_rows(modes, log, end, distances)
-    rows = len(log.start)
+    room, rows = room_for(len(distances), distances.shape[1], log.state.shape[1]), len(log.start)
     row = propagate(modes.tables, log, end, 0, distances, room)
     while row < rows:
         # Of the segments at one instant, the last one is that which goes on.

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,15 +15,17 @@ from trimmer.loops.loop_signal import READ, LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.relay_component import RelayComponent
+from trimmer.loops.system import LoopSystem
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import Readout
 from trimmer.motion.units import Units
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.system import Mode
+    from trimmer.hybrid.system import Mode, System
+    from trimmer.hybrid.tables import Modes
     from trimmer.loops.system import LoopModes
     from trimmer.motion.course import Course
     from trimmer.motion.part import Part
@@ -96,6 +98,21 @@ class LoopFlow(Flow):
     def at_other(self, subject: Subject) -> LoopFlow:
         """Return the motion of another loop."""
         assert isinstance(subject, Loop)
+        return LoopFlow(subject)
+
+    def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
+        """Return what gives the equations of a loop with a number between; see ``Flow.between``."""
+        layout, *others = (each.modes.system.layout for each in (self, middle, last))
+        if not all(replace(each, drive=None) == replace(layout, drive=None) for each in others):
+            return None
+        if any((each.forcing_at(0.0) != layout.forcing_at(0.0)).any() for each in others):
+            return None
+        return None if any(each.omega != layout.omega for each in others) else _system_of
+
+    def with_modes(self, subject: Subject, modes: Modes[Any]) -> LoopFlow:
+        """Return the motion of another loop, whose modes are known."""
+        assert isinstance(subject, Loop)
+        vars(subject)["modes"] = modes
         return LoopFlow(subject)
 
     @cached_property
@@ -216,6 +233,12 @@ class LoopFlow(Flow):
         real: Reals = rates.real.copy()
         real[abs(real) <= margins] = 0.0
         return real
+
+
+def _system_of(subject: Subject, share: float) -> LoopSystem:
+    """Return the equations of a loop."""
+    assert isinstance(subject, Loop)
+    return LoopSystem(subject.interconnection())
 
 
 def instant_in(flow: LoopFlow | Flow, mode: int, extended: Reals) -> Instant:

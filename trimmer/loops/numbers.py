@@ -140,13 +140,14 @@ def _changed(loop: Any, names: Place, number: float) -> Any:
             frictions[label] = replace(frictions[label], law=law)
             changes["frictions"] = tuple(frictions.values())
         case ("start", name):
-            changed = replace(loop, start={**loop.start, name: number})
-            # The same equations move it, so what was computed of them is kept.
-            vars(changed).update({each: vars(loop)[each] for each in COMPUTED if each in vars(loop)})
-            return changed
+            changes["start"] = {**loop.start, name: number}
         case (section, name):
             changes[section] = replace(getattr(loop, section), **{name: number})
-    return replace(loop, **changes)
+    changed: Loop = replace(loop, **changes)
+    # Another start moves by the same equations; another element or drive leaves the linear system the same.
+    same = () if names[0] == "parameters" else COMPUTED if names[0] == "start" else ("model",)
+    vars(changed).update({each: getattr(loop, each) for each in same})
+    return changed
 
 
 def _element_with(element: Any, names: Place, number: float) -> Any:

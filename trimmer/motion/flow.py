@@ -14,10 +14,10 @@ from trimmer.motion.signals import Readout, Steady
 from trimmer.motion.units import Units
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.system import Mode
+    from trimmer.hybrid.system import Mode, System
     from trimmer.hybrid.tables import Modes
     from trimmer.motion.part import Part
     from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
@@ -127,6 +127,24 @@ class Flow(ABC):
     @abstractmethod
     def at_other(self, subject: Subject) -> Flow:
         """Return the motion of another subject of the same kind, as of one with another number."""
+
+    @abstractmethod
+    def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
+        """Return what gives the equations of a subject with a number between that of this and of another.
+
+        It is given the subject, and the share of the way to the last one.
+
+        Args:
+            middle: The motion midway.
+            last: The motion with the other value.
+
+        Returns:
+            None if something but the equations of the states changes with the number, or not evenly.
+        """
+
+    @abstractmethod
+    def with_modes(self, subject: Subject, modes: Modes[Any]) -> Flow:
+        """Return the motion of another subject of the same kind, whose modes are known."""
 
     @abstractmethod
     def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
@@ -268,7 +286,7 @@ class Flow(ABC):
     def _joined(
         self, begin: Instant, end: Instant, ending: Ending, parts: list[Log], duration: float | None = None
     ) -> Course:
-        log = Log(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
+        log = parts[0] if len(parts) == 1 else Log(*map(np.concatenate, zip(*parts, strict=True)))
         if duration is None or ending is not Ending.REACHED_END:
             duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
         return Course(self.modes, begin, end, ending, float(duration), log)

@@ -169,11 +169,6 @@ class PeriodicOrbit(Orbit):
         return float(abs(self.nontrivial_multipliers).max(initial=0.0))
 
     @property
-    def message(self) -> str:
-        """What came out, in words."""
-        return self.sentence if self.edge is None else f"{self.sentence}; {self.edge.told}"
-
-    @property
     def switching_times(self) -> Reals:
         """Times of the events within one period, s, from the start of ``motion``."""
         return self.motion.event_times

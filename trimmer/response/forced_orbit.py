@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, overload
 
 from trimmer.arguments import whole_number
@@ -82,15 +81,8 @@ def exact_orbit(
                 f"periods is {periods}, but the mechanism has no drive whose periods could count"
             )
         found = orbit_by_itself(flow) if guess is None else self_excited_orbit(flow, instant_of(flow, guess))
-        return _with_edge(found)
-    return _with_edge(_driven(flow, periods, guess, settling))
-
-
-def _with_edge(orbit: Orbit) -> Orbit:
-    """Return an orbit whose message says what is known where it rests on an edge."""
-    if orbit.edge is None:
-        return orbit
-    return replace(orbit, about=f"{orbit.about}; {orbit.edge.told}" if orbit.about else orbit.edge.told)
+        return found
+    return _driven(flow, periods, guess, settling)
 
 
 def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orbit:

@@ -81,8 +81,8 @@ class Orbit(Tabular, Drawn):
 
     @property
     def message(self) -> str:
-        """What was found, in a sentence without a full stop."""
-        return self.sentence
+        """What was found, in a sentence without a full stop, with what is known where it rests on an edge."""
+        return self.sentence if self.edge is None else f"{self.sentence}; {self.edge.told}"
 
     @cached_property
     def sentence(self) -> str:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.driven_passage import DrivenPassage
+from trimmer.branches.period_maps.flows import Flows
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.course import Course
@@ -38,6 +39,7 @@ class DrivenMap:
         single: The map of which this is two passages; None if it was not doubled.
         share: Time after the start of a drive period at which a passage begins, in drive periods; None where
             it begins with a drive period because nothing else was chosen yet.
+        flows: What moves, over the number.
     """
 
     subject: Subject
@@ -47,6 +49,12 @@ class DrivenMap:
     mirrored: bool = False
     single: DrivenMap | None = None
     share: float | None = None
+    flows: Flows = field(default=cast("Flows", None), repr=False)
+
+    def __post_init__(self) -> None:
+        flows = self.flows
+        if flows is None or flows.subject is not self.subject or flows.place != self.place:
+            object.__setattr__(self, "flows", Flows(self.subject, self.place))
 
     @property
     def doublings(self) -> int:
@@ -89,16 +97,7 @@ class DrivenMap:
         Raises:
             MechanismError, LoopError: if the number cannot have that value.
         """
-        known = self._flows
-        if value not in known:
-            if len(known) > 3:
-                known.pop(next(iter(known)))
-            known[value] = flow_of(self.subject.with_value(self.place, value))
-        return known[value]
-
-    @cached_property
-    def _flows(self) -> dict[float, Flow]:
-        return {}
+        return self.flows.at(value)
 
     def passage(self, value: float, state: Reals) -> DrivenPassage:
         """Follow the motion from a state over the periods.

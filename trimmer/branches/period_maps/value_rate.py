@@ -7,50 +7,186 @@ would be wrong wherever their events differ, as next to a grazing.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from trimmer.arrays import Reals
-from trimmer.hybrid.compilation import kept, sources
-from trimmer.hybrid.linear_combination import copy
-from trimmer.hybrid.system import EventFunction, Mode, System
+from trimmer.arrays import Integers, Reals
+from trimmer.hybrid.compilation import compiled, kept, sources
+from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.propagation import SEVERAL, Room, falling, fly, met, parted, reset_at, room_for
+from trimmer.hybrid.system import System
+from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import identity, jumps
+from trimmer.hybrid.variation import Jump, identity, jumps
+from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course
 
 
-def _entry(sources: bytes) -> Callable[..., None]:
-    def entry(
-        flow: Reals, change: Reals, step: float, duration: float, state: Reals, tangent: Reals, room: Reals
-    ) -> None:
-        """Follow a state and its derivative, both (N,), in place, over a duration, s, in steps."""
+class Slopes(NamedTuple):
+    """Derivatives of the equations of modes by a number; first axis: the mode, or the reset.
+
+    Attributes:
+        flow: Of the flow, (modes, N, N).
+        flows: Whether that changes, (modes,).
+        hold: Of what makes the state fit what is held, transposed, (modes, N, N).
+        functions: Of the event functions, (modes, functions, N).
+        decayed: Of the rates of states that decay by themselves, (modes, m).
+        resets: Of the resets, transposed, (resets, N, N).
+    """
+
+    flow: Reals
+    flows: Integers
+    hold: Reals
+    functions: Reals
+    decayed: Reals
+    resets: Reals
+
+
+@compiled
+def _held(tables: Tables, slopes: Slopes, mode: int, state: Reals, tangent: Reals, room: Room) -> None:
+    """Make the derivative fit what a mode holds; a state that has decayed may have begun elsewhere."""
+    size = tangent.size
+    combine(tangent, tables.hold[mode], size, room.before)
+    combine(state, slopes.hold[mode], size, room.after)
+    for part in range(tables.decaying_state.size):
+        if tables.decayed[mode, part] > 0.0:
+            place = tables.decaying_state[part]
+            room.before[place], room.after[place] = tangent[place], 0.0
+    for i in range(size):
+        tangent[i] = room.before[i] + room.after[i]
+
+
+@compiled
+def _step(
+    flow: Reals, change: Reals, step: float, terms: int, state: Reals, tangent: Reals, room: Reals
+) -> None:
+    """Follow a state and its derivative, both (N,), over a step, s, by a term more than the state needs."""
+    size = state.size
+    x, y, next_x, next_y = room[0], room[1], room[2], room[3]
+    copy(state, size, x)
+    copy(tangent, size, y)
+    for k in range(1, terms + 2):
+        for i in range(size):
+            next_x[i], next_y[i] = 0.0, 0.0
+            for j in range(size):
+                next_x[i] += flow[i, j] * x[j]
+                next_y[i] += flow[i, j] * y[j] + change[i, j] * x[j]
+        for i in range(size):
+            x[i], y[i] = next_x[i] * step / k, next_y[i] * step / k
+            state[i] += x[i]
+            tangent[i] += y[i]
+
+
+@compiled
+def _go_on(
+    tables: Tables, slopes: Slopes, mode: int, duration: float, both: Reals, room: Room, terms: Reals
+) -> None:
+    """Follow a state and its derivative, (2, N), over a duration, s; what decays does so by itself."""
+    now, state, tangent = tables.settled[mode], both[0], both[1]
+    if slopes.flows[now]:
+        steps, fraction, count = parted(tables, now, duration)
+        for k in range(steps + 1):
+            length = tables.step[now] * (1.0 if k < steps else fraction)
+            most = tables.terms[now, 0] if k < steps else count
+            _step(tables.flow[now], slopes.flow[now], length, most, state, tangent, terms)
+    else:
+        fly(tables, now, duration, state, room)
+        fly(tables, now, duration, tangent, room)
+    for part in range(tables.decaying_state.size):
+        rate = tables.decayed[now, part]
+        if rate > 0.0:
+            place, decay = tables.decaying_state[part], math.exp(-rate * duration)
+            tangent[place] = decay * (tangent[place] - slopes.decayed[now, part] * duration * state[place])
+            state[place] *= decay
+
+
+@compiled
+def _jump(
+    tables: Tables, slopes: Slopes, before: int, fired: int, reset: int, tangent: Reals, room: Room
+) -> None:
+    """Write the derivative after an event, before it fits what is held then."""
+    slope, later, size = falling(tables, before, fired, room.before), 0.0, tangent.size
+    if slope != 0.0:
+        missed = falling(tables, before, fired, tangent)
+        for i in range(size):
+            missed += slopes.functions[before, fired, i] * room.here[i]
+        later = -missed / slope
+    if reset != NO_RESET:
+        combine(tangent, tables.resets[reset], size, room.before)
+        combine(room.here, slopes.resets[reset], size, room.terms)
+        for i in range(size):
+            tangent[i] = room.before[i] + room.terms[i]
+    for i in range(size):
+        tangent[i] -= room.after[i] * later
+
+
+def _entry(sources: bytes) -> Callable[..., int]:
+    def entry(  # noqa: PLR0913
+        tables: Tables,
+        slopes: Slopes,
+        log: Log,
+        end: float,
+        row: int,
+        both: Reals,
+        room: Room,
+        terms: Reals,
+    ) -> int:
         sources  # noqa: B018
-        size, left = state.size, duration
-        x, y, next_x, next_y = room[0], room[1], room[2], room[3]
-        while left > 0.0:
-            h = min(step, left)
-            copy(state, size, x)
-            copy(tangent, size, y)
-            for k in range(1, DEGREE + 2):
-                for i in range(size):
-                    x_sum, y_sum = 0.0, 0.0
-                    for j in range(size):
-                        x_sum += flow[i, j] * x[j]
-                        y_sum += flow[i, j] * y[j] + change[i, j] * x[j]
-                    next_x[i], next_y[i] = x_sum * h / k, y_sum * h / k
-                for i in range(size):
-                    x[i], y[i] = next_x[i], next_y[i]
-                    state[i] += x[i]
-                    tangent[i] += y[i]
-            left -= step
+        rows, size = log.start.size, both.shape[1]
+        jumped = row > 0
+        if row == 0:
+            _held(tables, slopes, log.mode[0], log.state[0], both[1], room)
+        while row < rows:
+            following, fired = row, -1
+            while following < rows and log.start[following] == log.start[row]:
+                if fired < 0:
+                    fired = log.function[following]
+                following += 1
+            last = following - 1
+            if row > 0 and fired >= 0 and not jumped:
+                reset = reset_at(tables, log, row, last)
+                if reset == SEVERAL or not met(tables, log, row, last, fired, reset, room):
+                    break
+                _jump(tables, slopes, log.mode[row - 1], fired, reset, both[1], room)
+                _held(tables, slopes, log.mode[last], room.there, both[1], room)
+            until = log.start[following] if following < rows else end
+            copy(log.state[last], size, both[0])
+            _go_on(tables, slopes, log.mode[last], until - log.start[last], both, room, terms)
+            row, jumped = following, False
+        return row
 
     return kept(entry)
 
 
 _compiled_entry = _entry(sources())
+
+
+def _met(modes: Modes[Any], log: Log) -> list[int]:
+    """Return the numbers of the modes that a motion meets, and of those without states that decay."""
+    found = np.unique(log.mode)
+    numbers: list[int] = np.union1d(found, modes.tables.settled[found]).tolist()
+    return numbers
+
+
+def _dense(modes: Modes[Any], log: Log) -> Tables:
+    """Return tables of the modes that a motion of a large system meets, without those of a whole step."""
+    tables, size = modes.tables, log.state.shape[1]
+    count, most = tables.owner.shape
+    flow, hold = np.zeros((2, count, size, size))
+    taylor, sizes = np.zeros((count, most, size, 1)), np.zeros((count, most, 2, size))
+    for number in _met(modes, log):
+        mode = modes[number]
+        flow[number], hold[number] = mode.flow, mode.hold.T
+        for place, function in enumerate(mode.functions):
+            taylor[number, place, :, 0] = function.row
+            sizes[number, place] = abs(function.row), tables.step[number] * abs(function.row) @ abs(mode.flow)
+    terms = np.full_like(tables.terms, DEGREE + 1)
+    return tables._replace(rows=None, flow=flow, hold=hold, taylor=taylor, sizes=sizes, terms=terms)
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,95 +198,102 @@ class ValueChange:
         other: The second system.
         step: Difference of the values, in their unit.
         longer: Derivative of the motion's duration by the number, s per unit.
+        known: Derivatives of the equations, if they are known.
     """
 
     course: Course
     other: System
     step: float
     longer: float
+    known: Slopes | None = None
 
     def rate(self) -> Reals:
         """Return the derivative of the end by the number, from a state that stays, shape (n,)."""
-        log = self.course.log
-        tangent = np.zeros(log.state.shape[1])
-        own, other = self.course.modes.system.layout, self.other.layout
+        log, modes, slopes = self.course.log, self.course.modes, self.slopes
+        tables, size = modes.tables, log.state.shape[1]
+        if tables.rows is not None:
+            tables = _dense(modes, log)
+        both, room, terms = np.zeros((2, size)), room_for(0, 0, size), np.empty((4, size))
+        own, other = modes.system.layout, self.other.layout
         if (own.phasors != other.phasors).any():  # as where the phase of the drive is varied
             phase = self.course.begin.phase
-            tangent[own.state_count :] = (other.forcing_at(phase) - own.forcing_at(phase)) / self.step
-        tangent[:] = self._held(int(log.mode[0]), log.state[0], tangent)
-        row, rows = 0, len(log.start)
-        state = log.state[0]
+            both[1, own.state_count :] = (other.forcing_at(phase) - own.forcing_at(phase)) / self.step
+        rows, end = len(log.start), self.course.duration
+        row = _compiled_entry(tables, slopes, log, end, 0, both, room, terms)
         while row < rows:
-            following = row + 1
-            while following < rows and log.start[following] == log.start[row]:
-                following += 1
-            last = following - 1
-            if row > 0:
-                tangent = self._jumped(row, last, tangent)
-            until = log.start[following] if following < rows else self.course.duration
-            state, tangent = self._flown(last, float(until - log.start[last]), tangent)
-            row = following
-        flow = self.course.modes[int(log.mode[-1])].flow
-        count = len(self.course.end.state)
-        return np.asarray((tangent + flow @ state * self.longer)[:count])
+            last = int(np.searchsorted(log.start, log.start[row], side="right")) - 1
+            both[1] = self._jumped(row, last, both[1])
+            row = _compiled_entry(tables, slopes, log, end, row, both, room, terms)
+        flow = tables.flow[int(log.mode[-1])]
+        return np.asarray((both[1] + flow @ both[0] * self.longer)[: own.state_count])
 
     @cached_property
-    def _others(self) -> dict[int, Mode]:
-        return {}
+    def slopes(self) -> Slopes:
+        """Derivatives of the equations of the modes that the motion meets."""
+        if self.known is not None:
+            return self.known
+        modes, log = self.course.modes, self.course.log
+        tables, size = modes.tables, log.state.shape[1]
+        count, most = tables.owner.shape
+        slopes = Slopes(
+            np.zeros((count, size, size)),
+            np.zeros(count, dtype=np.int64),
+            np.zeros((count, size, size)),
+            np.zeros((count, most, size)),
+            np.zeros_like(tables.decayed),
+            np.zeros_like(tables.resets),
+        )
+        for number in _met(modes, log):
+            own, other = modes[number], self.other.mode(modes[number].statuses)
+            slopes.flow[number] = (other.flow - own.flow) / self.step
+            slopes.flows[number] = tables.rows is not None or slopes.flow[number].any()
+            slopes.hold[number] = (other.hold - own.hold).T / self.step
+            pairs = zip(own.functions, other.functions, strict=True)
+            for function, (one, another) in enumerate(pairs):
+                slopes.functions[number, function] = (another.row - one.row) / self.step
+            for (z, rate), (_, other_rate) in zip(own.decayed, other.decayed, strict=True):
+                slopes.decayed[number, tables.decaying_state == z] = (other_rate - rate) / self.step
+        self._write_resets(slopes.resets)
+        return slopes
 
-    def _other(self, mode: int) -> Mode:
-        if mode not in self._others:
-            self._others[mode] = self.other.mode(self.course.modes[mode].statuses)
-        return self._others[mode]
-
-    def _held(self, mode: int, state: Reals, tangent: Reals) -> Reals:
-        """Return the derivative that fits what a mode holds."""
-        own, other = self.course.modes[mode], self._other(mode)
-        held: Reals = own.hold @ tangent + (other.hold - own.hold) @ state / self.step
-        for z, _ in own.decayed:
-            held[z] = tangent[z]
-        return held
-
-    def _flown(self, row: int, duration: float, tangent: Reals) -> tuple[Reals, Reals]:
-        """Return state and derivative at the end of a segment; springs that relax flow by themselves."""
-        modes, state = self.course.modes, self.course.log.state[row].copy()
-        settled = int(modes.tables.settled[int(self.course.log.mode[row])])
-        own, other = modes[settled], self._other(settled)
-        change = (other.flow - own.flow) / self.step
-        begun, tangent = state.copy(), tangent.copy()
-        stretched = tangent.copy()
-        room = np.empty((4, len(state)))
-        _compiled_entry(own.flow, change, modes.tables.step[settled], duration, state, tangent, room)
-        for (z, rate), (_, other_rate) in zip(own.decayed, other.decayed, strict=True):
-            faster = other_rate - rate
-            decay = np.exp(-rate * duration)
-            state[z] = begun[z] * decay
-            tangent[z] = decay * (stretched[z] - faster / self.step * duration * begun[z])
-        return state, tangent
+    def _write_resets(self, slopes: Reals) -> None:
+        modes, log = self.course.modes, self.course.log
+        for row in np.flatnonzero(log.function[1:] >= 0) + 1 if len(slopes) else ():
+            number, function = int(log.mode[row - 1]), int(log.function[row])
+            reset = modes.tables.reset[number, function].max()
+            if reset != NO_RESET and not slopes[reset].any():
+                other = self.other.mode(modes[number].statuses)
+                change = self.other.reset(other, other.functions[function])
+                slopes[reset] = (0.0 if change is None else change.T) - modes.tables.resets[reset]
+                slopes[reset] /= self.step
 
     def _jumped(self, first: int, last: int, tangent: Reals) -> Reals:
-        """Return the derivative after an event, or after several at one instant, one after the other."""
-        log, modes = self.course.log, self.course.modes
+        """Return the derivative after several events at one instant, one after the other."""
+        log, modes, slopes = self.course.log, self.course.modes, self.slopes
         for jump in jumps(modes, log, first, last):
-            gradient, here = jump.function.row, jump.here
-            mode, changed = self._changed(jump.function, (jump.before, int(log.mode[first - 1])))
+            mode, function = self._place_of(jump, int(log.mode[first - 1]))
             later: float = 0.0
             if jump.slope != 0.0:
-                missed = gradient @ tangent + (changed.row - gradient) @ here / self.step
+                missed = jump.function.row @ tangent + slopes.functions[mode, function] @ jump.here
                 later = -float(missed) / jump.slope
             if jump.reset is not None:
-                other = self.other.reset(mode, changed)
+                own = modes[mode]
+                changed = self.other.mode(own.statuses)
+                other = self.other.reset(changed, changed.functions[function])
                 tangent = jump.reset @ tangent
-                tangent += 0.0 if other is None else (other - jump.reset) @ here / self.step
-            tangent = self._held(jump.after, jump.there, tangent - jump.change * later)
+                tangent += 0.0 if other is None else (other - jump.reset) @ jump.here / self.step
+            tangent = tangent - jump.change * later
+            held: Reals = modes[jump.after].hold @ tangent + jump.there @ slopes.hold[jump.after]
+            for z, _ in modes[jump.after].decayed:
+                held[z] = tangent[z]
+            tangent = held
         return tangent
 
-    def _changed(self, function: EventFunction, among: tuple[int, ...]) -> tuple[Mode, EventFunction]:
-        """Return an event function with the other value, and its mode: of the first mode that has it."""
-        for mode in among:
-            pairs = zip(self.course.modes[mode].functions, self._other(mode).functions, strict=True)
-            for own, other in pairs:
+    def _place_of(self, jump: Jump, first: int) -> tuple[int, int]:
+        """Return in which mode an event function is, and its number there: of the first mode that has it."""
+        for mode in (jump.before, first):
+            for number, own in enumerate(self.course.modes[mode].functions):
                 # A mode of a large system may have been assembled anew in between.
-                if own is function or identity(own) == identity(function):
-                    return self._other(mode), other
-        return self._other(among[0]), function
+                if own is jump.function or identity(own) == identity(jump.function):
+                    return mode, number
+        raise AssertionError("an event function is of the mode before its event")

@@ -1,0 +1,145 @@
+"""What moves over a number: assembled anew for a value, or where all is affine in it, a sum of two."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.branches.period_maps.value_rate import Slopes
+from trimmer.errors import TrimmerError
+from trimmer.hybrid.affine_modes import AffineModes
+from trimmer.response.flows import flow_of
+
+if TYPE_CHECKING:
+    from trimmer.hybrid.system import System
+    from trimmer.motion.flow import Flow
+    from trimmer.motion.subject import Subject
+
+KEPT = 4
+"""Values whose flows are kept."""
+WORTH = 3
+"""Values beyond all that are known from which on it is asked whether the equations are affine."""
+TRIES = 2
+"""How often they may turn out not to be."""
+WIDTH = 2.0
+"""Factor between a value and the ends of the interval in which they are then known."""
+
+
+@dataclass(eq=False)
+class _Family:
+    """Flows over an interval of a number in which their equations are affine, with those at its ends."""
+
+    first: float
+    last: float
+    flows: tuple[Flow, Flow, Flow]
+    modes: AffineModes[Any]
+    system: Callable[[Subject, float], System]
+    _slopes: tuple[tuple[int, int], Slopes] | None = None
+
+    def share(self, value: float) -> float | None:
+        """Return how far a value is on the way; None outside."""
+        share = (value - self.first) / (self.last - self.first)
+        return share if 0.0 <= share <= 1.0 else None
+
+    @property
+    def slopes(self) -> Slopes:
+        """Derivatives of the equations of the modes that are known so far."""
+        modes, by = self.modes, self.last - self.first
+        count = len(modes.first.statuses), len(modes.first.tables.resets)
+        if self._slopes is None or self._slopes[0] != count:
+            flow = modes.change("flow") / by
+            found = Slopes(
+                flow,
+                np.array([each.any() for each in flow], dtype=np.int64),
+                modes.change("hold") / by,
+                np.ascontiguousarray(modes.change("taylor")[..., 0]) / by,
+                modes.change("decayed") / by,
+                modes.change("resets") / by,
+            )
+            self._slopes = count, found
+        return self._slopes[1]
+
+    @classmethod
+    def of(cls, *flows: Flow, ends: tuple[float, float]) -> _Family | None:
+        """Return the family of flows at both ends and midway; None if they are not affine."""
+        first, middle, last = flows
+        if first.modes.tables.rows is not None or not all(map(first.is_alike, flows)):
+            return None
+        system = first.between(middle, last)
+        modes = AffineModes(*(each.modes for each in flows))
+        return None if system is None else cls(*ends, (first, middle, last), modes, system)
+
+
+class Flows:
+    """The flows of a subject over one of its numbers.
+
+    Args:
+        subject: What moves.
+        place: Dotted place of the number.
+    """
+
+    def __init__(self, subject: Subject, place: str) -> None:
+        self.subject, self.place = subject, place
+        self._known: dict[float, Flow] = {}
+        self._beyond, self._tries = 0, TRIES
+        self._family: _Family | None = None
+
+    def at(self, value: float) -> Flow:
+        """Return the motion with a value of the number.
+
+        Raises:
+            MechanismError, LoopError: if the number cannot have that value.
+        """
+        if value not in self._known:
+            flow = self._made(value)
+            if len(self._known) >= KEPT:
+                self._known.pop(next(iter(self._known)))
+            self._known[value] = flow
+        return self._known[value]
+
+    def _made(self, value: float) -> Flow:
+        subject = self.subject.with_value(self.place, value)
+        share = None if self._family is None else self._family.share(value)
+        if share is None:
+            self._beyond += 1
+            if self._tries and self._beyond % WORTH == 0:
+                self._family = self._around(value)
+                self._tries -= self._family is None
+                share = None if self._family is None else self._family.share(value)
+        family = self._family
+        if family is None or share is None or not self._known:
+            return flow_of(subject)
+        if not family.modes.learn(next(reversed(self._known.values())).modes):
+            self._family, self._tries = None, self._tries - 1
+            return flow_of(subject)
+        return family.flows[0].with_modes(subject, family.modes.at(share, family.system(subject, share)))
+
+    def _around(self, value: float) -> _Family | None:
+        """Return the family around a value, if the equations are affine in the number there."""
+        if not value:
+            return None
+        first, last = value / WIDTH, value * WIDTH
+        try:
+            subjects = [
+                self.subject.with_value(self.place, each) for each in (first, (first + last) / 2, last)
+            ]
+        except TrimmerError:
+            return None
+        return _Family.of(*map(flow_of, subjects), ends=(first, last))
+
+    def slopes(self, value: float) -> tuple[System, float, Slopes] | None:
+        """Return how the equations change at a value, and another system so far from it.
+
+        None where they are not affine, or number their modes otherwise.
+        """
+        family, own = self._family, self.at(value).modes
+        if family is None or family.share(value) is None:
+            return None
+        if not family.modes.learn(own) or not family.modes.numbers_alike(own):
+            return None
+        far = family.last if abs(family.last - value) > abs(family.first - value) else family.first
+        system = family.flows[2 if far == family.last else 0].modes.system
+        return system, far - value, family.slopes
