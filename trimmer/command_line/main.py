@@ -31,6 +31,14 @@ from trimmer.source_date import check_source_date
 ENTRY_POINT_GROUP = "trimmer.commands"
 """Entry points of this group are ``Command`` objects; that is how another package adds a subcommand."""
 
+_OWN = (
+    *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
+    *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
+    *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND, sample.COMMAND),
+    fit.COMMAND,
+    *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
+)
+"""Commands of this package, which are found without a look at what else is installed."""
 _SEVERAL = 5
 """Words without use that are shown."""
 _NUMERIC = ("numpy", "scipy", "control", "numba", "matplotlib")
@@ -154,15 +162,8 @@ def _in_ascii(error: UnicodeError) -> tuple[str | bytes, int]:
 
 def installed_commands() -> list[Command]:
     """Return the commands of this package and those of others."""
-    own = [
-        *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
-        *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
-        *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND, sample.COMMAND),
-        fit.COMMAND,
-        *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
-    ]
     others = (_loaded(entry) for entry in entry_points(group=ENTRY_POINT_GROUP))
-    return own + [command for command in others if command is not None]
+    return [*_OWN, *(command for command in others if command is not None)]
 
 
 def _loaded(entry: EntryPoint) -> Command | None:
@@ -196,8 +197,7 @@ def _is_own(place: str, entry: EntryPoint) -> bool:
 
 def _parsed(arguments: Sequence[str] | None) -> Namespace:
     words = sys.argv[1:] if arguments is None else list(arguments)
-    commands = installed_commands()
-    parsed, unknown = _parser(_needed(commands, words)).parse_known_args(words)
+    parsed, unknown = _parser(_needed(words)).parse_known_args(words)
     if unknown:
         have, them = ("has", "it") if len(unknown) == 1 else ("have", "them")
         told = [*map(shown_value, unknown[:_SEVERAL])]
@@ -207,13 +207,16 @@ def _parsed(arguments: Sequence[str] | None) -> Namespace:
     return parsed
 
 
-def _needed(commands: Sequence[Command], words: Sequence[str]) -> Sequence[Command]:
-    """Return the command that words begin with, since the options of all others take their time; or else all.
+def _needed(words: Sequence[str]) -> Sequence[Command]:
+    """Return the command that words begin with, since all others take their time; or else all.
 
     ``completion`` tells of all commands.
     """
-    named = [command for command in commands if words[:1] == [command.name] and command != completion.COMMAND]
-    return named or commands
+    own = [command for command in _OWN if words[:1] == [command.name]]
+    if own and own != [completion.COMMAND]:
+        return own
+    commands = installed_commands()
+    return [command for command in commands if words[:1] == [command.name] and not own] or commands
 
 
 def _parser(commands: Sequence[Command]) -> ArgumentParser:

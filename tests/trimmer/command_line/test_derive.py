@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from trimmer.command_line.main import main
-from trimmer.generated import linear_trimmer
 from trimmer.mechanism.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 
@@ -44,8 +43,3 @@ def test_module_gives_the_matrices_of_the_mechanism(folder):
     np.testing.assert_allclose(state[4, 0], -(200e3 + 30e3) / 0.035)
     constant = np.array(module["closed_input_matrix"](**values))[4:, -1]
     np.testing.assert_allclose(constant * [0.035, 0.003, 0.005, 0.030], [0.6, -0.6, 0, 0], atol=1e-15)
-
-
-def test_the_file_of_the_thesis_gives_the_module_in_use(folder):
-    assert main(["derive", str(EXAMPLES / "thesis.toml"), "--module", "module.py"]) == 0
-    assert Path("module.py").read_bytes() == Path(linear_trimmer.__file__).read_bytes()

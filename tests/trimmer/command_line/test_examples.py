@@ -18,6 +18,17 @@ COMMANDS = {command.name: command for command in installed_commands()}
 FIRST = ("parameters", "simulate")
 """What these write, the examples of others read."""
 TAKES_LONG = (
+    "trimmer limit-cycles --element viscous --gap 4e-5 --time-constant 1e-3 --plot loci.svg",
+    "trimmer identify --gap 4e-5 --frequency 740 --uncertainty 2 --channels displacement",
+    "trimmer spectrum vibration.csv --column q2-q4 --window flat-top --limit 5 --plot spectrum.svg",
+    "trimmer spectrum vibration.csv --column q2-q4 --as acceleration --average 8",
+    "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml --set "
+    "plays.bridge.gap=60um --plot compared.svg",
+    "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 1 --free plays.bridge.gap "
+    "--free frictions.blade.force --plot fit.svg",
+    "trimmer follow examples/thesis-play.toml --vary frictions.blade.force --from 1 --to 0.9",
+    "trimmer follow --element friction --gap 4e-5 --vary element.gap --from 40um --to 38um",
+    "trimmer sample examples/scatter.toml --count 64",
     "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 2 --output fitted.toml",
     "trimmer derive",
     "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",

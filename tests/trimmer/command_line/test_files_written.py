@@ -26,7 +26,7 @@ def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize("name", [*list(PICTURES)[:-1], pytest.param("starts.svg", marks=pytest.mark.slow)])
 def test_a_picture_is_the_same_bytes_each_time(name: str, capsys) -> None:
     contents = []
     for _ in range(2):  # the second one over a picture of its kind
@@ -81,14 +81,14 @@ def test_standard_input_may_be_closed(words: list[str], monkeypatch, capsys) -> 
 
 
 @pytest.mark.parametrize("command", [["linear", "--parameters"], ["respond"], ["sample"], ["design"]])
-def test_thousands_of_problems_fit_on_a_screen(command: list[str], capsys) -> None:
-    wrong = "".join(f"strange{number} = {number}\n" for number in range(5000))
+def test_hundreds_of_problems_fit_on_a_screen(command: list[str], capsys) -> None:
+    wrong = "".join(f"strange{number} = {number}\n" for number in range(500))
     bodies = "" if command[0] == "linear" else "[bodies]\na = { mass = 1 }\n"
     Path("many.toml").write_text(wrong + bodies, "utf-8")
     assert main([*command, "many.toml"]) == 2
     lines = capsys.readouterr().err.splitlines()
     assert 10 < len(lines) <= 20
-    assert " 50" in lines[0] and "problems" in lines[0]
+    assert " 5" in lines[0] and "problems" in lines[0]
     assert " more: put these right first" in lines[-1]
 
 

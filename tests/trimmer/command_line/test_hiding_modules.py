@@ -63,7 +63,7 @@ def test_a_file_that_is_in_the_way_before_is_named(folder: Path) -> None:
 def test_a_module_in_place_of_a_package_is_named(folder: Path) -> None:
     (folder / "numpy.py").unlink()
     code = f"import sys; sys.path.insert(0, {str(folder)!r}); import report; del sys.path[0]\n"
-    code += "from trimmer.command_line.main import main; sys.exit(main(['linear', '--help']))"
+    code += "from trimmer.command_line.main import main; sys.exit(main(['--help']))"
     done = run(folder, "-P", "-c", code)
     assert done.returncode == 0
     assert "'design' (report.design.command:COMMAND) does not load: " in done.stderr

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 import re
 import resource
-import subprocess
-import sys
+import signal
 from contextlib import suppress
 from pathlib import Path
 
@@ -96,6 +95,7 @@ UNTRIED = {"fit --scale", "fit --amplitude", *(f"fit {as_option(name)}" for name
 """They are read as by other commands, and what is no number that nobody means takes a whole fit."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", [command.name for command in installed_commands()])
 def test_every_number_is_among_them(command: str, capsys) -> None:
     tried = {part for words in WORDS if words.split()[0] == command for part in words.split()}
@@ -126,11 +126,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def answered(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
+def answered(capsys: pytest.CaptureFixture[str], words: list[str]) -> int:
     try:
         code = main(words)
     except SystemExit as stopped:
-        code = stopped.code
+        code = int(stopped.code or 0)
     told = capsys.readouterr()
     assert code in (0, WRONG_USE, 3), told.err
     lines = told.err.splitlines()
@@ -139,6 +139,7 @@ def answered(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
     if code == WRONG_USE:
         assert len(lines) == 1
         assert told.out == ""
+    return code
 
 
 @pytest.mark.slow
@@ -160,23 +161,13 @@ WITHOUT_END = (
     f"map {TWIN} --vary frequency=1:2:100000 --vary plays.bridge.gap=0:1:100000",
     f"{DRIVEN} --csv a.csv --sample-rate 1e30",
 )
-IN_TURN = """
-import sys
-from trimmer.command_line.main import main
-for words in sys.argv[1:]:
-    try:
-        print(main(words.split()))
-    except SystemExit as ended:
-        print(ended.code)
-"""
 
 
-def test_what_would_never_end_is_told_at_once(tmp_path: Path) -> None:
-    """A process of its own can be ended whatever it does; one for all, as most of its time is imports."""
-    done = subprocess.run(
-        [sys.executable, "-c", IN_TURN, *WITHOUT_END],
-        cwd=tmp_path, capture_output=True, text=True, timeout=60,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.split() == [str(WRONG_USE)] * len(WITHOUT_END), done.stderr
-    assert done.stderr.count("\n") == done.stderr.count("trimmer: ") == len(WITHOUT_END)
+def test_what_would_never_end_is_told_at_once(monkeypatch, tmp_path: Path, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_utime
+    for words in WITHOUT_END:
+        signal.alarm(60)  # ends the process, whatever it does
+        assert answered(capsys, words.split()) == WRONG_USE
+        signal.alarm(0)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_utime - before < SLOWEST

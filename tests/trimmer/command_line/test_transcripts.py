@@ -40,7 +40,13 @@ def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("name", sorted(path.stem for path in FOLDER.glob("*.txt")))
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name.startswith("slow-") else [])
+        for name in sorted(path.stem for path in FOLDER.glob("*.txt"))
+    ],
+)
 def test_calls_answer_as_they_did(name: str, inputs: Path, tmp_path: Path) -> None:
     calls = read(FOLDER / f"{name}.txt")
     folder = tmp_path / "folder"

@@ -5,7 +5,7 @@ In a file of them a line ``$ ...`` is a call, and below it, with four blanks, wh
 output, with ``! `` what it prints on standard error, and with ``= `` its exit code, if that is not 0.
 ``# ...`` is said of what follows. ``$ trimmer ... < FILE`` reads standard input from a file, ``$ head FILE``
 shows how a text begins, and of a picture panels and words, ``$ ls`` lists what was written. The calls of a
-file are made in turn, in one folder.
+file are made in turn, in one folder; those of ``slow-*.txt`` only where slow tests are run.
 """
 
 from __future__ import annotations
