@@ -8,7 +8,8 @@ and the trimmer, the pin acting by its displacement alone, without friction betw
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from typing import final
 
 import control
@@ -82,11 +83,13 @@ class ReferenceLoop(Loop):
         system: G.
         element: The nonlinear element.
         reference: r.
+        start: States of the system with which a motion begins, by name; the others are 0.
     """
 
     system: control.LTI
     element: Element
     reference: Drive
+    start: Mapping[str, float] = field(default_factory=dict)
 
     def interconnection(self) -> Interconnection:
         """Return the closed loop with the reference at the input of the element."""

@@ -212,3 +212,10 @@ def test_static_friction_that_gives_way_ends_the_branch() -> None:
     assert branch.reason is BranchEnd.TORN
     assert branch.points[-1].value == pytest.approx(151.11742835, rel=1e-9)
     assert "static friction" in branch.message
+
+
+def test_a_friction_that_fades_away_leaves_the_linear_motion() -> None:
+    oscillator = Mechanism.from_toml(EXAMPLES / "den-hartog.toml")
+    end = follow(oscillator, "frictions.floor.force", 0.2, 0.0).points[-1]
+    assert end.value == 0.0
+    assert end.outputs["block"].peak_to_peak == pytest.approx(2 / (1 - 0.7**2), rel=1e-9)

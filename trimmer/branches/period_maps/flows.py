@@ -112,7 +112,10 @@ class Flows:
         family = self._family
         if family is None or share is None or not self._known:
             return flow_of(subject)
-        if not family.modes.learn(next(reversed(self._known.values())).modes):
+        latest = next(reversed(self._known.values()))
+        if not family.flows[0].is_alike(latest):  # A friction without a force is no part.
+            return flow_of(subject)
+        if not family.modes.learn(latest.modes):
             self._family, self._tries = None, self._tries - 1
             return flow_of(subject)
         return family.flows[0].with_modes(subject, family.modes.at(share, family.system(subject, share)))
@@ -137,6 +140,8 @@ class Flows:
         """
         family, own = self._family, self.at(value).modes
         if family is None or family.share(value) is None:
+            return None
+        if not family.flows[0].is_alike(self.at(value)):
             return None
         if not family.modes.learn(own) or not family.modes.numbers_alike(own):
             return None
