@@ -113,8 +113,10 @@ class AffineModes(Generic[_System]):
         for each in (self.first, self.middle, self.last):
             for statuses in modes.statuses:
                 each.number(statuses)
-            for number, function, jumped in np.argwhere(modes.tables.target != UNKNOWN).tolist():
-                if each.tables.target[number, function, jumped] == UNKNOWN:
+            for there, function, jumped in np.argwhere(modes.tables.target != UNKNOWN).tolist():
+                number = each.number(modes.statuses[there])
+                is_there = function < len(each[number].functions)
+                if is_there and each.tables.target[number, function, jumped] == UNKNOWN:
                     each.follow(number, function, bool(jumped))
 
     def _affine(self) -> Tables | None:
