@@ -27,7 +27,7 @@ EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "thesis-play.tom
 TWIN = Mechanism.from_toml(EXAMPLE).with_value("frictions.blade.force", 1.0)
 ORBITS = 200
 ROUNDS = 5
-TARGET = 3.0
+TARGET = 0.14
 
 
 def own() -> FollowedBranch:

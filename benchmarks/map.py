@@ -29,7 +29,7 @@ from trimmer.runners.processes import ProcessRunner
 TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play.toml")
 CELLS = 100
 PROCESSES = 2
-TARGET = 90.0
+TARGET = 40.0
 """s for 100 x 100 cells, where the calibration loop takes what is its reference."""
 PEER_PERIODS = 2
 GAP, OMEGA = 40e-6, 2 * np.pi * 110.0

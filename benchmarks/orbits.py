@@ -30,7 +30,7 @@ PERIODS = 40
 ROUNDS = 5
 CALLS = 20
 """Calls of ours in a round."""
-TARGET = 10e-3
+TARGET = 2.9e-3
 
 
 def own() -> PeriodicOrbit:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
 from trimmer.hybrid.tables import NO_RESET, Tables
@@ -104,25 +104,32 @@ def _fit(tables: Tables, mode: int, distances: Reals, room: Reals) -> None:
 
 
 @compiled
-def parted(tables: Tables, now: int, duration: float) -> tuple[int, float, int]:
-    """Return how many whole steps come first in a duration, s, the rest as a fraction of one, its terms."""
-    step = tables.step[now]
+def parted(step: float, terms: Integers, duration: float) -> tuple[int, float, int]:
+    """Return how many whole steps come first in a duration, s, the fraction of one beyond, and its terms."""
     steps = max(math.ceil(duration / step) - 1, 0)
     fraction = duration / step - steps
     level = max(min(-math.frexp(fraction)[1] // 2, LEVELS - 1), 0) if fraction > 0.0 else LEVELS - 1
-    return steps, fraction, tables.terms[now, level]
+    return steps, fraction, terms[level]
 
 
 @compiled
-def fly(tables: Tables, now: int, duration: float, vector: Reals, room: Room) -> None:
-    """Multiply a vector, (N,), by the flow of a mode over a duration, s, but for states that decay."""
-    steps, fraction, terms = parted(tables, now, duration)
+def fly(screen: Reals, series: Reals, parts: tuple[int, float, int], vector: Reals, room: Reals) -> None:
+    """Multiply a vector, (N,), by the flow of a mode over some parts of a duration; states that decay stay.
+
+    Args:
+        screen: Table of a whole step of the mode.
+        series: That of its series.
+        parts: Steps, a fraction of one, and terms that do for it.
+        vector: The vector.
+        room: Room for the terms.
+    """
+    steps, fraction, terms = parts
     size = vector.size
     for _ in range(steps):
-        combine(vector, tables.screen[now], size, room.after)
-        copy(room.after, size, vector)
-    combine(vector, tables.series[now], terms * size, room.terms)
-    evaluate_terms(room.terms, terms, fraction, vector)
+        combine(vector, screen, size, room)
+        copy(room, size, vector)
+    combine(vector, series, terms * size, room)
+    evaluate_terms(room, terms, fraction, vector)
 
 
 @compiled
@@ -133,7 +140,7 @@ def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: R
     """
     count, columns = distances.shape
     now, other = tables.settled[mode], room.distances
-    steps, fraction, terms = parted(tables, now, duration)
+    steps, fraction, terms = parted(tables.step[now], tables.terms[now], duration)
     _flow_of(tables.series[now], terms, fraction, count, room.flow)
     for k in range(steps + 1):
         _multiply(tables.screen[now] if k < steps else room.flow, distances, other)
@@ -164,11 +171,21 @@ def _falls_with(tables: Tables, mode: int, fired: int, state: Reals, rates: Real
 
 
 @compiled
-def met(tables: Tables, log: Log, row: int, last: int, fired: int, reset: int, room: Room) -> bool:
+def met(  # noqa: PLR0913
+    tables: Tables,
+    resets: Reals | None,
+    log: Log,
+    row: int,
+    last: int,
+    fired: int,
+    reset: int,
+    room: Room,
+) -> bool:
     """Write the states and rates before and after an event; return False if it is not the only one.
 
     Args:
         tables: The modes.
+        resets: Their resets; None if there are none, which the compiler sees.
         log: The segments of the motion.
         row: The first row at its instant.
         last: The last one.
@@ -183,47 +200,49 @@ def met(tables: Tables, log: Log, row: int, last: int, fired: int, reset: int, r
     if tables.owner[before, fired] >= 0 and _falls_with(tables, before, fired, room.here, room.before):
         return False
     copy(log.state[last], size, room.there)
-    if reset == NO_RESET:
-        _multiply_state(tables.flow[after], room.there, room.after)
-        for i in range(size):
-            room.after[i] -= room.before[i]
-    else:
-        copy(log.state[row - 1], size, room.here)
-        fly(tables, tables.settled[before], log.start[row] - log.start[row - 1], room.here, room)
-        _multiply_state(tables.flow[before], room.here, room.before)
-        combine(room.here, tables.resets[reset], size, room.there)
-        _multiply_state(tables.flow[after], room.there, room.after)
-        combine(room.before, tables.resets[reset], size, room.terms)
-        for i in range(size):
-            room.after[i] -= room.terms[i]
+    _multiply_state(tables.flow[after], room.there, room.after)
+    for i in range(size):
+        room.after[i] -= room.before[i]
+    if resets is not None:  # noqa: SIM102 - by itself, so that it is not compiled where nothing resets.
+        if reset != NO_RESET:
+            now, duration = tables.settled[before], log.start[row] - log.start[row - 1]
+            copy(log.state[row - 1], size, room.here)
+            parts = parted(tables.step[now], tables.terms[now], duration)
+            fly(tables.screen[now], tables.series[now], parts, room.here, room.terms)
+            _multiply_state(tables.flow[before], room.here, room.before)
+            combine(room.here, resets[reset], size, room.there)
+            _multiply_state(tables.flow[after], room.there, room.after)
+            combine(room.before, resets[reset], size, room.terms)
+            for i in range(size):
+                room.after[i] -= room.terms[i]
     return True
 
 
 @compiled
-def falling(tables: Tables, before: int, fired: int, vector: Reals) -> float:
-    """Return the functional of an event function of the mode before times a vector."""
+def falling(taylor: Reals, vector: Reals) -> float:
+    """Return an event function, whose coefficients are given, (N, K + 1), of a vector, (N,)."""
     total = 0.0
     for i in range(vector.size):
-        total += tables.taylor[before, fired, i, 0] * vector[i]
+        total += taylor[i, 0] * vector[i]
     return total
 
 
 @compiled
-def _jump(tables: Tables, before: int, fired: int, reset: int, distances: Reals, room: Room) -> None:
+def _jump(resets: Reals | None, taylor: Reals, reset: int, distances: Reals, room: Room) -> None:
     """Multiply distances by the jump of an event; before a reset they decide how much later it comes."""
     count, columns = distances.shape
-    slope, other = falling(tables, before, fired, room.before), room.distances
-    if reset == NO_RESET:
-        for i in range(count):
-            for c in range(columns):
-                other[i, c] = distances[i, c]
-    else:
-        _multiply(tables.resets[reset], distances, other)
+    slope, other = falling(taylor, room.before), room.distances
+    for i in range(count):
+        for c in range(columns):
+            other[i, c] = distances[i, c]
+    if resets is not None:  # noqa: SIM102 - by itself, so that it is not compiled where nothing resets.
+        if reset != NO_RESET:
+            _multiply(resets[reset], distances, other)
     for c in range(columns):
         earlier = 0.0
         if slope != 0.0:
             for i in range(count):
-                earlier += tables.taylor[before, fired, i, 0] * distances[i, c]
+                earlier += taylor[i, 0] * distances[i, c]
             earlier /= slope
         for i in range(count):
             distances[i, c] = other[i, c] + room.after[i] * earlier
@@ -244,7 +263,15 @@ def reset_at(tables: Tables, log: Log, first: int, last: int) -> int:
 
 
 def _entry(sources: bytes) -> Callable[..., int]:
-    def entry(tables: Tables, log: Log, end: float, row: int, distances: Reals, room: Room) -> int:
+    def entry(
+        tables: Tables,
+        resets: Reals | None,
+        log: Log,
+        end: float,
+        row: int,
+        distances: Reals,
+        room: Room,
+    ) -> int:
         sources  # noqa: B018
         rows = log.start.size
         jumped = row > 0  # What begins in a later row has jumped there already.
@@ -258,10 +285,12 @@ def _entry(sources: bytes) -> Callable[..., int]:
                 following += 1
             last = following - 1  # Of the segments at one instant, the last one is that which goes on.
             if row > 0 and fired >= 0 and not jumped:
-                reset = reset_at(tables, log, row, last)
-                if reset == SEVERAL or not met(tables, log, row, last, fired, reset, room):
+                reset = NO_RESET
+                if resets is not None:
+                    reset = reset_at(tables, log, row, last)
+                if reset == SEVERAL or not met(tables, resets, log, row, last, fired, reset, room):
                     break
-                _jump(tables, log.mode[row - 1], fired, reset, distances, room)
+                _jump(resets, tables.taylor[log.mode[row - 1], fired], reset, distances, room)
                 _fit(tables, log.mode[last], distances, room.distances)
             until = log.start[following] if following < rows else end
             _go_on(tables, log.mode[last], until - log.start[last], distances, room)
@@ -289,4 +318,5 @@ def propagate(tables: Tables, log: Log, end: float, row: int, distances: Reals, 
         The row of the first segment at an instant at which several parts change; the number of rows at the
         end.
     """
-    return int(_compiled_entry(tables, log, end, row, distances, room))
+    resets = tables.resets if len(tables.resets) else None
+    return int(_compiled_entry(tables, resets, log, end, row, distances, room))

@@ -88,15 +88,16 @@ def _go_on(
 ) -> None:
     """Follow a state and its derivative, (2, N), over a duration, s; what decays does so by itself."""
     now, state, tangent = tables.settled[mode], both[0], both[1]
+    parts = parted(tables.step[now], tables.terms[now], duration)
     if slopes.flows[now]:
-        steps, fraction, count = parted(tables, now, duration)
+        steps, fraction, count = parts
         for k in range(steps + 1):
             length = tables.step[now] * (1.0 if k < steps else fraction)
             most = tables.terms[now, 0] if k < steps else count
             _step(tables.flow[now], slopes.flow[now], length, most, state, tangent, terms)
     else:
-        fly(tables, now, duration, state, room)
-        fly(tables, now, duration, tangent, room)
+        fly(tables.screen[now], tables.series[now], parts, state, room.terms)
+        fly(tables.screen[now], tables.series[now], parts, tangent, room.terms)
     for part in range(tables.decaying_state.size):
         rate = tables.decayed[now, part]
         if rate > 0.0:
@@ -110,9 +111,9 @@ def _jump(
     tables: Tables, slopes: Slopes, before: int, fired: int, reset: int, tangent: Reals, room: Room
 ) -> None:
     """Write the derivative after an event, before it fits what is held then."""
-    slope, later, size = falling(tables, before, fired, room.before), 0.0, tangent.size
+    slope, later, size = falling(tables.taylor[before, fired], room.before), 0.0, tangent.size
     if slope != 0.0:
-        missed = falling(tables, before, fired, tangent)
+        missed = falling(tables.taylor[before, fired], tangent)
         for i in range(size):
             missed += slopes.functions[before, fired, i] * room.here[i]
         later = -missed / slope
@@ -150,7 +151,7 @@ def _entry(sources: bytes) -> Callable[..., int]:
             last = following - 1
             if row > 0 and fired >= 0 and not jumped:
                 reset = reset_at(tables, log, row, last)
-                if reset == SEVERAL or not met(tables, log, row, last, fired, reset, room):
+                if reset == SEVERAL or not met(tables, tables.resets, log, row, last, fired, reset, room):
                     break
                 _jump(tables, slopes, log.mode[row - 1], fired, reset, both[1], room)
                 _held(tables, slopes, log.mode[last], room.there, both[1], room)
