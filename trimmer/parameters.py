@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import Field, dataclass, field, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import TrimmerError
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import in_lines, near_match, shown_value
 from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
 from trimmer.showing.shown import counted
 from trimmer.toml_files import is_mechanism_file, parsed, read_text
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 SCATTER = "uncertainty"
 """The table of a parameter file that only ``trimmer sample`` reads."""

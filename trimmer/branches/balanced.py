@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.branches.outputs import body_coefficients
 from trimmer.harmonics.balance import harmonic_balance_of
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.course import Course
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.course import Course
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_array, whole_number
 from trimmer.branches.branch import Branch, BranchEnd
@@ -17,20 +17,16 @@ from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.errors import LoopError, MechanismError, OrbitNotFoundError
 from trimmer.loops.loops import Loop
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place
 from trimmer.messages import listed
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.orbit import NEUTRAL, Orbit
 from trimmer.response.self_excited import orbit_by_itself
 from trimmer.response.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.subject import Subject
 
 
 def follow(

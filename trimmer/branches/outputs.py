@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
+from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import read
 from trimmer.showing.shown import Shown
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
 
 HARMONICS = 15
 

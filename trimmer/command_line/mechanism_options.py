@@ -5,12 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.mechanism import Mechanism
 
 
 def add_mechanism_options(parser: ArgumentParser) -> None:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+from trimmer.arrays import Reals
 
 SHARE = 0.1
 """Part of the duration, at the end of the motion, that the summary describes."""

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import logging
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING
 
 from trimmer.command_line.parser import OptionError
-
-if TYPE_CHECKING:
-    from trimmer.runners.runner import Runner
+from trimmer.runners.runner import Runner
 
 
 def add_runner_options(parser: ArgumentParser) -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 import numpy as np
 
-from trimmer.contact.machine import free_springs, independent, relaxing_springs
+from trimmer.arrays import Places, Reals
+from trimmer.contact.machine import Machine, free_springs, independent, relaxing_springs
 from trimmer.contact.statuses import (
     ALWAYS,
     BROKEN,
@@ -26,12 +27,6 @@ from trimmer.contact.statuses import (
 )
 from trimmer.hybrid.dry_friction import elementary_vectors
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, EventFunction, Mode
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Places, Reals
-    from trimmer.contact.machine import Machine
 
 PUSHING = (PLUS, MINUS, ALWAYS)
 """Statuses of a contact that exerts a force."""

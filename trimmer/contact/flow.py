@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.contact.assembly import force_of
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.joint import decide
@@ -38,24 +40,18 @@ from trimmer.contact.statuses import (
 from trimmer.contact.system import MechanismSystem
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
-from trimmer.hybrid.system import ARRIVED, NO_STATE
+from trimmer.hybrid.system import ARRIVED, NO_STATE, Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Force, Pin
+from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
+from trimmer.motion.part import Part
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
+from trimmer.motion.signals import Readout, Signal
+from trimmer.motion.subject import Subject
 from trimmer.sides import DIFFERENT
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.system import Mode, System
-    from trimmer.mechanism.parts import Force, Pin
-    from trimmer.motion.course import Course
-    from trimmer.motion.part import Part
-    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-    from trimmer.motion.signals import Readout, Signal
-    from trimmer.motion.subject import Subject
 
 NEGLIGIBLE = 1e-9
 """Share of the largest velocity of a motion, or eigenvalue of a matrix, below which another may be none."""

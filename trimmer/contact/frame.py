@@ -15,15 +15,12 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Integers, Reals
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Link, Play, Stop
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Reals
-    from trimmer.mechanism.mechanism import Mechanism
 
 HELD = -1
 """In place of a leader: the ground holds a body in place."""

@@ -7,19 +7,14 @@ resists with the latter once it breaks away; then all are decided again.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from trimmer.arrays import Places, Reals
 from trimmer.contact.assembly import flow_without_stick
+from trimmer.contact.machine import Machine
 from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
 from trimmer.hybrid.dry_friction import complementary_forces
-from trimmer.hybrid.system import ARRIVED
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Places, Reals
-    from trimmer.contact.machine import Machine
-    from trimmer.hybrid.system import EventFunction
+from trimmer.hybrid.system import ARRIVED, EventFunction
 
 NOISE = 2.0**-49
 """Rounding of an acceleration as a share of the moduli of its terms."""

@@ -7,22 +7,16 @@ Displacements are those in a frame, which may move.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
-from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.parts import Force, Pin
-
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Pin, Play, Stop
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -11,12 +12,8 @@ from trimmer.contact.frame import HELD, Frame
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.mechanism.mechanism import Mechanism
 
 _LAWS = {ContactLaw.RELAXING: RELAXES, ContactLaw.TRUNCATED: TRUNCATES, ContactLaw.PULLING: PULLS}
 

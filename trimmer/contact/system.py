@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.assembly import assemble, flow_without_stick
 from trimmer.contact.joint import after_event
+from trimmer.contact.layout import Layout
+from trimmer.contact.machine import Machine
 from trimmer.contact.statuses import ACTIONS, CONTACT_BROKEN
 from trimmer.contact.transitions import transition
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Places, Reals
-    from trimmer.contact.layout import Layout
-    from trimmer.contact.machine import Machine
-    from trimmer.hybrid.system import EventFunction, Mode, Transition
+from trimmer.hybrid.system import EventFunction, Mode, Transition
 
 
 @dataclass(frozen=True, eq=False)

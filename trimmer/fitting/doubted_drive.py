@@ -6,15 +6,11 @@ It is told, not refused: beside a strong line of something else, whoever measure
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.fitting.measured import drive_near
+from trimmer.fitting.measured import MeasuredLines, drive_near
 from trimmer.signals.signal import SignalError
-
-if TYPE_CHECKING:
-    from trimmer.fitting.measured import MeasuredLines
 
 OFF = 0.25
 """Periods of the last line that is compared by which a drive may be off by the end of the record."""

@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.errors import TrimmerError
 from trimmer.fitting.unknowns import Unknown, values_at
+from trimmer.hybrid.advance import Instant
+from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import read
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
-from trimmer.response.orbit import orbit_of
+from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import Patience, Return, solve
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.subject import Subject
-    from trimmer.response.orbit import Orbit
 
 SETTLED_WITHIN = 400
 """Drive periods in which a motion has to settle from its start."""

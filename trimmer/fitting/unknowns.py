@@ -5,21 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import FitError, TrimmerError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.places import quantities
 from trimmer.mechanism.quantities import Range
 from trimmer.messages import listed
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import called
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.motion.subject import Subject
 
 REACH = 1e3
 """Factor by which a positive number may leave its start, and how many times its size another one."""

@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.fitting.unknowns import Unknown
 from trimmer.messages import listed
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 TOLD = math.log(1.1)
 """Change of a coordinate, 10 % of the number, that a measurement should tell from none."""

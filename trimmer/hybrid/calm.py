@@ -7,12 +7,9 @@ changes with it, though the motion and its multipliers do not. What is solved fo
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+from trimmer.arrays import Reals
 
 LEAST_SHARE = 0.3
 """Length of the segment in which motions begin, as a share of the longest, below which they begin there."""

@@ -41,13 +41,10 @@ References:
 from __future__ import annotations
 
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Integers, Reals
-
+from trimmer.arrays import Flags, Integers, Reals
 
 DEPENDENT = 1e-10
 """A direction that lies so close to the span of others, relative to its length, lies in it."""

@@ -8,8 +8,8 @@ serve.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,9 +18,6 @@ from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
 from trimmer.hybrid.series import COUNT, STEP, SWEEPS
 from trimmer.hybrid.taylor import LONGEST_STEP
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 
 class Rows(NamedTuple):

@@ -6,9 +6,10 @@ Modes of small systems have tables of a whole step. Those of large ones, most of
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, ClassVar, Generic, NamedTuple, TypeVar
+from typing import ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,9 +19,6 @@ from trimmer.hybrid.series import ModeTables, tabulate
 from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 UNKNOWN = -1
 """In place of a mode to go on in: not tabulated yet."""

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-
+from trimmer.arrays import Reals
 
 DEGREE = 24
 """Degree of the polynomials; for the steps of ``trimmer.hybrid.series`` the rest is less than rounding."""

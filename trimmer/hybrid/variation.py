@@ -8,23 +8,20 @@ matrix is singular.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.hybrid.propagation import propagate, room_for
 from trimmer.hybrid.sparse import carry
+from trimmer.hybrid.system import EventFunction, Mode
+from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.system import EventFunction, Mode
-    from trimmer.hybrid.tables import Modes
-    from trimmer.hybrid.work import Log
+from trimmer.hybrid.work import Log
 
 
 def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Reals:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.loops.switched_component import (
     Component,
     EventFunction,
@@ -17,10 +18,6 @@ from trimmer.loops.switched_component import (
     Signals,
     Transition,
 )
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-
 
 FREE, UPPER, LOWER, RESTING = range(4)
 SETTLED = 2.0**-60

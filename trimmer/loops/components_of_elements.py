@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import sys
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.elements.coulomb_friction import CoulombFriction
 from trimmer.elements.dead_zone import DeadZone
+from trimmer.elements.element import Element
 from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.preload import Preload
 from trimmer.elements.relay import Relay
@@ -26,9 +27,6 @@ from trimmer.loops.corner_component import CornerComponent
 from trimmer.loops.relay_component import RelayComponent
 from trimmer.loops.switched_component import Component, Explicit, OutputLaw, RateProportional
 from trimmer.loops.threshold_component import ThresholdComponent
-
-if TYPE_CHECKING:
-    from trimmer.elements.element import Element
 
 
 @final

@@ -4,28 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, final, overload
+from typing import final, overload
 
 import numpy as np
 
 from trimmer.arguments import require_instance
+from trimmer.arrays import Reals
 from trimmer.displacement import TrimmerBody
 from trimmer.errors import UnsupportedMotionError
 from trimmer.generated import linear_trimmer
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.linear.model import InputChannels
 from trimmer.loops.components_of_elements import components_of
+from trimmer.loops.mode import LoopMode
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.trimmer_loop import TrimmerLoop
-from trimmer.motion.motion import Motion
+from trimmer.motion.motion import Energy, Motion
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.loops.mode import LoopMode
-    from trimmer.motion.motion import Energy
-
 
 NODES = DEGREE + 1
 """Points of Gauss and Legendre in a step: exact for products of two polynomials of that degree."""

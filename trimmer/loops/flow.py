@@ -2,36 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.system import Mode, System
+from trimmer.hybrid.tables import Modes
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.initial import resumed
 from trimmer.loops.loop_signal import READ, LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.relay_component import RelayComponent
-from trimmer.loops.system import LoopSystem
+from trimmer.loops.system import LoopModes, LoopSystem
+from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.motion.signals import Readout
+from trimmer.motion.part import Part
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
+from trimmer.motion.signals import Readout, Signal
+from trimmer.motion.subject import Subject
 from trimmer.motion.units import Units
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.system import Mode, System
-    from trimmer.hybrid.tables import Modes
-    from trimmer.loops.system import LoopModes
-    from trimmer.motion.course import Course
-    from trimmer.motion.part import Part
-    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-    from trimmer.motion.signals import Signal
-    from trimmer.motion.subject import Subject
 
 
 @dataclass(frozen=True, eq=False)

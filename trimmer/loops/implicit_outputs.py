@@ -3,18 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import IllPosedLoopError
-from trimmer.loops.interconnection import NEGLIGIBLE, Layout, acts
+from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, acts
 from trimmer.loops.switched_component import Constrained, RateProportional, Signals
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.loops.interconnection import Interconnection
-
 
 DEPENDENT = 1e-10
 """Conditions on outputs that differ by less, relative to their sizes, are one."""

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, OWN_ACTIONS, EventFunction, Mode
-from trimmer.loops.frictions.coupled_relays import attracting
+from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
 from trimmer.loops.frictions.stick import projection
 from trimmer.loops.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
-from trimmer.loops.interconnection import NEGLIGIBLE, Layout, effect
+from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, effect
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.switched_component import (
     Constrained,
@@ -19,14 +20,6 @@ from trimmer.loops.switched_component import (
     Signals,
     Transition,
 )
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Reals
-    from trimmer.loops.frictions.coupled_relays import CoupledRelays
-    from trimmer.loops.interconnection import Interconnection
-
 
 FUNCTIONS_OF_COMPONENT = 3
 """No component by itself has more event functions in a mode."""

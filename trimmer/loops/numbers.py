@@ -8,20 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trimmer.arguments import finite_number, require_instance
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.errors import LoopError
-from trimmer.loops.loops import COMPUTED
+from trimmer.loops.loops import COMPUTED, Drive, Loop
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 from trimmer.parameters import TrimmerParameters
-
-if TYPE_CHECKING:
-    from trimmer.loops.loops import Drive, Loop
 
 FREQUENCY: Place = ("frequency",)
 OF_LENGTH = ("amplitude", "gap", "threshold", "hysteresis", "dead_zone", "level")

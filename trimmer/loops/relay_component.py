@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.loops.switched_component import (
     Component,
     Constrained,
@@ -17,10 +18,6 @@ from trimmer.loops.switched_component import (
     Signals,
     Transition,
 )
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-
 
 PLUS, MINUS, HELD = range(3)
 

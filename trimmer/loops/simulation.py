@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number
 from trimmer.hybrid.advance import AdvanceInterrupted, Ending
 from trimmer.loops.initial import initial_segment
 from trimmer.loops.integration import followed
-from trimmer.loops.loops import require_loop
+from trimmer.loops.loops import Loop, require_loop
 from trimmer.loops.motion import LoopMotion, Outcome
 from trimmer.loops.resolution import unresolved_segment
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.loops.loops import Loop
 
 OUTCOMES = {
     Ending.REACHED_END: Outcome.COMPLETED,

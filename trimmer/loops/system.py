@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Integers, Places, Reals
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.system import (
     HOLD_BEGUN,
@@ -24,15 +24,10 @@ from trimmer.hybrid.system import (
 from trimmer.hybrid.tables import Modes
 from trimmer.loops.frictions.complementarity import complementary_mode
 from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
-from trimmer.loops.interconnection import Layout
+from trimmer.loops.interconnection import Interconnection, Layout
 from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, Change, LoopFunction, LoopMode, assemble
 from trimmer.loops.relay_component import HELD
 from trimmer.loops.switched_component import EventKind
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Places, Reals
-    from trimmer.loops.interconnection import Interconnection
-
 
 MOST_MODES = 4 * 3**6
 """Largest number of modes of a loop: those of a backlash and six frictions."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import final
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.loops.switched_component import (
     Component,
     EventFunction,
@@ -16,10 +17,6 @@ from trimmer.loops.switched_component import (
     Signals,
     Transition,
 )
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-
 
 SILENT, POSITIVE, NEGATIVE = range(3)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, final
+from typing import final
 
+import control
 import numpy as np
 import scipy.linalg
 
@@ -19,9 +20,6 @@ from trimmer.loops.components_of_elements import components_of
 from trimmer.loops.interconnection import Interconnection
 from trimmer.loops.loops import AT_REST, Drive, Loop, element_around, taken_start
 from trimmer.parameters import TrimmerParameters, require_parameters
-
-if TYPE_CHECKING:
-    import control
 
 
 @final

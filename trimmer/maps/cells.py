@@ -5,29 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.advance import Ending, Instant
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.flow import Flow
+from trimmer.motion.subject import Subject
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
 from trimmer.response.flows import flow_of
 from trimmer.response.linear_lines import LinearLines
+from trimmer.response.linear_motion import LinearMotion
+from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind
 from trimmer.response.shooting import CLOSED, sizes_of
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.subject import Subject
-    from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.orbit import Orbit
 
 FIRST_SCALE = 2.0
 """How far random starts of a loop go, in what its states reach from rest."""

@@ -12,20 +12,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trimmer.files import MAP
 from trimmer.json_data import DataError, typed
 from trimmer.maps.cells import CellMotion, CellResult
 from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.maps.measures import Measures
+from trimmer.motion.flow import Flow
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import RecordFile, appended, cut
 from trimmer.sizes import LARGEST
-
-if TYPE_CHECKING:
-    from trimmer.motion.flow import Flow
 
 _MAPS = RecordFile(
     kind=MAP,

@@ -6,20 +6,17 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import finite_number, require_instance, shown
 from trimmer.errors import MapError, TrimmerError, WrongTypeError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.motion.subject import Subject
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1

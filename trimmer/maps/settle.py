@@ -11,26 +11,20 @@ otherwise nothing is said.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.hybrid.advance import Ending
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.motion.flow import Flow
 from trimmer.response.growth import OLDER, grows
-from trimmer.response.linear_motion import grows_for_ever
-from trimmer.response.orbit import orbit_of
+from trimmer.response.linear_motion import LinearMotion, grows_for_ever
+from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.recurrence import has_returned, settles_to
 from trimmer.response.response import MotionKind
 from trimmer.response.settling import MOST_REPEATS, PATIENCE
 from trimmer.response.shooting import Return, solve
 from trimmer.response.solved import rest_of, solved
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Flow
-    from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.orbit import Orbit
 
 FIRST_LOOK = 24
 """Drive periods after which a motion is first looked at; later looks are half as long again apart."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, TypeVar, cast
+from typing import TypeVar, cast
 
 import numpy as np
 
@@ -16,13 +16,11 @@ from trimmer.branches.loci.locus import Locus, LocusRanges, LocusSettings
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.maps.inputs import varied
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.settling import orbit_from_rest
 from trimmer.runners.runner import Runner
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 MOST_ORBITS = 600
 """Orbits after which a branch is left."""

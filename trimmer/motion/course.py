@@ -8,19 +8,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.nodes import Nodes, nodes, sample
 from trimmer.hybrid.system import NOTHING
+from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.variation import propagated, propagator
 from trimmer.hybrid.work import Log
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Reals
-    from trimmer.hybrid.tables import Modes
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,26 +3,22 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
+from trimmer.hybrid.system import Mode, System
+from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course, Strobe
-from trimmer.motion.signals import Readout, Steady
+from trimmer.motion.part import Part
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
+from trimmer.motion.signals import Readout, Signal, Steady
+from trimmer.motion.subject import Subject
 from trimmer.motion.units import Units
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.system import Mode, System
-    from trimmer.hybrid.tables import Modes
-    from trimmer.motion.part import Part
-    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-    from trimmer.motion.signals import Signal
-    from trimmer.motion.subject import Subject
 
 BLOCK = 100_000
 """Steps that periods followed in one call of the compiled code may take: no interrupt ends it."""

@@ -8,15 +8,12 @@ which has the same integral: exp(-i a x) = Σ (2 l + 1) (-i)^l j_l(a) P_l(x).
 from __future__ import annotations
 
 from functools import cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.nodes import NODES
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.course import Course
+from trimmer.motion.course import Course
 
 FAST = 3.0
 """Half the angle by which a wave turns over a step, rad, up to which the nodes integrate it as they are."""

@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.system import NOTHING
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
+from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
-from trimmer.motion.signals import along, read
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-    from trimmer.motion.signals import Signal
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
+from trimmer.motion.signals import Signal, along, read
 
 HARMONICS = 20
 """Number of harmonics of the drive that are given."""

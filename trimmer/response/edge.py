@@ -12,17 +12,14 @@ The motion itself is asked (``trimmer.sides``): it is followed from a little to 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import Ending
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.sides import DIFFERENT, DISTANCES, Sides
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,19 +7,14 @@ What grows then as it did before, in proportion to its age, is taken to go on so
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.hybrid.advance import Ending
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Flow
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.motion.flow import Flow
 
 BLOCK = 32
 """Drive periods over which the size of a motion is taken."""

@@ -2,40 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_values
+from trimmer.arrays import Integers, Reals
 from trimmer.choices import Choice
 from trimmer.contact import statuses
+from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
 from trimmer.contact.readouts import contact_force
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
+from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
 from trimmer.motion.motion import Motion
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.energy import MechanismEnergy, energy_of
+from trimmer.response.rest import Rest
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
-
-if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Mapping
-
-    from numpy.typing import ArrayLike
-
-    from trimmer.arrays import Integers, Reals
-    from trimmer.contact.flow import MechanismFlow
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.course import Course
-    from trimmer.response.rest import Rest
 
 
 class MechanismEventKind(Choice):

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.linalg
 
-from trimmer.response.shooting import CLOSED, Return
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.motion.flow import Flow
-    from trimmer.response.shooting import Shot
+from trimmer.arrays import Complexes, Reals
+from trimmer.motion.flow import Flow
+from trimmer.response.shooting import CLOSED, Return, Shot
 
 FAR = 0.5
 """Modulus of a multiplier below which it is far inside the unit circle, whatever its rounding."""

@@ -4,26 +4,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Integers, Reals
+from trimmer.hybrid.advance import Instant
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
+from trimmer.motion.measures import Measures
+from trimmer.motion.subject import Subject
 from trimmer.one_orbit import SAME
+from trimmer.response.edge import Edge
 from trimmer.response.multipliers import multipliers_of, with_place
 from trimmer.response.shooting import CLOSED, Shot
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Integers, Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.measures import Measures
-    from trimmer.motion.subject import Subject
-    from trimmer.response.edge import Edge
 
 STILL = 1e-8
 """Change of states as a share of their sizes that is none."""

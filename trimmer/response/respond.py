@@ -3,36 +3,30 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arguments import whole_number
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
+from trimmer.hybrid.advance import Instant
+from trimmer.loops.loops import Loop
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.flow import Flow
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
+from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind, Response, SettledMotion
+from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
-from trimmer.response.self_excited import self_excited, time_scale
+from trimmer.response.self_excited import SelfExcited, self_excited, time_scale
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
-from trimmer.response.starts import instant_of
+from trimmer.response.starts import Start, instant_of
 from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from trimmer.hybrid.advance import Instant
-    from trimmer.loops.loops import Loop
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.flow import Flow
-    from trimmer.response.orbit import Orbit
-    from trimmer.response.rest import Rest
-    from trimmer.response.self_excited import SelfExcited
-    from trimmer.response.starts import Start
 
 MOST_PERIODS = 1000
 """Drive periods that are waited for a motion to settle, if no number is given."""

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Instant
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
 
 SAMPLES = 64
 """Instants in the period of the fastest wave at which forces are taken."""

@@ -7,29 +7,23 @@ for state and period. The motion begins in the middle of a segment, where nothin
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.system import NOTHING
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.one_orbit import SAME
 from trimmer.response.growth import grew, state_sizes
 from trimmer.response.linear_motion import grows_for_ever, linear_motion
-from trimmer.response.orbit import orbit_of
+from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.response import MotionKind
 from trimmer.response.rest import Rest
-from trimmer.response.shooting import CLOSED, Return, sizes_of, solve
+from trimmer.response.shooting import CLOSED, Return, Shot, sizes_of, solve
 from trimmer.response.solved import Solved, solved
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.response.orbit import Orbit
-    from trimmer.response.shooting import Shot
 
 STRETCHES = (20, 80, 320, 1280)
 """Lengths of the motion that is searched for a recurrence, in periods of the slowest mode."""

@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.hybrid.advance import Ending
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.motion.flow import Flow
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
 from trimmer.response.linear_motion import grows_for_ever
-from trimmer.response.orbit import orbit_of
+from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.solved import Solved, solved
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.subject import Subject
-    from trimmer.response.orbit import Orbit
 
 FIRST, LONGEST = 8, 128
 """Drive periods before the first look at a motion, and at most between two looks."""

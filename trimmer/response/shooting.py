@@ -9,18 +9,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
 
 CLOSED = 1e-10
 """Miss of the return, as a share of the sizes of the states, below which it counts as closed."""

@@ -4,24 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Instant
 from trimmer.messages import listed
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.response.linear_motion import LinearMotion, lasting_motion, linear_motion
-from trimmer.response.orbit import orbit_of
+from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.window import watch
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.response.orbit import Orbit
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)
 """For an orbit that is known to rounding."""

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trimmer.arguments import finite_number, real_array, shown
 from trimmer.errors import LoopError, MechanismError, WrongTypeError
 from trimmer.hybrid.advance import Instant
 from trimmer.loops.loops import Loop
 from trimmer.messages import listed, near_match
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from trimmer.motion.flow import Flow
+from trimmer.motion.flow import Flow
 
 Start: TypeAlias = "Mapping[str, Any] | ArrayLike | Instant | None"
 """Displacement, m, and velocity, m/s, by body, or of a loop states by name; all states, (n,); an instant; or

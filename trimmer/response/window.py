@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from trimmer.hybrid.advance import Ending
+from trimmer.arrays import Complexes, Reals
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
+from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.measures import HARMONICS
 from trimmer.motion.signals import along, read
 from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.shooting import sizes_of
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.arrays import Complexes, Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
 
 SAMPLES = 64
 """Samples in a drive period, for the spectrum."""

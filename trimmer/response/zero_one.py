@@ -6,12 +6,9 @@ like a random walk if it is chaotic (Gottwald and Melbourne, SIAM J. Appl. Dyn. 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+from trimmer.arrays import Reals
 
 SEED = 0
 """Of the angles, which are the same for each series."""

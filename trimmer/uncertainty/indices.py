@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import UncertaintyError
 from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.points import within_cube
 from trimmer.uncertainty.statistics import ROUNDING
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 @dataclass(frozen=True)

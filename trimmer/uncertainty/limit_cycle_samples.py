@@ -6,10 +6,10 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Flags, Reals
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.ensembles.limit_cycles import SampledLimitCycles, sampled_limit_cycles
 from trimmer.errors import UncertaintyError
@@ -17,15 +17,11 @@ from trimmer.linear.model import InputChannels
 from trimmer.parameter_kinds import ParameterKind
 from trimmer.parameters import TrimmerParameters, parameter_table, read_parameters
 from trimmer.showing.shown import counted
+from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
 from trimmer.uncertainty.parameter_file import GAP, uncertainty_of_file
 from trimmer.uncertainty.points import Plan, left_out
-from trimmer.uncertainty.sample_inputs import MOST_IMPOSSIBLE
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.uncertainty.distributions import Uncertainty
-    from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.sample_inputs import MOST_IMPOSSIBLE, SampleSettings
 
 
 @dataclass(frozen=True)

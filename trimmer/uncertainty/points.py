@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.choices import Choice
 from trimmer.showing.shown import counted
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 EDGE = 2.0**-40
 """Least distance from the faces of the cube, where a normal distribution has no value."""

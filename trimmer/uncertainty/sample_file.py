@@ -5,21 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 from trimmer.arguments import file_path
 from trimmer.design.design_file import OpenRange, design_file_of_text
 from trimmer.design.targets import Target
 from trimmer.errors import MechanismError
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem, as_message_of_file
 from trimmer.mechanism.reading import content_of_text, text_of_file
 from trimmer.mechanism.toml_lines import lines_of_keys
+from trimmer.motion.subject import Subject
 from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.table import SECTION, uncertainty_of
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.subject import Subject
 
 
 @dataclass(frozen=True)

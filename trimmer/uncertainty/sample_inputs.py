@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Flags, Reals
 from trimmer.errors import TrimmerError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
+from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.points import Plan
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.motion.subject import Subject
-    from trimmer.uncertainty.distributions import Uncertainty
 
 MOST_IMPOSSIBLE = 0.01
 """Share of samples that may be impossible, such as a negative gap, before the distributions are refused."""

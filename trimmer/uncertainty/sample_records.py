@@ -15,7 +15,6 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, Trial, all_measures
@@ -25,9 +24,7 @@ from trimmer.maps.inputs import described
 from trimmer.messages import shown_value
 from trimmer.response.response import MotionKind
 from trimmer.runners.record_file import RecordFile, appended, cut
-
-if TYPE_CHECKING:
-    from trimmer.uncertainty.sample_inputs import SampleInputs
+from trimmer.uncertainty.sample_inputs import SampleInputs
 
 FORMAT = 1
 _SAMPLES = RecordFile(

@@ -6,34 +6,31 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from warnings import warn
 
 import numpy as np
 
+from trimmer.arrays import Flags, Reals
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.subject import Subject
+from trimmer.motion.units import Units
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of
 from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import SerialRunner
+from trimmer.runners.runner import Runner, SerialRunner
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table, attributes
 from trimmer.uncertainty import sample_records
+from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.points import left_out
+from trimmer.uncertainty.sample_file import SampleFile
 from trimmer.uncertainty.sample_inputs import SampleInputs, SampleSettings, sample_inputs
 from trimmer.uncertainty.sample_records import NOWHERE, Keeping
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.motion.subject import Subject
-    from trimmer.motion.units import Units
-    from trimmer.runners.runner import Runner
-    from trimmer.uncertainty.distributions import Uncertainty
-    from trimmer.uncertainty.sample_file import SampleFile
 
 FEW = 12
 """Samples up to which other processes are not worth their beginning."""

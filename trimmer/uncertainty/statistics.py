@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
+from trimmer.arrays import Reals
 
 CONFIDENCE = 0.95
 QUANTILES = (0.05, 0.5, 0.95)

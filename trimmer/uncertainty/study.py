@@ -6,26 +6,23 @@ import math
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import require_balanceable
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners.runner import Runner
 from trimmer.uncertainty.balance import BalancedSamples, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
 from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.sample_file import SampleFile
 from trimmer.uncertainty.sample_inputs import SampleSettings, inputs_at
 from trimmer.uncertainty.sample_records import NOWHERE, Keeping
 from trimmer.uncertainty.samples import Samples, sample, trials_of
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.runners.runner import Runner
-    from trimmer.uncertainty.sample_file import SampleFile
 
 
 @dataclass(frozen=True)

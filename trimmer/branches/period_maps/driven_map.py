@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.period_maps.flows import Flows
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, Instant
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 DIFFERENCE = 1e-7
 """Relative difference of the value from which the derivative by it is taken."""

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from trimmer.branches.period_maps.value_rate import Slopes
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.affine_modes import AffineModes
+from trimmer.hybrid.system import System
+from trimmer.motion.flow import Flow
+from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
-
-if TYPE_CHECKING:
-    from trimmer.hybrid.system import System
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.subject import Subject
 
 KEPT = 4
 """Values whose flows are kept."""

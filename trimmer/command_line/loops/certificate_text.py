@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from trimmer.balance.limit_cycle import Certificate, UndecidedRegion
 from trimmer.command_line.json_values import finite
-
-if TYPE_CHECKING:
-    from trimmer.balance.limit_cycle import Certificate, UndecidedRegion
 
 
 def certificate_as_text(certificate: Certificate) -> list[str]:

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from trimmer.balance.feasible_frequencies import FeasibleBand
+from trimmer.balance.identification import Identification, IdentifiedTimeConstant, TimeConstantInterval
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
+from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.command_line.json_values import document, finite
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
-
-if TYPE_CHECKING:
-    from trimmer.balance.feasible_frequencies import FeasibleBand
-    from trimmer.balance.identification import Identification, IdentifiedTimeConstant, TimeConstantInterval
-    from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-    from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.loops import ClosedLoop
 
 _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" for n in HARMONICS))
 

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from trimmer.command_line.parser import OptionError
-
-if TYPE_CHECKING:
-    from trimmer.motion.subject import Subject
+from trimmer.motion.subject import Subject
 
 FORM = "PLACE=A:B:N"
 EXAMPLE = "plays.bridge.gap=0um:500um:50"

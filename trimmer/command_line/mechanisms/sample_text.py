@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -13,14 +13,11 @@ from trimmer.command_line.json_values import finite
 from trimmer.command_line.table import table
 from trimmer.design.targets import Measure
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.uncertainty.balance import BalancedSamples
+from trimmer.uncertainty.indices import Index, Indices
+from trimmer.uncertainty.samples import Samples
 from trimmer.uncertainty.statistics import Distribution, Quantile, Share, distribution_of, share_of
-from trimmer.uncertainty.study import name_of
-
-if TYPE_CHECKING:
-    from trimmer.uncertainty.balance import BalancedSamples
-    from trimmer.uncertainty.indices import Index, Indices
-    from trimmer.uncertainty.samples import Samples
-    from trimmer.uncertainty.study import SampleStudy
+from trimmer.uncertainty.study import SampleStudy, name_of
 
 MOST_LINES = 8
 """Numbers that the text lists for each quantity."""

@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.signals.averaged_text import averaged_json, averaged_text
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
+from trimmer.command_line.signals.signal_options import ChosenRecording
 from trimmer.command_line.table import table
 from trimmer.showing.shown import counted
+from trimmer.signals.wav import WavFile
+from trimmer.spectra.analysis import SpectrumAnalysis
+from trimmer.spectra.averaged import AveragedSpectrum
 from trimmer.spectra.classification import (
     MODEL_TOLERANCE,
     TOLERANCE_BINS,
@@ -24,13 +28,7 @@ from trimmer.spectra.classification import (
     NaturalMode,
     Origin,
 )
-
-if TYPE_CHECKING:
-    from trimmer.command_line.signals.signal_options import ChosenRecording
-    from trimmer.signals.wav import WavFile
-    from trimmer.spectra.analysis import SpectrumAnalysis
-    from trimmer.spectra.averaged import AveragedSpectrum
-    from trimmer.spectra.harmonics import HarmonicFit
+from trimmer.spectra.harmonics import HarmonicFit
 
 _SMALLEST_HARMONIC = 1e-4
 """Harmonics that are a smaller part of the largest are left out of the table; JSON has them all."""

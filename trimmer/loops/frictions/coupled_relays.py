@@ -11,17 +11,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Flags, Reals
 from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, closure, elementary_vectors
-from trimmer.loops.interconnection import effect
+from trimmer.loops.interconnection import Interconnection, effect
 from trimmer.loops.relay_component import HELD, RelayComponent
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Flags, Reals
-    from trimmer.loops.interconnection import Interconnection
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,14 +8,11 @@ sign of the pin's velocity: part and meet again for ever at one instant.
 from __future__ import annotations
 
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.loops.interconnection import NEGLIGIBLE
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 DEPENDENT = 1e-10
 """Held functions that differ by less, relative to their sizes, follow from one another."""
