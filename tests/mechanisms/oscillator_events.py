@@ -15,7 +15,7 @@ from mpmath import mp, mpc, mpf
 
 from trimmer.mechanism.parts import ContactLaw
 
-GRID = 250
+GRID = 80
 
 
 @dataclass(frozen=True)

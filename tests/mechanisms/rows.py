@@ -84,6 +84,9 @@ class Rows:
 
     def functions_of_time(self, t: np.ndarray | float) -> np.ndarray:
         """(1, t, sin, cos, ...) at a time, or as columns at several."""
+        if isinstance(t, float):
+            angles = [order * self.omega * t for order in self.orders]
+            return np.array([1.0, t, *(f(angle) for angle in angles for f in (math.sin, math.cos))])
         t = np.asarray(t, dtype=float)
         functions = np.ones((self.size - self.state_size, *t.shape))
         functions[1] = t

@@ -47,7 +47,8 @@ def test_the_oscillator_rebounds_as_the_closed_form_says():
         assert abs(motion.velocity + closed_forms.rebound_ratio(zeta)) < 1e-28
 
 
-@pytest.mark.parametrize("law", list(ContactLaw))
+@pytest.mark.slow
+@pytest.mark.parametrize("law", ContactLaw)
 def test_twenty_digits_of_event_times_do_not_depend_on_the_working_precision(law):
     shorter, longer = (times(law, digits) for digits in (30, 45))
     assert len(shorter) > 8

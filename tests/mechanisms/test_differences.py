@@ -26,7 +26,7 @@ def test_dry_friction_damps_as_the_saltation_at_reversals_says(ratio, force):
     """The determinant is the product of the ratios of accelerations at the two reversals."""
     system = System(cases.den_hartog(ratio, force))
     state = np.array(start_state(system))
-    for _ in range(60):
+    for _ in range(40):
         state = once_around(BruteForce(1e-10), system, state).final
     motion = once_around(BruteForce(), system, state)
     jacobian = monodromy(BruteForce(), system, state)

@@ -7,11 +7,10 @@ import pytest
 from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.energy import energy
 from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.quick import quick
 
 
-@pytest.mark.parametrize(
-    "seed", [4, 12, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (6, 8, 26))]
-)
+@pytest.mark.parametrize("seed", quick((12, 4, 6, 8, 26), 0))
 def test_the_energy_of_a_random_mechanism_balances(seed):
     mechanism = random_mechanism(seed)
     balance = energy(BruteForce().from_rest(mechanism, 2 / mechanism.frequency))

@@ -123,7 +123,7 @@ def response() -> trimmer.Response:
 def branch() -> trimmer.FollowedBranch:
     """From contact at 8 rad/s over the fold at 8.566394 rad/s, and back."""
     start, stop = 8.0 / (2 * np.pi), 8.7 / (2 * np.pi)
-    settings = trimmer.FollowSettings(quiet=True)
+    settings = trimmer.FollowSettings(quiet=True, largest_step=0.05)
     return trimmer.follow(
         impact_oscillator(), "frequency", start, stop, state=forced().instant.state, settings=settings
     )

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.quick import quick
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP
 from trimmer.balance.identification import identify_time_constant
 from trimmer.balance.solve import limit_cycles
@@ -19,7 +20,7 @@ from trimmer.linear.model import pin_model
 from trimmer.parameters import TrimmerParameters
 
 
-@pytest.mark.parametrize("time_constant", [0.0, 3e-5, 1e-3, 0.1, math.inf])
+@pytest.mark.parametrize("time_constant", quick([0.0, 3e-5, 1e-3, 0.1, math.inf], 2, 4))
 def test_the_time_constant_of_a_predicted_limit_cycle_is_found_again(time_constant: float) -> None:
     for cycle in limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, time_constant)):
         found = identify_time_constant(THESIS_LOOP, GAP, cycle.frequency).time_constants
@@ -27,16 +28,6 @@ def test_the_time_constant_of_a_predicted_limit_cycle_is_found_again(time_consta
         assert nearest.time_constant == pytest.approx(time_constant, rel=1e-8)
         assert nearest.amplitude == pytest.approx(cycle.amplitude, rel=1e-8)
         assert nearest.stable == cycle.stable
-
-
-def test_no_time_constant_gives_a_frequency_outside_the_range() -> None:
-    lowest, highest = (
-        limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, time_constant))[-1].frequency
-        for time_constant in (0.0, math.inf)
-    )
-    assert identify_time_constant(THESIS_LOOP, GAP, 1.01 * highest).time_constants == ()
-    assert identify_time_constant(THESIS_LOOP, GAP, 0.99 * lowest).time_constants == ()
-    assert len(identify_time_constant(THESIS_LOOP, GAP, 0.5 * (lowest + highest)).time_constants) == 1
 
 
 @pytest.mark.parametrize("frequency", [0.0, -1.0, math.nan, math.inf])
@@ -61,17 +52,17 @@ LOOPS = {
 }
 
 
-@pytest.mark.parametrize("G", LOOPS.values(), ids=LOOPS)
+@pytest.mark.parametrize("G", quick(LOOPS.values(), 0, 2, 4), ids=LOOPS)
 def test_no_limit_cycle_of_any_load_lies_outside_the_bands(G: control.lti.LTI) -> None:
     bands = identify_time_constant(G, GAP, 1.0).bands
-    cycles = [c for tau in np.geomspace(1e-8, 1e4, 40) for c in limit_cycles(G, ViscousBacklash(GAP, tau))]
+    cycles = [c for tau in np.geomspace(1e-8, 1e4, 13) for c in limit_cycles(G, ViscousBacklash(GAP, tau))]
     for cycle in cycles:
         assert any(band.holds(cycle.frequency) for band in bands)
     met = [band for band in bands if any(band.holds(cycle.frequency) for cycle in cycles)]
     assert met == list(bands)
 
 
-@pytest.mark.parametrize("G", LOOPS.values(), ids=LOOPS)
+@pytest.mark.parametrize("G", quick(LOOPS.values(), 2, 3), ids=LOOPS)
 def test_right_outside_a_band_there_is_no_time_constant_and_right_inside_there_is(G: control.lti.LTI) -> None:
     bands = identify_time_constant(G, GAP, 1.0).bands
     for band in bands:

@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_part import LinearGain, parted, with_feedback
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -54,7 +55,7 @@ def distances(found: np.ndarray, exact: list[complex]) -> np.ndarray:
 
 
 @pytest.mark.parametrize("feedback", [LinearGain(0.3), LinearGain(damping=0.02), LinearGain(-1.5, 0.4)])
-@pytest.mark.parametrize("reference", [1.0, 7.0])
+@pytest.mark.parametrize("reference", quick([1.0, 7.0], 1))
 def test_poles_of_the_loop_are_right_to_the_last_digits(feedback: LinearGain, reference: float) -> None:
     """Twelve poles in a row: NumPy's roots of the polynomial are off by 1e-9, the polished ones are not."""
     poles = [-float(k) for k in range(1, 13)]

@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from trimmer.arrays import Complexes, Reals
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.inverse_response import InverseResponse
@@ -89,7 +90,7 @@ def random_plant(random: np.random.Generator) -> Plant:
 
 
 @pytest.mark.parametrize(("element", "turn"), [(Relay(2.0), 1.0), (CoulombFriction(2.0), 1j)])
-@pytest.mark.parametrize("reference", [1.0, 30.0])
+@pytest.mark.parametrize("reference", quick([1.0, 30.0], 1))
 def test_all_crossings_of_random_plants_are_found(element: Element, turn: complex, reference: float) -> None:
     random = np.random.default_rng(20261122)
     counts = []

@@ -6,6 +6,7 @@ import control
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, s, simulate_play
 from trimmer import InertiaBacklash, LimitCycle, PeriodicOrbit, Relay, StaticElement, periodic_orbits
 from trimmer.balance.solve import limit_cycles
@@ -15,7 +16,7 @@ from trimmer.elements.element import Element
 UNSTABLE, STABLE = limit_cycles(THESIS_LOOP, FRICTION)
 
 
-@pytest.mark.parametrize("factor", [0.85, 1.2])
+@pytest.mark.parametrize("factor", quick([0.85, 1.2], 0))
 def test_a_simulation_returns_to_the_stable_limit_cycle(factor: float) -> None:
     end = simulate_play(THESIS_LOOP, GAP, factor * STABLE.amplitude, STABLE.omega, 0.12, 4e-6)
     assert end.amplitude == pytest.approx(STABLE.amplitude, rel=0.01)
@@ -39,7 +40,7 @@ def test_servo_with_backlash_has_an_outer_stable_limit_cycle() -> None:
 def test_at_one_frequency_the_smaller_limit_cycle_comes_first_in_any_unit_of_time() -> None:
     """Without memory all lie where G is real, at sqrt(2) of the unit; rounding parts their frequencies."""
     element = StaticElement(lambda x: np.clip(x, -3, 3) - np.clip(x, -1, 1), scale=1.0, kinks=(1.0, 3.0))
-    for unit in np.sqrt([0.01, 1.0, 10.0, 1e4]):
+    for unit in np.sqrt([0.01, 10.0]):
         found = limit_cycles(20 / ((s / unit) * (s / unit + 1) * (s / unit + 2)), element)
         assert [each.stable for each in found] == [False, True]
         assert found[0].amplitude < found[1].amplitude
@@ -48,7 +49,7 @@ def test_at_one_frequency_the_smaller_limit_cycle_comes_first_in_any_unit_of_tim
 
 def both(system: control.TransferFunction, element: Element) -> tuple[LimitCycle, PeriodicOrbit]:
     (cycle,) = limit_cycles(system, element)
-    (orbit,) = (each for each in periodic_orbits(system, element) if each.prediction is not None)
+    (orbit,) = periodic_orbits(system, element, [cycle])
     return cycle, orbit
 
 

@@ -91,7 +91,7 @@ def test_frozen_viscous_friction_is_a_constant() -> None:
 @given(
     st.floats(-6, 6).map(lambda exponent: 10**exponent), st.floats(-6, 6).map(lambda exponent: 10**exponent)
 )
-@settings(max_examples=15)
+@settings(max_examples=6)
 def test_limit_cycles_of_a_sum_scale_with_length_and_force(length: float, stiffness: float) -> None:
     def cycles(length: float, stiffness: float) -> list[tuple[float, float]]:
         backlash = stiffness * FrictionBacklash(length)
@@ -118,7 +118,7 @@ sums = st.one_of(
 
 
 @given(stable_systems(), sums)
-@settings(max_examples=20)
+@settings(max_examples=8)
 def test_as_many_as_on_a_fine_grid_and_each_solves_the_equation(G, element: Element) -> None:
     balance = harmonic_balance(G, element)
     cycles = balance.limit_cycles
@@ -133,7 +133,7 @@ def test_as_many_as_on_a_fine_grid_and_each_solves_the_equation(G, element: Elem
 
 
 @given(stable_systems(), st.builds(lambda a, b: a + b, frictions, forces.map(ViscousFriction)))
-@settings(max_examples=20)
+@settings(max_examples=8)
 def test_friction_alone_as_many_as_on_a_fine_grid(G, element: Element) -> None:
     balance = harmonic_balance(G, element)
     cycles = balance.limit_cycles

@@ -74,7 +74,7 @@ def test_the_limit_cycle_of_a_delayed_relay_has_its_known_amplitude() -> None:
 
 def test_the_winding_number_has_a_range_of_its_own() -> None:
     """What it covers follows from the coefficients: it need not be what was searched."""
-    for system, _ in EXAMPLES.values():
+    for system in (DELAYED, EXAMPLES["18 lags"][0]):
         certificate = harmonic_balance(system, Relay(1.0)).certificate
         lowest, highest = certificate.winding_omegas
         assert certificate.winding_omegas != certificate.omegas
@@ -126,9 +126,9 @@ def outcomes(seed: int, places: range) -> Counter[Outcome]:
 
 
 def test_no_limit_cycle_of_random_loops_is_missed() -> None:
-    counts = outcomes(23, range(100))
-    assert counts[Outcome.COMPLETE] >= 80
-    assert {wide_loop((23, place)).kind for place in range(100)} == set(Kind)
+    counts = outcomes(23, range(50))
+    assert counts[Outcome.COMPLETE] >= 40
+    assert {wide_loop((23, place)).kind for place in range(50)} == set(Kind)
 
 
 @pytest.mark.slow

@@ -130,7 +130,7 @@ def test_settings_out_of_range_are_refused(name: str, value: Any, error: type[Ex
 def test_bounds_take_the_place_of_both_ends_in_the_direction_of_travel(
     start: float, stop: float, bounds: tuple[float, float] | None, end: float, reason: BranchEnd
 ) -> None:
-    settings = FollowSettings(switches=0, bounds=bounds, quiet=True)
+    settings = FollowSettings(switches=0, bounds=bounds, quiet=True, largest_step=0.1)
     branch = continuation(Logistic(), np.array([0.61]), start, stop, settings)
     assert (branch.points[0].value, branch.points[-1].value) == pytest.approx((start, end), rel=1e-15)
     assert (branch.reason, branch.message) == (reason, f"{reason.value}, at {end}")

@@ -23,6 +23,7 @@ from trimmer.branches.branch import BranchEnd
 from trimmer.mechanism.parts import Body, Force, Link, Play
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
+COARSE = FollowSettings(switches=0, quiet=True, largest_step=0.2)
 
 
 def assert_special(
@@ -39,6 +40,7 @@ def two_masses() -> FollowedBranch:
     return follow(mechanism, "frequency", 0.85 / TURN, 0.5 / TURN, settings=ALONE)
 
 
+@pytest.mark.slow
 def test_two_masses_and_a_stop(two_masses: FollowedBranch) -> None:
     # Published example of NLvib, rad/s. The fold 6e-9 below the first grazing is in no published list;
     # test_fold_beside_a_grazing.py finds it in another way.
@@ -90,6 +92,7 @@ def test_oscillator_with_a_stop() -> None:
     assert (displacements.min(), displacements.max()) == pytest.approx((-22.02946, 13.45651), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_dead_zone() -> None:
     assert_special(in_a_dead_zone(), DEAD_ZONE, TURN, 1e-10)
 
@@ -147,43 +150,23 @@ def _on(gap: float) -> np.ndarray:
     return branch.points[-1].state
 
 
-def test_scaled_masses_and_forces_make_no_difference(two_masses: FollowedBranch) -> None:
-    mechanism, factor = two_masses.map.mechanism, 1e-3
-    scaled = replace(
-        mechanism,
-        bodies={name: Body(factor * body.mass) for name, body in mechanism.bodies.items()},
-        links={
-            name: replace(link, stiffness=factor * link.stiffness, damping=factor * link.damping)
-            for name, link in mechanism.links.items()
-        },
-        stops={
-            name: replace(stop, stiffness=factor * stop.stiffness) for name, stop in mechanism.stops.items()
-        },
-        forces={
-            name: replace(force, amplitude=factor * force.amplitude)
-            for name, force in mechanism.forces.items()
-        },
-    )
-    branch = follow(scaled, "frequency", 0.85 / TURN, 0.65 / TURN, settings=ALONE)
-    assert_special(branch, [(each.kind, each.value) for each in two_masses.special[:5]], 1.0, 1e-10)
-
-
-def test_scaled_time_and_length_make_no_difference() -> None:
-    """Milliseconds and micrometres in place of seconds and metres, over a force."""
-    time, length, mechanism = 1e-3, 1e-6, dead_zone(0.75)
-    branch = follow(mechanism, "forces.drive.constant", 0.1, 0.06, settings=ALONE)
+def test_scaled_units_make_no_difference() -> None:
+    """Grams, milliseconds and micrometres in place of kilograms, seconds and metres, over a force."""
+    mass, time, length, mechanism = 1e-3, 1e-3, 1e-6, dead_zone(0.75)
+    branch = follow(mechanism, "forces.drive.constant", 0.1, 0.06, settings=COARSE)
     # The motion grazes where the constant force leads it as far beyond the zone as it swings.
     swing = 0.05 * 0.75**2 / abs(1.0 - 0.75**2 + 0.075j)
     assert_special(branch, [(SpecialKind.GRAZING, swing)], 1.0, 1e-10)
-    force = length / time**2
+    force = mass * length / time**2
     scaled = replace(
         mechanism,
+        bodies={"body": Body(mass)},
         frequency=mechanism.frequency / time,  # type: ignore[operator]
-        links={"damper": Link(("ground", "body"), damping=0.1 / time)},
-        plays={"zone": Play(("ground", "body"), 1.0 / time**2, gap=2.0 * length)},
-        forces={"drive": Force("body", 0.1 * force, unbalance=0.05 * length, phase=math.pi / 2.0)},
+        links={"damper": Link(("ground", "body"), damping=0.1 * mass / time)},
+        plays={"zone": Play(("ground", "body"), mass / time**2, gap=2.0 * length)},
+        forces={"drive": Force("body", 0.1 * force, unbalance=0.05 * mass * length, phase=math.pi / 2.0)},
     )
-    other = follow(scaled, "forces.drive.constant", 0.1 * force, 0.06 * force, settings=ALONE)
+    other = follow(scaled, "forces.drive.constant", 0.1 * force, 0.06 * force, settings=COARSE)
     assert_special(other, [(SpecialKind.GRAZING, swing)], 1.0 / force, 1e-10)
     assert [abs(each.multipliers) for each in other.points[:: len(other.points) - 1]] == [
         pytest.approx(abs(each.multipliers), rel=1e-6) for each in branch.points[:: len(branch.points) - 1]
@@ -191,8 +174,8 @@ def test_scaled_time_and_length_make_no_difference() -> None:
 
 
 def test_points_are_the_orbits_that_shooting_finds() -> None:
-    branch = follow(twin(), "frequency", 112.0, 115.0, settings=ALONE)
-    for orbit in branch.points[5::40]:
+    branch = follow(twin(), "frequency", 112.0, 112.5, settings=COARSE)
+    for orbit in branch.points[:: len(branch.points) - 1]:
         mechanism = twin().with_value("frequency", orbit.value)
         bodies = len(mechanism.bodies)
         start = {

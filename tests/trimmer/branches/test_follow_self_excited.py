@@ -32,8 +32,7 @@ from trimmer.response.respond import respond
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SPEED = "pins.belt.velocity"
 ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.02)
-QUIET = FollowSettings(quiet=True)
-COARSE = FollowSettings(quiet=True, largest_step=0.03)
+COARSE = FollowSettings(quiet=True, largest_step=0.1)
 
 
 def block() -> Mechanism:
@@ -60,7 +59,9 @@ def two_blocks(speed: float) -> Mechanism:
 
 @pytest.fixture(scope="module")
 def blocks() -> FollowedBranch:
-    return follow(two_blocks(0.1), SPEED, 0.1, 0.8, settings=COARSE)
+    """From a stable motion to an unstable one; from rest they settle to another."""
+    stable = [0.549, 0.543, -0.954, -0.952, 6.44]
+    return follow(two_blocks(0.8), SPEED, 0.8, 0.68, state=stable, settings=COARSE)
 
 
 def period(speed: float, mass: float = 1.0, stiffness: float = 1.0, drop: float = 0.5) -> float:
@@ -93,7 +94,7 @@ def test_period_and_width_over_the_speed_of_the_belt() -> None:
     ],
 )
 def test_period_over_other_numbers(place: str, stop: float, expected: object) -> None:
-    branch = follow(block(), place, 1.0, stop, settings=ALONE)
+    branch = follow(block(), place, 1.0, stop, settings=COARSE)
     assert branch.reason is BranchEnd.LEFT_AT_STOP
     found = [orbit.period for orbit in branch.points]
     assert found == pytest.approx([expected(orbit.value) for orbit in branch.points], rel=1e-11)  # type: ignore[operator]
@@ -123,7 +124,7 @@ def fastest(speed: float, damping: float) -> float:
 
 def test_the_branch_ends_where_the_damped_block_does_not_reach_the_belt_again() -> None:
     damped = block().with_value("links.spring.damping", 0.1)
-    branch = follow(damped, SPEED, 0.3, 1.0, settings=ALONE)
+    branch = follow(damped, SPEED, 0.3, 1.0, settings=COARSE)
     assert branch.reason is BranchEnd.TORN
     last = brentq(lambda speed: fastest(speed, 0.1) - speed, 0.4, 0.8, xtol=1e-15)
     assert branch.points[-1].value == pytest.approx(last, rel=1e-8)
@@ -159,7 +160,7 @@ def test_period_doublings_of_two_blocks_against_brute_force() -> None:
 
 
 def test_orbits_of_two_blocks_return_by_brute_force_with_the_same_multipliers(blocks: FollowedBranch) -> None:
-    for orbit in (blocks.points[3], blocks.points[len(blocks.points) // 2]):
+    for orbit in (blocks.points[3], blocks.points[-1]):
         mechanism = two_blocks(orbit.value)
         state = orbit.state[:-1]
         motion = BruteForce().run(System(mechanism), state, 0.0, orbit.period)
@@ -179,15 +180,16 @@ def test_doubled_periods_part_and_join_again(blocks: FollowedBranch) -> None:
     assert orbit.period == pytest.approx(2.0 * orbit.state[-1], rel=1e-15)
     # The same orbit alone, with its whole period, leads back to where it parted.
     state = np.append(orbit.state[:-1], orbit.period)
-    again = follow(two_blocks(orbit.value), SPEED, orbit.value, 0.72, state=state, settings=QUIET)
+    again = follow(two_blocks(orbit.value), SPEED, orbit.value, 0.72, state=state, settings=COARSE)
     assert again.reason is BranchEnd.REJOINED
     assert again.special[-1].value == pytest.approx(blocks.special[-1].value, rel=1e-11)
     assert again.branches[0].points[-1].period == pytest.approx(0.5 * again.points[-1].period, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_both_directions_find_the_same_points(blocks: FollowedBranch) -> None:
     last = blocks.points[-1]
-    back = follow(two_blocks(0.8), SPEED, 0.8, 0.6, state=last.state, settings=ALONE)
+    back = follow(two_blocks(0.68), SPEED, 0.68, 0.8, state=last.state, settings=COARSE)
     assert [each.kind for each in back.special] == [SpecialKind.PERIOD_DOUBLING]
     assert back.special[0].value == pytest.approx(blocks.special[-1].value, rel=1e-10)
 

@@ -14,8 +14,8 @@ from trimmer.branches.continuation import continuation
 from trimmer.mechanism.parts import Body, Force, Link, Play
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-ALONE = FollowSettings(switches=0, quiet=True)
-QUIET = FollowSettings(quiet=True)
+ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.05)
+QUIET = FollowSettings(quiet=True, largest_step=0.05)
 BREAKING = 0.191360833785
 """Frequency, Hz, below which the motion of ``between_stops`` leans to a side; two computations."""
 DOUBLING = 0.162204587303
@@ -118,9 +118,10 @@ def test_multipliers_and_events_of_a_symmetric_motion_are_those_of_its_whole_per
     assert first.events_per_period == len(whole.course.events) > 0
 
 
+@pytest.mark.slow
 def test_a_doubled_motion_leads_to_the_asymmetric_branch_and_on_to_the_symmetric_one() -> None:
     # At 0.16 Hz it settles to two drive periods.
-    wider = FollowSettings(bounds=(0.155, 0.25), quiet=True)
+    wider = FollowSettings(bounds=(0.155, 0.25), quiet=True, largest_step=0.05)
     branch = follow(between_stops(0.16), "frequency", 0.16, 0.25, settings=wider)
     assert (branch.periods, branch.reason) == (2, BranchEnd.REJOINED)
     assert branch.special[-1].value == pytest.approx(DOUBLING, rel=1e-11)

@@ -23,6 +23,7 @@ from trimmer.branches.period_maps.period_map import Phase
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 
+COARSE = FollowSettings(largest_step=0.05)
 CASCADE = (3.0, 1.0 + 6.0**0.5, 3.544090359551, 3.564407266095, 3.568759419544)
 """Period doublings of the logistic map: OEIS A086181, A091517 and Briggs, Math. Comp. 57 (1991)."""
 
@@ -32,7 +33,7 @@ def found(branch: Branch, kind: SpecialKind) -> list[float]:
 
 
 def test_cascade_of_period_doublings() -> None:
-    branch = continuation(Logistic(), np.array([0.6]), 2.5, 3.9, FollowSettings(switches=4))
+    branch = continuation(Logistic(), np.array([0.6]), 2.5, 3.9, FollowSettings(switches=4, largest_step=0.1))
     values = []
     for _ in range(4):
         assert branch.reason is BranchEnd.LEFT_AT_STOP
@@ -55,27 +56,22 @@ def test_stability_along_the_logistic_branch() -> None:
 def test_fold_and_flip_of_henon_in_all_units(units: tuple[float, float], unit_of_value: float) -> None:
     map = Henon(units=units, unit_of_value=unit_of_value)
     state = np.array([1.2, 0.36]) * units
-    branch = continuation(map, state, -0.05 * unit_of_value, -0.5 * unit_of_value)
+    branch = continuation(map, state, -0.05 * unit_of_value, -0.5 * unit_of_value, COARSE)
     assert branch.reason is BranchEnd.LEFT_AT_START
     values = [value / unit_of_value for value in found(branch, SpecialKind.FOLD)]
     assert values == pytest.approx([-0.1225], rel=1e-11)
-    up = continuation(
-        map,
-        np.array([0.6, 0.2]) * units,
-        0.2 * unit_of_value,
-        1.0 * unit_of_value,
-        FollowSettings(switches=1),
-    )
+    state = np.array([0.6, 0.2]) * units
+    up = continuation(map, state, 0.2 * unit_of_value, 1.0 * unit_of_value, COARSE)
     values = [value / unit_of_value for value in found(up, SpecialKind.PERIOD_DOUBLING)]
     assert values == pytest.approx([0.3675], rel=1e-11)
     (doubled,) = up.branches
     values = [value / unit_of_value for value in found(doubled, SpecialKind.PERIOD_DOUBLING)]
     assert values == pytest.approx([0.9125], rel=1e-11)
-    assert len(up.points) == 104
+    assert len(up.points) == 27
 
 
 def test_torus() -> None:
-    branch = continuation(DelayedLogistic(), np.array([0.3, 0.3]), 1.5, 2.2)
+    branch = continuation(DelayedLogistic(), np.array([0.3, 0.3]), 1.5, 2.2, COARSE)
     assert [point.kind for point in branch.special] == [SpecialKind.TORUS]
     assert branch.special[0].value == pytest.approx(2.0, rel=1e-12)
 
@@ -90,7 +86,7 @@ def test_torus() -> None:
     ],
 )
 def test_corner_that_the_branch_passes(phase: Phase, kind: SpecialKind) -> None:
-    branch = continuation(Bent(0.5, -0.5, phase=phase), np.array([-1.0]), -1.0, 1.0)
+    branch = continuation(Bent(0.5, -0.5, phase=phase), np.array([-1.0]), -1.0, 1.0, COARSE)
     assert [point.kind for point in branch.special] == [kind]
     assert branch.special[0].note == f"stop: {phase.value}, +1"
     assert branch.special[0].value == pytest.approx(0.0, abs=1e-12)
@@ -115,7 +111,7 @@ def test_corner_at_which_the_branch_turns_around() -> None:
 
 @pytest.mark.parametrize("mirrored", [False, True])
 def test_symmetry_breaking(mirrored: bool) -> None:
-    branch = continuation(Cubic(mirrored), np.array([0.0]), -0.5, 0.5)
+    branch = continuation(Cubic(mirrored), np.array([0.0]), -0.5, 0.5, COARSE)
     assert [point.kind for point in branch.special] == [SpecialKind.SYMMETRY_BREAKING]
     assert branch.special[0].value == pytest.approx(0.0, abs=1e-12)
     ends = sorted(abs(other.points[-1].state[0]) for other in branch.branches)
@@ -138,13 +134,13 @@ def test_two_crossings_of_the_circle_on_one_step(distance: float) -> None:
 @pytest.mark.parametrize("distance", [1e-2, 1e-6, 1e-9])
 def test_two_contacts_on_one_step(distance: float) -> None:
     kinks = (0.1, 0.1 + distance)
-    branch = continuation(Steps(kinks), np.array([0.0]), -1.0, 1.0)
+    branch = continuation(Steps(kinks), np.array([0.0]), -1.0, 1.0, COARSE)
     assert found(branch, SpecialKind.GRAZING) == pytest.approx(kinks, rel=1e-11)
     assert [point.parts for point in branch.special] == [(f"stop {each}",) for each in kinks]
 
 
 def test_branch_that_is_torn_ends_with_a_reason() -> None:
-    branch = continuation(Torn(), np.array([-2.0]), -1.0, 1.0)
+    branch = continuation(Torn(), np.array([-2.0]), -1.0, 1.0, COARSE)
     assert branch.reason is BranchEnd.TORN
     assert branch.success
     assert branch.points[-1].value == pytest.approx(0.0, abs=1e-10)

@@ -15,8 +15,8 @@ from trimmer import FollowSettings, Mechanism, SpecialKind, follow, follow_speci
 from trimmer.branches import LocusRanges, LocusSettings
 from trimmer.mechanism.parts import ContactLaw
 
-QUIET, LOCUS = FollowSettings(quiet=True), LocusSettings(quiet=True)
-ALONE = FollowSettings(quiet=True, switches=0, largest_step=0.04)
+QUIET, LOCUS = FollowSettings(quiet=True, largest_step=0.05), LocusSettings(quiet=True)
+ALONE = FollowSettings(quiet=True, switches=0, largest_step=0.1)
 
 
 @pytest.mark.parametrize(("stiffness", "phase"), [(1e6, 3.0), (1e8, 0.0)])
@@ -32,7 +32,7 @@ def test_a_fold_is_passed_wherever_the_ball_meets_the_table(stiffness: float, ph
     assert found.points[0].stable
     assert not found.points[-1].stable
     # States are those at t = 0, wherever the orbits of the branch begin.
-    for orbit in found.points[::20]:
+    for orbit in found.points[::5]:
         flow = found.map.flow(orbit.value)
         end = flow.course(flow.at(orbit.state), 1).end
         assert np.allclose(end.state, orbit.state, rtol=1e-6, atol=1e-7)

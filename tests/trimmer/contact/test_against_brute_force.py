@@ -15,6 +15,7 @@ from tests.mechanisms.comparison import Trusted, difference, trusted
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.mechanisms.tricky_mechanisms import TRICKY
+from tests.quick import quick
 from tests.trimmer.contact.exact import exact_motion
 from trimmer.mechanism import (
     Body,
@@ -33,21 +34,15 @@ from trimmer.mechanism import (
 LARGEST = 1e-8
 FORCELESS = ("nothing", "air")
 """A play without spring and damper and a friction without dry force, which have no events."""
-QUICK_SEEDS = (4, 8, 11, 174, 186)
+QUICK_SEEDS = (11, 174)
 QUICK_TRICKY = (
     "two_stops_at_once, relaxing",
     "preloaded, truncated",
-    "touching_at_rest, relaxing",
-    "play_without_gap, relaxing",
     "play_without_gap, pulling",
-    "overdamped_contact, truncated",
     "frictions_side_by_side_with_static_force",
-    "ring_with_a_free_body",
     "rubbing_on_a_shaking_table",
-    "between_ground_and_belt",
     "coming_to_rest",
     "ring",
-    "weak grazing, 1e-6",
     "weak grazing, 1e-9",
 )
 
@@ -84,7 +79,7 @@ def test_many_random_mechanisms(seed):
     compare(random_mechanism(seed), 3)
 
 
-@pytest.mark.parametrize("seed", (8, 174))
+@pytest.mark.parametrize("seed", quick((8, 174), 1))
 def test_a_random_mechanism_from_any_start(seed):
     """Its contacts may be closed at once, also by a pull, and its frictions slide."""
     mechanism, random = random_mechanism(seed), np.random.default_rng(seed)
@@ -132,7 +127,7 @@ def everything() -> Mechanism:
 
 
 def test_parts_of_each_kind_together():
-    compare(everything(), 2, known=0.8)
+    compare(everything(), 1, known=0.8)
 
 
 @pytest.mark.parametrize("name", QUICK_TRICKY)

@@ -11,6 +11,7 @@ import sympy
 from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.equations_of_motion import accelerations
 from derivations.symbols import t
+from tests.quick import quick
 from trimmer import simulate
 from trimmer.code_generation import symbolic_mechanism
 from trimmer.mechanism import ContactLaw, Mechanism, Stop
@@ -30,12 +31,7 @@ def driven():
 
 @pytest.mark.parametrize(
     ("law", "damping"),
-    [
-        (ContactLaw.RELAXING, 0.4),
-        (ContactLaw.TRUNCATED, 0.4),
-        pytest.param(ContactLaw.PULLING, 0.4, marks=pytest.mark.slow),
-        pytest.param(ContactLaw.RELAXING, 0.0, marks=pytest.mark.slow),
-    ],
+    quick([*((law, 0.4) for law in ContactLaw), (ContactLaw.RELAXING, 0.0)], 0),
 )
 def test_accelerations_follow_from_the_derived_laws(driven, law, damping):
     mechanism = replace(

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -68,6 +68,7 @@ def test_an_expansion_is_value_and_derivatives(element: Element) -> None:
 @pytest.mark.parametrize(
     "element", [each for each in ELEMENTS if each.reach((0.1, 0.2)) is not None], ids=repr
 )
+@settings(max_examples=20)
 @given(start=st.floats(0.0, 1.0), share=st.floats(0.0, 1.0), seed=st.integers(0, 2**32 - 1))
 def test_no_value_is_farther_from_the_middle_than_the_reach(
     element: Element, start: float, share: float, seed: int
@@ -104,6 +105,7 @@ def test_the_slope_of_backlash_over_gap_by_amplitude_has_one_modulus() -> None:
 
 
 @pytest.mark.parametrize("element", ELEMENTS, ids=repr)
+@settings(max_examples=20)
 @given(
     start=st.floats(0.0, 3.0),
     u_width=widths,

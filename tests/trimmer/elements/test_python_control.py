@@ -15,24 +15,10 @@ from trimmer.elements.relay import Relay
 PLANT = control.tf([6], [1, 3, 3, 1])
 
 
-def test_friction_backlash_is_that_of_python_control() -> None:
-    """Its argument b is the total clearance too."""
-    amplitude = np.geomspace(0.5001, 1e3, 80)
-    peer = control.describing_function(control.friction_backlash_nonlinearity(1.0), amplitude)
-    assert FrictionBacklash(1.0).describing_function(amplitude) == pytest.approx(peer, abs=5e-15)
-
-
 def test_the_relay_is_that_of_python_control_without_hysteresis() -> None:
     amplitude = np.geomspace(1e-3, 1e3, 20)
     peer = control.describing_function(control.relay_hysteresis_nonlinearity(2.0, 0.0), amplitude)
     assert Relay(2.0).describing_function(amplitude) == pytest.approx(peer, rel=1e-14)
-
-
-def test_simulating_the_peer_gives_our_describing_function() -> None:
-    peer = control.friction_backlash_nonlinearity(1.0)
-    for amplitude in (0.7, 2.0):
-        simulated = control.describing_function(peer, amplitude, num_points=4000, try_method=False)
-        assert FrictionBacklash(1.0).describing_function(amplitude) == pytest.approx(simulated, abs=1e-3)
 
 
 @pytest.mark.parametrize("element", [FrictionBacklash(1.0), ViscousBacklash(1.0, 0.2).at(0.8)], ids=repr)

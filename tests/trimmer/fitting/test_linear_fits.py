@@ -10,6 +10,7 @@ import pytest
 from scipy.optimize import brentq, least_squares
 from scipy.stats import f
 
+from tests.quick import quick
 from trimmer import Mechanism, Signal
 from trimmer import fit as fit_numbers
 from trimmer.errors import FitError
@@ -86,7 +87,7 @@ def lowest(fit: Fit, **held: float) -> tuple[np.ndarray, float]:
     return found.x, 2.0 * float(found.cost)
 
 
-@pytest.fixture(scope="module", params=[0, 1, 2])
+@pytest.fixture(scope="module", params=quick([0, 1, 2], 0, 2))
 def fit(request: pytest.FixtureRequest) -> Fit:
     return fitted(record(request.param))
 
@@ -183,7 +184,7 @@ def test_a_mechanism_that_lacks_something_is_told() -> None:
 
 def test_a_line_of_something_else_is_no_noise() -> None:
     hum = 1e-3 * np.cos(2 * np.pi * 7.3 * TIMES)
-    with_hum, clean = fitted(record(more=hum)), fitted(record())
+    with_hum, clean = fitted(record(more=hum).scaled(1e6, "um")), fitted(record())
     assert with_hum.judgement.explained
     for number, same in zip(with_hum.numbers, clean.numbers, strict=True):
         assert number.value == pytest.approx(same.value, rel=1e-3)
@@ -209,7 +210,8 @@ def test_what_speaks_against_a_fit_is_noted() -> None:
     (note,) = fitted(record(noise=0.0)).notes
     assert "hardly any noise is seen between the lines" in note
     clipped = np.clip(signal.values, -0.5 * abs(signal.values).max(), None)
-    assert any("clip" in note for note in fitted(Signal(clipped, RATE, "position", "m")).notes)
+    cut = {"position": Signal(clipped, RATE, "position", "m")}
+    assert any("clip" in note for note in fit_numbers(oscillator(), cut, (STIFFNESS,), settings=ONCE).notes)
 
 
 def test_a_number_that_wants_to_vanish_is_at_the_end_of_what_is_searched() -> None:

@@ -46,7 +46,7 @@ def values(taylor: list[float], stretch: float, decay: float) -> np.ndarray:
     return np.polyval(taylor[::-1], GRID) + stretch * np.exp(-decay * GRID)
 
 
-@settings(max_examples=200)
+@settings(max_examples=70)
 @given(
     st.floats(0.05, 2.0),
     st.lists(st.floats(-6.0, 6.0), min_size=1, max_size=5),
@@ -85,7 +85,7 @@ def test_a_flight_across_the_gap_is_decided_without_shorter_steps(sign: int, dec
     assert found == pytest.approx(float(expected), rel=4e-16)
 
 
-@settings(max_examples=100)
+@settings(max_examples=50)
 @given(st.floats(0.2, 0.6), st.floats(0.01, 0.1), st.floats(0.05, 0.2), st.sampled_from([-1e-7, 1e-7]))
 def test_of_several_falls_through_zero_the_first_one_counts(
     first: float, dip: float, gap: float, stretch: float

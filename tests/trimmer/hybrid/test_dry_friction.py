@@ -69,7 +69,7 @@ def test_contacts_that_repeat_each_other_hold_together() -> None:
     assert vectors == pytest.approx(np.array([[0.5, -1.0, 0.0], [0.0, 0.0, 1.0]]), abs=1e-12)
 
 
-@settings(deadline=None, max_examples=120)
+@settings(deadline=None, max_examples=40)
 @given(SEEDS)
 def test_a_split_is_found_whenever_there_is_one(seed: int) -> None:
     random, directions, limits = contacts(seed)
@@ -85,7 +85,7 @@ def test_a_split_is_found_whenever_there_is_one(seed: int) -> None:
             assert directions.T @ split == pytest.approx(directions.T @ forces, abs=1e-9 * abs(forces).max())
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=20)
 @given(SEEDS)
 def test_the_margin_is_that_of_the_limits(seed: int) -> None:
     random, directions, limits = contacts(seed)
@@ -95,7 +95,7 @@ def test_the_margin_is_that_of_the_limits(seed: int) -> None:
     assert range_of_forces(directions, share * (1.0 - 1e-4) * limits, forces, 0) is None
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=20)
 @given(SEEDS)
 def test_at_their_limit_are_those_that_no_split_relieves(seed: int) -> None:
     random, directions, limits = contacts(seed)
@@ -112,7 +112,7 @@ def test_at_their_limit_are_those_that_no_split_relieves(seed: int) -> None:
         assert sign == 0 if relieved else sign == np.sign(ends[0] + ends[1])
 
 
-@settings(deadline=None, max_examples=120)
+@settings(deadline=None, max_examples=40)
 @given(SEEDS)
 def test_accelerations_are_those_of_the_complementarity_problem(seed: int) -> None:
     random, directions, limits = contacts(seed)

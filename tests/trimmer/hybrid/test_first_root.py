@@ -53,7 +53,7 @@ def with_zeros(zeros: list[float]) -> list[float]:
     return [float(sign * each) for each in product]
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(st.lists(st.floats(0.01, 3.0), min_size=1, max_size=5, unique=True))
 def test_the_first_zero_is_found_to_its_conditioning(zeros: list[float]) -> None:
     zeros = sorted(zeros)

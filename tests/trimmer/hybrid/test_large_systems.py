@@ -18,7 +18,7 @@ from trimmer.motion.course import Course
 
 FREQUENCY = 50.0
 COPIES = 16
-PERIODS = 12
+PERIODS = 6
 
 
 def copies(numbers: range) -> Mechanism:

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.quick import quick
 from tests.trimmer.trimmers import exact_response, stable_systems, trimmers
 from trimmer.linear.crossings import RealAxisCrossing, gain_crossings, real_axis_crossings
 from trimmer.linear.model import InputChannels, pin_model, transfer_function
@@ -29,7 +30,7 @@ def exact_responses(lowest: float, highest: float, velocity_too: bool) -> np.nda
 
 @pytest.mark.parametrize("build", BUILDERS)
 @pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("level", [1.0, 0.956937799 / math.sqrt(2), 5.0])
+@pytest.mark.parametrize("level", quick([1.0, 0.956937799 / math.sqrt(2), 5.0], 0))
 def test_gain_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels, level) -> None:
     velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
     found = gain_crossings(build(THESIS, channels=channels), level)
@@ -63,7 +64,7 @@ def test_real_axis_crossings_of_the_thesis_trimmer_are_those_of_the_force_balanc
         assert crossing.value == pytest.approx(float(value), rel=1e-9)
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems(), st.floats(-2, 2))
 def test_no_grid_sees_a_gain_crossing_that_was_not_found(system, exponent) -> None:
     level = 10**exponent
@@ -76,7 +77,7 @@ def test_no_grid_sees_a_gain_crossing_that_was_not_found(system, exponent) -> No
         assert np.count_nonzero((found >= omega[place]) & (found <= omega[place + 1])) % 2 == 1
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems())
 def test_no_grid_sees_a_real_axis_crossing_that_was_not_found(system: control.TransferFunction) -> None:
     crossings = real_axis_crossings(system)
@@ -93,7 +94,7 @@ def test_no_grid_sees_a_real_axis_crossing_that_was_not_found(system: control.Tr
         assert np.count_nonzero((found >= omega[place]) & (found <= omega[place + 1])) % 2 == 1
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems())
 def test_crossings_include_those_of_python_control(system: control.TransferFunction) -> None:
     system *= 0.7 / abs(system.dcgain())  # at a gain of 1 the curve would leave 0 dB imperceptibly
@@ -107,7 +108,7 @@ def test_crossings_include_those_of_python_control(system: control.TransferFunct
         assert min(abs(omega - x) for x in found) <= 1e-5 * omega
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(trimmers())
 def test_gain_crossings_of_any_trimmer_come_in_the_number_its_ends_require(parameters) -> None:
     """|G| starts at a positive value and ends at 0, so a level below the start is crossed oddly often."""

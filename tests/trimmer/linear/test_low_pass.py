@@ -72,13 +72,13 @@ def test_roll_off_of_the_trimmer_with_one_and_with_both_channels() -> None:
     assert asymptotic_roll_off(pin_model(THESIS)) == -20.0
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems())
 def test_the_local_slope_tends_to_the_roll_off(system: control.TransferFunction) -> None:
     assert local_slope(system, 1e8) == pytest.approx(asymptotic_roll_off(system), abs=1e-3)
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems(), st.floats(-2, 2))
 def test_the_local_slope_is_that_of_the_bode_plot(system: control.TransferFunction, exponent: float) -> None:
     decades = np.array([exponent - 1e-7, exponent + 1e-7])

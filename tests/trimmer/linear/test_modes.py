@@ -37,7 +37,7 @@ def test_frequencies_and_damping_ratios_are_those_of_python_control() -> None:
     np.testing.assert_allclose([m.frequency for m in found], poles[upper][order].imag / math.tau, rtol=1e-12)
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(trimmers())
 def test_shapes_solve_the_equation_of_motion(parameters: TrimmerParameters) -> None:
     M, C, K = (
@@ -53,7 +53,7 @@ def test_shapes_solve_the_equation_of_motion(parameters: TrimmerParameters) -> N
         assert 1.0 in mode.shape
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(trimmers())
 def test_modes_are_ordered_and_account_for_all_eigenvalues(parameters: TrimmerParameters) -> None:
     found = modes(parameters)
@@ -88,7 +88,7 @@ def test_undamped_frequencies_are_those_of_damping_that_vanishes() -> None:
         assert damped.shape == pytest.approx(undamped.shape, abs=1e-8)
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(trimmers())
 def test_undamped_shapes_are_orthogonal_in_mass_and_stiffness(parameters: TrimmerParameters) -> None:
     found = undamped_modes(parameters)

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.quick import quick
 from tests.trimmer.trimmers import stable_systems
 from trimmer.displacement import Displacement, TrimmerBody
 from trimmer.linear.crossings import real_axis_crossings
@@ -28,9 +29,9 @@ def winding(system: control.lti.LTI, point: float, omega: np.ndarray) -> int:
     return int(count)
 
 
-@pytest.mark.parametrize("build", [pin_model, transfer_function])
+@pytest.mark.parametrize("build", quick([pin_model, transfer_function], 0))
 @pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("point", [-20.0, -5.0, -1.0, -0.1, 0.5, 0.97, 1.2, 5.0])
+@pytest.mark.parametrize("point", quick([-20.0, -5.0, -1.0, -0.1, 0.5, 0.97, 1.2, 5.0], 2, 5, 6))
 def test_encirclements_by_the_thesis_trimmer_are_those_of_python_control(build, channels, point) -> None:
     system = build(THESIS, channels=channels)
     omega = np.geomspace(1, 1e6, 5_001)
@@ -41,7 +42,7 @@ def test_the_thesis_trimmer_does_not_encircle_minus_one() -> None:
     assert encirclements(pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY)) == 0
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems(), POINTS)
 def test_encirclements_are_those_of_python_control(system: control.TransferFunction, point: float) -> None:
     poles = system.poles()
@@ -52,7 +53,7 @@ def test_encirclements_are_those_of_python_control(system: control.TransferFunct
     assert encirclements(system, point) == winding(system, point, omega)
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems(), POINTS)
 def test_encirclements_are_the_crossings_of_the_axis_beyond_the_point(system, point) -> None:
     """The locus goes round a point as often as it crosses the ray that runs from the point away from 0.

@@ -64,7 +64,7 @@ def test_a_free_trimmer_has_a_gain_at_zero_frequency() -> None:
 
 
 @given(trimmers(), st.sampled_from(list(TrimmerBody)), st.sampled_from(list(InputChannels)))
-@settings(max_examples=30)
+@settings(max_examples=10)
 def test_any_trimmer_can_be_summarised(parameters, body, channels) -> None:
     summary = summarise(parameters, Displacement(body), channels)
     assert summary.roll_off < 0

@@ -31,7 +31,7 @@ def test_both_forms_of_the_trimmer_have_the_same_factors(body: TrimmerBody, chan
     ("channels", "degree"),
     [(InputChannels.DISPLACEMENT_ONLY, 2), (InputChannels.DISPLACEMENT_AND_VELOCITY, 1)],
 )
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(parameters=trimmers())
 def test_relative_degree_of_cutter_against_guard(channels, degree, parameters) -> None:
     """A force moves a mass as 1/s^2; through a damper the pin's own velocity adds one s."""
@@ -39,7 +39,7 @@ def test_relative_degree_of_cutter_against_guard(channels, degree, parameters) -
     assert ZeroPoleGain.of(transfer_function(parameters, channels=channels)).relative_degree == degree
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems(), st.floats(-2, 2))
 def test_gain_and_phase_are_those_of_the_response(system: control.TransferFunction, exponent: float) -> None:
     omega = 10**exponent
@@ -49,7 +49,7 @@ def test_gain_and_phase_are_those_of_the_response(system: control.TransferFuncti
     assert np.exp(1j * factored.phase(omega)) == pytest.approx(response / abs(response), abs=1e-7)
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(stable_systems())
 def test_the_phase_is_continuous(system: control.TransferFunction) -> None:
     factored = ZeroPoleGain.of(system)

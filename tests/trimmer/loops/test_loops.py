@@ -8,6 +8,7 @@ import control
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from tests.trimmer.loops.reference.peers import Course, Plant, pieces, play, switch
 from trimmer import (
     ClosedLoop,
@@ -70,7 +71,7 @@ def compare(
 
 
 @pytest.mark.parametrize(("element", "tau"), BACKLASHES)
-@pytest.mark.parametrize("system", [THIRD_ORDER, WITH_ZERO])
+@pytest.mark.parametrize("system", quick([THIRD_ORDER, WITH_ZERO], 1))
 @pytest.mark.parametrize("drive", [None, (*DRIVE[:2], 0.0)])
 def test_backlash(
     element: Element,
@@ -83,7 +84,7 @@ def test_backlash(
     compare(system, element, drive, start, course, 6.0)
 
 
-@pytest.mark.parametrize("system", [THIRD_ORDER, SECOND_ORDER, WITH_ZERO])
+@pytest.mark.parametrize("system", quick([THIRD_ORDER, SECOND_ORDER, WITH_ZERO], 0, 2))
 @pytest.mark.parametrize("drive", [None, DRIVE])
 def test_relay(system: control.StateSpace, drive: tuple[float, float, float] | None) -> None:
     start = np.array([0.4, 1.9, -0.3])[: system.nstates]

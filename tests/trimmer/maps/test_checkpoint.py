@@ -218,6 +218,7 @@ def test_a_killed_map_goes_on_to_the_same_numbers_and_leaves_no_process(file: Pa
     assert [cell.motions for cell in again.cells[:40]] == [cell.motions for cell in fresh.cells]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="sends a signal")
 def test_control_c_leaves_a_file_to_go_on_with_and_says_so(file: Path) -> None:
     process = begun(file)

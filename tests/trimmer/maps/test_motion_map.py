@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from tests.quick import quick
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MapError, MechanismError, TrimmerError
@@ -82,7 +83,7 @@ def test_a_cell_is_what_respond_finds(twin, cell) -> None:
         assert accelerations[cell] == pytest.approx(measures.rms_acceleration[body], rel=1e-9)
 
 
-@pytest.mark.parametrize("runner", [ProcessRunner(1), ProcessRunner(2), Backwards()])
+@pytest.mark.parametrize("runner", quick([ProcessRunner(1), ProcessRunner(2), Backwards()], 1, 2))
 def test_who_does_the_cells_and_in_what_order_changes_no_bit(twin, runner) -> None:
     assert motion_map(TWIN, PLACES, runner=runner).cells == twin.cells
 
@@ -255,6 +256,7 @@ def test_chaos_is_named_with_the_periods_that_were_waited() -> None:
     assert "Chaos over 632 drive periods may still be a transient" in chaotic.message
 
 
+@pytest.mark.slow
 def test_small_distances_grow_as_respond_finds_over_more_periods() -> None:
     """Both follow a neighbour, a map over a hundred drive periods and respond over many more."""
     wide = TWIN.with_value("plays.bridge.gap", 400e-6)

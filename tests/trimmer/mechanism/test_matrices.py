@@ -48,7 +48,7 @@ def test_a_mechanism_by_hand() -> None:
     np.testing.assert_array_equal(viscous.stiffness, matrices.stiffness)
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms(), st.floats(0.1, 10.0))
 def test_matrices_scale_with_masses_springs_and_dampers(mechanism: Mechanism, factor: float) -> None:
     scaled = replace(
@@ -67,7 +67,7 @@ def test_matrices_scale_with_masses_springs_and_dampers(mechanism: Mechanism, fa
         )
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms())
 def test_matrices_are_symmetric_and_swapped_ends_change_nothing(mechanism: Mechanism) -> None:
     swapped = {name: replace(link, between=link.between[::-1]) for name, link in mechanism.links.items()}
@@ -83,7 +83,7 @@ def test_matrices_are_symmetric_and_swapped_ends_change_nothing(mechanism: Mecha
     assert before.forces.shape == (len(mechanism.bodies), len(mechanism.forces))
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms())
 def test_a_motion_of_everything_together_loads_only_links_to_the_ground(mechanism: Mechanism) -> None:
     matrices, bodies = linear_matrices(mechanism), list(mechanism.bodies)

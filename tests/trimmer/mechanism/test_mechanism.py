@@ -18,7 +18,7 @@ BODIES = {"a": Body(1.0), "b": Body(2.0)}
 LINK = Link(("a", "b"), 3.0)
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms())
 def test_copies_are_equal(mechanism: Mechanism) -> None:
     for again in (

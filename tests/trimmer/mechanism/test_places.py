@@ -106,7 +106,7 @@ def test_all_numbers_have_places() -> None:
     }
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms(), st.data())
 def test_a_number_that_is_set_is_read_back_and_no_other_changes(mechanism: Mechanism, data) -> None:
     place = data.draw(st.sampled_from(sorted(mechanism.places)))

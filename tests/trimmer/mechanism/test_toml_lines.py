@@ -16,7 +16,7 @@ def places(value: object, place: tuple[str, ...] = ()) -> set[tuple[str, ...]]:
     return {place}.union(*(places(each, (*place, str(key))) for key, each in inner))
 
 
-@settings(max_examples=60)
+@settings(max_examples=20)
 @given(toml_texts())
 def test_every_key_is_found_on_its_line(written: tuple[str, dict, dict]) -> None:
     text, content, lines = written

@@ -14,7 +14,7 @@ from trimmer.mechanism import Body, Link, Pin, Stop
 THESIS = TrimmerParameters.thesis().to_mechanism(1.5e-3, 110.0)
 
 
-@settings(max_examples=20)
+@settings(max_examples=10)
 @given(mechanisms())
 def test_what_is_written_reads_back_equal(mechanism: Mechanism) -> None:
     again = Mechanism.from_toml_text(mechanism.to_toml())

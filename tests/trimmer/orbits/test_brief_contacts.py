@@ -6,6 +6,7 @@ import control
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from trimmer import (
     ClosedLoop,
     FrictionBacklash,
@@ -40,11 +41,14 @@ def assert_returns(orbit: PeriodicOrbit) -> None:
 
 @pytest.mark.parametrize(
     ("system", "element"),
-    [
-        (SECOND_ORDER, InertiaBacklash(1.0)),
-        (THIRD_ORDER, InertiaBacklash(1.0)),
-        (FOURTH_ORDER, ViscousBacklash(1.0, 6.3)),
-    ],
+    quick(
+        [
+            (SECOND_ORDER, InertiaBacklash(1.0)),
+            (THIRD_ORDER, InertiaBacklash(1.0)),
+            (FOURTH_ORDER, ViscousBacklash(1.0, 6.3)),
+        ],
+        1,
+    ),
 )
 def test_a_stable_orbit_with_brief_contacts_is_where_a_long_motion_ends(
     system: control.StateSpace, element: Element

@@ -9,6 +9,7 @@ import scipy.linalg
 import scipy.optimize
 import scipy.signal
 
+from tests.quick import quick
 from tests.trimmer.orbits.random_loops import roots
 from trimmer import CoulombFriction, OrbitSearch, Relay, ViscousFriction, periodic_orbits
 from trimmer.orbits import Simulations
@@ -31,7 +32,7 @@ def by_exponentials(equation: HalfPeriodEquation, half: float) -> float:
     return -float(equation.row @ np.linalg.solve(np.eye(order) + flow[:order, :order], flow[:order, order]))
 
 
-@pytest.mark.parametrize("seed", [*range(4), *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 8))])
+@pytest.mark.parametrize("seed", quick(range(8), *range(4)))
 def test_no_change_of_sign_on_a_fine_grid_is_missed(seed: int) -> None:
     generator = np.random.default_rng(seed)
     order = 2 + seed % 4
@@ -92,7 +93,8 @@ def test_poles_of_the_equation_are_left_undecided() -> None:
 
 def test_a_real_pole_of_the_loop_hides_many_orbits() -> None:
     # The only pole pair of 1 + N G that harmonic balance sees hides orbits at lower frequencies.
-    orbits = periodic_orbits(control.tf([1], [1, -0.5, 1, -1.5]), Relay(1.0))
+    search = OrbitSearch(half_periods=(2.0, 12.0))
+    orbits = periodic_orbits(control.tf([1], [1, -0.5, 1, -1.5]), Relay(1.0), search=search)
     assert sum(orbit.prediction is not None for orbit in orbits) == 1
     assert len(orbits) > 3
     for orbit in orbits:
@@ -151,7 +153,8 @@ def loop_with_unequal_switches(seed: int, positive: float, negative: float) -> c
 
 
 @pytest.mark.parametrize(
-    ("seed", "positive", "negative"), [(0, 2.3, 1.1), (1, 2.3, 1.1), (2, 1.4, 1.2), (0, 4.0, 0.6)]
+    ("seed", "positive", "negative"),
+    quick([(0, 2.3, 1.1), (1, 2.3, 1.1), (2, 1.4, 1.2), (0, 4.0, 0.6)], 1),
 )
 def test_unequal_switches_that_a_loop_was_built_for_are_found(
     seed: int, positive: float, negative: float

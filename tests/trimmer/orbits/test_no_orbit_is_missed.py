@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import scipy.signal
 
+from tests.quick import quick
 from tests.trimmer.loops.reference.peers import Course, Plant, play, switch
 from trimmer import InertiaBacklash, Relay, periodic_orbits
 from trimmer.elements import Element
@@ -32,7 +33,7 @@ def followed(system: control.StateSpace, element: Element, start: list[float], e
 
 @pytest.mark.parametrize(
     ("loop", "duration", "amplitude", "precision"),
-    [(LOAD, 45.0, 0.15034, 3e-4), (GROWING, 240.0, 247.1, 2e-3), (SECOND, 120.0, 0.6931, 1e-3)],
+    quick([(LOAD, 45.0, 0.15034, 3e-4), (GROWING, 240.0, 247.1, 2e-3), (SECOND, 120.0, 0.6931, 1e-3)], 2),
     ids=["load that bounces", "relay without prediction", "second orbit of a relay"],
 )
 def test_a_stable_orbit_that_a_long_motion_leads_to_is_found(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.quick import quick
 from tests.trimmer.orbits.brute_force import sustained
 from tests.trimmer.orbits.random_loops import random_loop, stable_amplitudes
 from trimmer import ClosedLoop, OrbitSearch, periodic_orbits
@@ -15,7 +16,7 @@ WITH_ORBIT = (3, 9, 12, 14, 18, 24, 27, 40)
 ALWAYS = OrbitSearch(Simulations.ALWAYS)
 
 
-@pytest.mark.parametrize("number", WITH_ORBIT)
+@pytest.mark.parametrize("number", quick(WITH_ORBIT, 4, 7))
 def test_no_stable_orbit_is_missed(number: int) -> None:
     loop = random_loop(number)
     expected = stable_amplitudes(loop)

@@ -10,7 +10,7 @@ import pytest
 
 from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.dynamics import System
-from trimmer import Mechanism, MotionKind, follow, forced_orbit, respond
+from trimmer import FollowSettings, Mechanism, MotionKind, follow, forced_orbit, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response.orbit import MechanismOrbit
 from trimmer.response.response_json import response_json
@@ -223,8 +223,11 @@ def test_a_gap_does_not_free_a_body_and_what_is_joined_by_play_advances_together
     assert not (forced_orbit(held, guess={}).multipliers == 1).any()
 
 
+COARSE = FollowSettings(quiet=True, largest_step=0.2)
+
+
 def test_a_branch_of_advancing_orbits_is_followed() -> None:
-    branch = follow(conveyor(), "forces.second.amplitude", 200.0, 150.0)
+    branch = follow(conveyor(), "forces.second.amplitude", 200.0, 150.0, settings=COARSE)
     assert branch.success
     assert len(branch.points) > 2
     for point in (branch.points[0], branch.points[len(branch.points) // 2], branch.points[-1]):
@@ -237,7 +240,7 @@ def test_a_branch_of_advancing_orbits_is_followed() -> None:
 
 
 def test_a_branch_of_a_block_that_is_pulled_has_its_period_as_an_unknown() -> None:
-    branch = follow(pulled(), "pins.winch.velocity", 0.1, 0.105)
+    branch = follow(pulled(), "pins.winch.velocity", 0.1, 0.105, settings=COARSE)
     assert branch.success
     last = branch.points[-1]
     found = settled(pulled().with_value("pins.winch.velocity", last.value))

@@ -22,7 +22,7 @@ from trimmer.uncertainty import SampleSettings, SampleStudy, uncertainty_from
 EXAMPLES = Path(__file__).parents[3] / "examples"
 THESIS = trimmer.TrimmerParameters.thesis()
 FORCE, BLADE, CUTTER = "frictions.q2-q4.force", "frictions.blade.force", "bodies.cutter.mass"
-QUIET = trimmer.FollowSettings(quiet=True)
+QUIET = trimmer.FollowSettings(quiet=True, largest_step=0.1)
 
 
 def driven(force: float, gap: float | None = None) -> trimmer.TrimmerLoop:

@@ -7,10 +7,11 @@ import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.mechanisms.shifted_phases import shifted, state_at
+from tests.quick import quick
 from trimmer import respond
 
 
-@pytest.mark.parametrize(("seed", "share"), [(1069, 0.22), pytest.param(1125, 0.72, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("seed", "share"), quick([(1069, 0.22), (1125, 0.72)], 0))
 def test_where_slips_die_away_the_motion_is_neutral_whenever_the_clock_begins(
     seed: int, share: float
 ) -> None:

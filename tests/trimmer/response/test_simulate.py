@@ -7,6 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import ContactLaw, MechanismError, simulate
 
@@ -14,7 +15,7 @@ LAWS = list(ContactLaw)
 NAMES = ("thesis-play", "second-play", "foil-shaver", "held", "servo", "den-hartog", "thesis", "gear-pair")
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", quick(LAWS, 0))
 @pytest.mark.parametrize("name", NAMES)
 def test_the_energy_balance_closes_to_rounding(name: str, law: ContactLaw) -> None:
     mechanism = example(name)

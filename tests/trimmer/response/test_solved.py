@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from trimmer import Mechanism, MotionKind, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.response.response_json import response_json
@@ -186,12 +187,13 @@ def test_a_drive_that_moves_nothing_leaves_rest() -> None:
     assert respond(shaken.with_value("links.spring.damping", 0.1)).kind is MotionKind.PERIODIC
 
 
-@pytest.mark.parametrize("share", [0.9, 0.999999, 1.000001, 1.1])
+@pytest.mark.parametrize("share", quick([0.9, 0.999999, 1.000001, 1.1], 0, 2))
 def test_an_event_that_will_come_is_not_overlooked(share: float) -> None:
     """The free and the forced vibration together come as near as one likes to the sum of their sizes."""
     reach = (1 + OMEGA) / abs(1 - OMEGA**2)
     stop = Stop(("ground", "body"), 10.0, 0.0, share * reach)
-    response = respond(oscillator(stops={"stop": stop}), most_periods=4000 if share < 1 else 100)
+    patience = {0.9: 400, 0.999999: 4000}.get(share, 100)
+    response = respond(oscillator(stops={"stop": stop}), most_periods=patience)
     free = "No event comes any more" in response.message
     assert free is (share > 1)
     if share > 1:

@@ -41,7 +41,7 @@ def test_the_returned_scale_gives_the_signal_back(tmp_path: Path, bit_depth: Bit
 
 @pytest.mark.parametrize("bit_depth", BitDepth)
 @pytest.mark.parametrize("peak", [0.9, 1.0, 1e-3])
-@settings(max_examples=30)
+@settings(max_examples=12)
 @given(values=arrays(np.float64, st.integers(80, 100), elements=st.floats(-1e300, 1e300)))
 def test_nothing_is_clipped(tmp_path_factory, values, peak: float, bit_depth: BitDepth) -> None:
     path = tmp_path_factory.getbasetemp() / "clipped.wav"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from tests.trimmer.spectra.test_peaks import SAMPLES, sines
 from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
@@ -48,7 +49,7 @@ def check(level: int, signals: int) -> None:
     assert sum(more for _, _, more in results) <= max(3, 0.03 * signals)  # 1 % of false alarms is asked for
 
 
-@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("level", quick(LEVELS, 2))
 def test_a_small_line_beside_a_large_one_is_as_exact_as_it_says(level: int) -> None:
     check(level, 40)
 
@@ -61,7 +62,7 @@ def test_a_thousand_small_lines_are_as_exact_as_they_say(level: int) -> None:
 
 @pytest.mark.parametrize("level", LEVELS)
 def test_without_noise_a_small_line_is_exact(level: int) -> None:
-    for seed in range(30):
+    for seed in range(8):
         off, _, more = errors(level, seed, noise=0.0)
         assert more == 0
         np.testing.assert_allclose(off, 0.0, atol=1e-8)
@@ -69,7 +70,7 @@ def test_without_noise_a_small_line_is_exact(level: int) -> None:
 
 @pytest.mark.parametrize(
     ("window", "factor"),
-    [(Window.RECTANGULAR, 0.9), (Window.HANN, 1.5), (Window.BLACKMAN_HARRIS, 2.1), (Window.FLAT_TOP, 6.5)],
+    quick(zip(Window, (0.9, 1.5, 2.1, 6.5), strict=True), 1),
 )
 def test_the_uncertainty_is_that_of_repeated_measurements(window: Window, factor: float) -> None:
     """In bins the scatter is the factor that ``peaks`` states over that of the samples and their root."""
@@ -89,7 +90,7 @@ def test_the_uncertainty_is_that_of_repeated_measurements(window: Window, factor
 
 
 @pytest.mark.parametrize("window", Window)
-@pytest.mark.parametrize("decay", [1e-4, 1e-3, 1e-2])
+@pytest.mark.parametrize("decay", quick([1e-4, 1e-3, 1e-2], 1))
 def test_beside_a_vibration_that_dies_out_nothing_hidden_is_claimed(window: Window, decay: float) -> None:
     times = np.arange(4000)
     for frequency in np.linspace(0.11, 0.1108, 3):

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.quick import quick
 from trimmer.errors import WrongTypeError
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.peaks import MOST_PEAKS, peaks
@@ -45,7 +46,7 @@ def test_one_sine_is_found_exactly(window: Window, place: float, amplitude: floa
 
 
 @pytest.mark.parametrize("window", Window)
-@settings(max_examples=12)
+@settings(max_examples=5)
 @given(
     place=st.floats(10, 470),
     more=st.floats(0.0, 10.0),
@@ -84,7 +85,7 @@ def test_without_a_window_leakage_counts_as_noise() -> None:
     np.testing.assert_allclose(larger, [[100.4, 1.0], [160.7, 0.1]], rtol=1e-8)
 
 
-@pytest.mark.parametrize("window", Window)
+@pytest.mark.parametrize("window", quick(Window, 1))
 def test_white_noise_seldom_gives_a_peak(window: Window) -> None:
     random = np.random.default_rng(5)
     alarms = sum(len(found(random.normal(size=2000), window)) > 0 for _ in range(120))
@@ -93,7 +94,7 @@ def test_white_noise_seldom_gives_a_peak(window: Window) -> None:
     assert loud > 15
 
 
-@settings(max_examples=30)
+@settings(max_examples=10)
 @given(
     values=st.lists(st.tuples(st.floats(8, 490), st.floats(1, 9), st.floats(-3, 3)), min_size=1, max_size=4),
     scale=st.sampled_from([1e-12, 2e-6, 1e9]),

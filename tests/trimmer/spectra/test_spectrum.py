@@ -34,7 +34,7 @@ def test_a_sine_on_a_bin_shows_its_amplitude_and_phase(window: Window, count: in
     assert spectrum.amplitude[0] < 1e-15
 
 
-@settings(max_examples=25)
+@settings(max_examples=10)
 @given(SIGNALS, WINDOWS)
 def test_the_spectrum_is_that_of_scipy(values, window: Window) -> None:
     """SciPy's power spectrum is the mean square of each line."""

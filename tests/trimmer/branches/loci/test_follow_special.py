@@ -13,7 +13,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.trimmer import results
-from tests.trimmer.branches.published import ALONE, TURN, in_a_dead_zone, oscillator_with_a_stop
+from tests.trimmer.branches.published import ALONE, TURN, dead_zone, oscillator_with_a_stop
 from tests.trimmer.maps.machines import linear_oscillator
 from trimmer import (
     FollowedBranch,
@@ -31,7 +31,9 @@ from trimmer.mechanism.parts import Force, Stop
 EXAMPLES = Path(__file__).parents[4] / "examples"
 QUIET = LocusSettings(quiet=True)
 WIDE = LocusSettings(quiet=True, largest_step=0.08)
+FAR = LocusSettings(quiet=True, largest_step=0.2)
 LONG = LocusSettings(quiet=True, largest_step=0.5)
+COARSE = replace(ALONE, largest_step=0.1)
 GAP = "stops.stop.gap"
 RANGES = LocusRanges((0.6, 1.6), (5.0, 30.0))
 
@@ -39,6 +41,13 @@ RANGES = LocusRanges((0.6, 1.6), (5.0, 30.0))
 @pytest.fixture(scope="module")
 def branch() -> FollowedBranch:
     return oscillator_with_a_stop()
+
+
+@pytest.fixture(scope="module")
+def near() -> FollowedBranch:
+    """Of the same oscillator, with its first grazing and period doubling only."""
+    mechanism = Mechanism.from_toml(EXAMPLES / "oscillator-stop.toml")
+    return follow(mechanism, "frequency", 5.4 / TURN, 5.65 / TURN, settings=COARSE)
 
 
 def of_kind(branch: FollowedBranch, kind: SpecialKind, number: int = 0) -> SpecialPoint:
@@ -116,9 +125,9 @@ def test_the_grazing_of_the_dead_zone_lies_where_the_linear_motion_is_as_wide_as
     # The body leans on the upper side of the zone with the constant force, and moves around there with
     # 0.05 omega^2 / |1 - omega^2 + 0.1 i omega|, until it comes down to the side of the zone.
     ranges = LocusRanges((0.4 / TURN, 1.9 / TURN), (0.05, 0.12))
-    branch = in_a_dead_zone()
-    point = of_kind(branch, SpecialKind.GRAZING, 1)
-    locus = follow_special(branch, point, "forces.drive.constant", 0.12, ranges=ranges, settings=WIDE)
+    branch = follow(dead_zone(1.5), "frequency", 1.5 / TURN, 1.35 / TURN, settings=COARSE)
+    (point,) = branch.special
+    locus = follow_special(branch, point, "forces.drive.constant", 0.12, ranges=ranges, settings=FAR)
     assert locus.reason is LocusEnd.LEFT
     omega = TURN * locus.first
     assert locus.second == pytest.approx(0.05 * omega**2 / abs(1.0 - omega**2 + 0.1j * omega), rel=1e-9)
@@ -135,7 +144,7 @@ def onset_of_stick(ratio: np.ndarray) -> np.ndarray:
     return np.asarray(ratio**2 * abs(v) / np.sqrt(1.0 + ratio**4 * u**2))
 
 
-@pytest.mark.parametrize("stop", [0.85, 1.6])
+@pytest.mark.parametrize("stop", [0.85, pytest.param(1.6, marks=pytest.mark.slow)])
 def test_stick_begins_where_den_hartogs_formula_says(stop: float) -> None:
     mechanism = Mechanism.from_toml(EXAMPLES / "den-hartog.toml").with_value("frequency", 1.2 / TURN)
     branch = follow(mechanism, "frictions.floor.force", 0.6, 0.8, settings=ALONE)
@@ -187,10 +196,21 @@ def test_a_grazing_locus_around_a_peak_of_the_amplitude_closes() -> None:
     assert locus.units == ("Hz", "rad")
 
 
-def test_a_locus_ends_at_most_points_and_says_where(branch: FollowedBranch) -> None:
-    point = of_kind(branch, SpecialKind.GRAZING)
+def test_a_period_doubling_is_that_of_a_branch_over_one_number(near: FollowedBranch) -> None:
+    point = of_kind(near, SpecialKind.PERIOD_DOUBLING)
+    locus = follow_special(near, point, GAP, "9.9 m", settings=LONG)
+    assert (locus.reason, locus.periods) == (LocusEnd.LEFT, 1)
+    assert locus.distance.max() < 1e-9
+    frequency, gap = locus.values[-1]
+    moved = near.map.mechanism.with_value(GAP, float(gap))
+    alone = follow(moved, "frequency", frequency - 2e-3, frequency + 1e-3, settings=COARSE)
+    assert of_kind(alone, SpecialKind.PERIOD_DOUBLING).value == pytest.approx(frequency, rel=1e-9)
+
+
+def test_a_locus_ends_at_most_points_and_says_where(near: FollowedBranch) -> None:
+    point = of_kind(near, SpecialKind.GRAZING)
     few = LocusSettings(most_points=3, quiet=True)
-    locus = follow_special(branch, point, GAP, 30.0, ranges=RANGES, settings=few)
+    locus = follow_special(near, point, GAP, 30.0, ranges=RANGES, settings=few)
     assert locus.reason is LocusEnd.MOST_POINTS
     assert len(locus.values) == 3
     assert not locus.success
@@ -199,18 +219,18 @@ def test_a_locus_ends_at_most_points_and_says_where(branch: FollowedBranch) -> N
     assert (locus.kind, locus.parts, locus.name) == (SpecialKind.GRAZING, ("stop",), "grazing, stop")
 
 
-def test_without_ranges_a_locus_stays_within_the_branch_and_goes_to_stop(branch: FollowedBranch) -> None:
-    locus = follow_special(branch, of_kind(branch, SpecialKind.GRAZING), GAP, "9.8 m", settings=LONG)
+def test_without_ranges_a_locus_stays_within_the_branch_and_goes_to_stop(near: FollowedBranch) -> None:
+    locus = follow_special(near, of_kind(near, SpecialKind.GRAZING), GAP, "9.8 m", settings=LONG)
     assert locus.reason is LocusEnd.LEFT
     assert (locus.second[0], locus.second[-1]) == (10.0, pytest.approx(9.8, rel=1e-12))
     assert (np.diff(locus.second) < 0.0).all()
 
 
-def test_a_point_that_is_not_there_is_lost_and_what_lies_beside_it_is_named(branch: FollowedBranch) -> None:
-    grazing = of_kind(branch, SpecialKind.GRAZING)
+def test_a_point_that_is_not_there_is_lost_and_what_lies_beside_it_is_named(near: FollowedBranch) -> None:
+    grazing = of_kind(near, SpecialKind.GRAZING)
     torus = replace(grazing, kind=SpecialKind.TORUS, parts=())
     hasty = LocusSettings(smallest_step=1e-3, quiet=True)
-    found = follow_special(branch, torus, GAP, 12.0, settings=hasty)
+    found = follow_special(near, torus, GAP, 12.0, settings=hasty)
     assert found.reason is LocusEnd.CHANGED
     assert found.message.endswith("; beside it: grazing, period-doubling")
 
@@ -270,10 +290,10 @@ REFUSED: dict[str, tuple[type[Exception], str, Call]] = {
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_wrong_use_is_told(branch: FollowedBranch, name: str) -> None:
+def test_wrong_use_is_told(near: FollowedBranch, name: str) -> None:
     error, told, call = REFUSED[name]
     with pytest.raises(error, match=told):
-        call(branch)
+        call(near)
 
 
 @pytest.mark.parametrize(

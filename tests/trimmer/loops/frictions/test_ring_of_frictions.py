@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from tests.trimmer.loops.reference.peer_time_stepping import time_stepping
 from tests.trimmer.loops.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
 from trimmer import (
@@ -67,6 +68,9 @@ def some_frictions(seed: int, fewest: int = 3, most: int = 3) -> Ring:
     )
 
 
+RINGS = [(each,) for each in (*EXAMPLES.values(), some_frictions(8, 5, 5))]
+
+
 def loop_of(ring: Ring, element: Element | None = None, drive: Drive | None = DRIVE) -> TrimmerLoop:
     frictions = tuple(BodyFriction(each, CoulombFriction(force)) for each, force in ring)
     return TrimmerLoop(THESIS, element, drive, channels=InputChannels.DISPLACEMENT_ONLY, frictions=frictions)
@@ -123,7 +127,7 @@ def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
     assert {each.component for each in motion.events if each.time == 0} == {"friction q2", "friction q2-q4"}
 
 
-@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(4), some_frictions(8, 5, 5)])
+@pytest.mark.parametrize("ring", quick([*RINGS, (some_frictions(4),)], 0))
 def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
     duration, steps = 0.015, 750
     motion = simulate(loop_of(ring), duration)
@@ -137,7 +141,7 @@ def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
     assert misses[1] < 0.5 * misses[0]
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", quick(range(10), 1))
 def test_three_frictions_in_a_ring(seed: int) -> None:
     check_laws(some_frictions(seed), 0.1)
 
@@ -149,7 +153,7 @@ def test_many_frictions_in_rings(seed: int) -> None:
     check_laws(some_frictions(seed, 4, 6), 0.1)
 
 
-@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(8, 5, 5)])
+@pytest.mark.parametrize("ring", quick(RINGS, 0))
 def test_the_order_of_frictions_and_of_their_ends_does_not_matter(ring: Ring) -> None:
     turned = tuple((between(each.relative_to, each.of), force) for each, force in ring if each.relative_to)
     others = tuple((each, force) for each, force in ring if not each.relative_to)
@@ -164,7 +168,7 @@ def test_the_order_of_frictions_and_of_their_ends_does_not_matter(ring: Ring) ->
     assert other.event_times == pytest.approx(motion.event_times, rel=1e-11)
 
 
-@pytest.mark.parametrize("ring", [*EXAMPLES.values(), some_frictions(8, 5, 5)])
+@pytest.mark.parametrize("ring", quick(RINGS, 0))
 def test_a_mirrored_drive_mirrors_the_motion(ring: Ring) -> None:
     motion = simulate(loop_of(ring), 0.05)
     mirrored = simulate(loop_of(ring, drive=Drive(AMPLITUDE, OMEGA, phase=math.pi)), 0.05)
@@ -188,7 +192,7 @@ def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -
     assert (abs(forces[[1, 2, 4]]).max(axis=1) <= [0.2, 1.7, 0.1]).all()
 
 
-@pytest.mark.parametrize("gap", [None, 2e-4])
+@pytest.mark.parametrize("gap", quick([None, 2e-4], 1))
 def test_a_force_just_at_its_limit_is_no_event_for_ever(gap: float | None) -> None:
     """The cutter slides and pulls the guard with 1 N; the motor holds it with at most 1 N."""
     ring = (
