@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 from derivations.any_mechanism.derivation import derive_mechanism
@@ -54,6 +55,7 @@ NARRATIVES: Mapping[str, Callable[[], tuple[NarrativeStep, ...]]] = {
 }
 SOURCES = ("document", "module")
 """What `trimmer derive` writes of an example."""
+sources = cache(lambda: derive_mechanism_sources(MechanismOfNumbers.from_toml(EXAMPLE)))
 
 
 def told(step: NarrativeStep) -> Iterator[str]:
@@ -69,8 +71,7 @@ def told(step: NarrativeStep) -> Iterator[str]:
 def written(name: str) -> str:
     """Return the content of a file."""
     if name in SOURCES:
-        sources = derive_mechanism_sources(MechanismOfNumbers.from_toml(EXAMPLE))
-        return sources.latex if name == "document" else sources.module
+        return sources().latex if name == "document" else sources().module
     return "".join(f"{line}\n" for step in NARRATIVES[name]() for line in (*told(step), ""))
 
 

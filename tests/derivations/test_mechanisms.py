@@ -158,17 +158,6 @@ def everything():
     )
 
 
-def test_all_parts_together_pass_their_checks(everything):
-    derivation = derive_mechanism(everything)
-    assert derivation.motion.power.holds
-    assert derivation.closed.power.holds
-    assert derivation.motion.space.b.shape == (6, 2 + 2 + 2 + 3 + 2)
-    assert derivation.closed.space.b.shape == (6, 2 + 2 + 2 + 2 + 1)
-    for matrices in (derivation.motion.matrices, derivation.closed.matrices):
-        assert matrices.stiffness == matrices.stiffness.T
-        assert matrices.damping == matrices.damping.T
-
-
 def test_another_order_of_bodies_and_parts_permutes_the_matrices(everything):
     order = [2, 0, 1]
     turned = replace(

@@ -10,7 +10,7 @@ from scripts.site.example_scripts import ExampleScript, ScriptError, example_scr
 from scripts.site.gallery import gallery_pages
 
 SCRIPTS = example_scripts()
-SLOW = {"basin", "branch", "chaos", "den_hartog"}
+SLOW = {"basin", "branch", "chaos", "den_hartog", "own_element"}
 
 
 @pytest.mark.parametrize(

@@ -20,4 +20,4 @@ def test_letters_without_a_font_are_told(tmp_path: Path, capsys) -> None:
         assert code == 0
         sentence = f"boxes stand in pictures for letters that none of their fonts has: '{strange}'"
         assert (sentence in told) is (name == strange)
-        assert "boxes" not in called(capsys, *words, "--quiet")[2]
+    assert "boxes" not in called(capsys, *words, "--quiet")[2]

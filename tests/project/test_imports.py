@@ -113,6 +113,7 @@ def missing_names(folder: Path, names: Names) -> Iterator[str]:
             yield f"{module}.{name}"
 
 
+@pytest.mark.slow  # it reads all sources; of the packages mypy says the same
 def test_all_that_is_imported_is_there(project_folder: Path) -> None:
     """A function's imports run late, and a test or script that nobody ran keeps an old place for long."""
     missing = {

@@ -54,16 +54,13 @@ def test_wheel_holds_every_file_of_the_packages(wheel: Path, project_folder: Pat
         assert any(name.startswith(folder) for name in shipped), folder
 
 
-def test_wheel_says_that_it_is_typed(wheel: Path) -> None:
-    assert "trimmer/py.typed" in zipfile.ZipFile(wheel).namelist()
-
-
 def test_wheel_holds_the_licences(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert any(name.endswith(".dist-info/licenses/LICENSE") for name in names)
     assert any("/licenses/report/fonts/" in name for name in names)
 
 
+@pytest.mark.slow
 def test_installed_command_works_from_another_folder(
     installed: Path, tmp_path: Path, project_folder: Path
 ) -> None:
@@ -80,6 +77,7 @@ def test_installed_command_works_from_another_folder(
     assert "report" in ended.stdout
 
 
+@pytest.mark.slow
 def test_source_distribution_holds_what_the_site_is_made_from(tmp_path: Path, project_folder: Path) -> None:
     """Built by the backend itself, since pip builds none; nothing that a build has written is in it."""
     made = (

@@ -26,6 +26,9 @@ from trimmer.mechanism.printed_symbols import printed_symbols
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 THESIS = next(path for path in EXAMPLES if path.name == "thesis.toml")
+QUICK = ("block-on-belt", "thesis-play")  # of few parts and of many
+MARKED = [pytest.param(each, marks=[] if each.stem in QUICK else pytest.mark.slow) for each in EXAMPLES]
+each_example = pytest.mark.parametrize("path", MARKED, ids=lambda path: path.stem)
 
 
 def numbers_of(matrices, symbolic):
@@ -66,12 +69,12 @@ def directions(mechanism, joints):
     return np.array(listed).reshape(-1, bodies).T
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@each_example
 def test_derived_matrices_of_the_examples_are_those_that_solvers_assemble(path):
     assert_matrices_agree(Mechanism.from_toml(path))
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms())
 def test_derived_matrices_of_random_mechanisms_are_those_that_solvers_assemble(mechanism):
     assert_matrices_agree(mechanism)
@@ -109,19 +112,19 @@ def values_at(symbolic, state, time):
     return {**values, t: time}
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@each_example
 def test_engine_moves_the_examples_as_they_are_derived(path):
     mechanism = Mechanism.from_toml(path)
     assert_motion_agrees(mechanism, 0.3 / (mechanism.frequency or 1.0))
 
 
-@settings(max_examples=10)
+@settings(max_examples=6)
 @given(mechanisms(most_bodies=3))
 def test_engine_moves_random_mechanisms_as_they_are_derived(mechanism):
     assert_motion_agrees(mechanism, 0.4)
 
 
-@settings(max_examples=7)
+@settings(max_examples=4)
 @given(mechanisms(most_bodies=3))
 def test_closed_contacts_are_links(mechanism):
     """With the contacts as links the solvers' matrices are the derived ones of closed contact."""
@@ -182,7 +185,7 @@ def one_body(**sections):
     return Mechanism(**{"bodies": {"a": Body(1.0)}, "links": mount, **sections})
 
 
-@settings(max_examples=15)
+@settings(max_examples=8)
 @given(mechanisms_with_any_names())
 def test_symbols_and_names_of_random_mechanisms_are_unique(mechanism):
     found = [each.symbol for each in printed_symbols(mechanism).values()]

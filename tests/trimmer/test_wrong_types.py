@@ -38,7 +38,7 @@ CALLS = {
         "system": SYSTEM,
         "gap": 4e-5,
         "frequency": 740.0,
-        "frequency_uncertainty": 0.1,
+        "frequency_uncertainty": 0.0,
     },
     trimmer.harmonic_leakage: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
     trimmer.harmonic_balance: {

@@ -52,9 +52,13 @@ def closed_form(motion, harmonic):
     return formula(case(motion.gamma), harmonic == 1)(separation, impact, decay, mpmath.mpf(harmonic))
 
 
-@pytest.mark.parametrize("harmonic", [1, 3, 5, 9])
-@pytest.mark.parametrize("ratio", ["0.05", "0.7", "1.3", "1.9"])
-@pytest.mark.parametrize("gamma", ["0", "0.02", "0.4", "1.25", "30", "inf"])
+def marked(quick, slow):
+    return [*quick, *(pytest.param(each, marks=pytest.mark.slow) for each in slow)]
+
+
+@pytest.mark.parametrize("harmonic", marked([1, 5], [3, 9]))
+@pytest.mark.parametrize("ratio", marked(["0.05", "1.3"], ["0.7", "1.9"]))
+@pytest.mark.parametrize("gamma", marked(["0", "1.25", "inf"], ["0.02", "0.4", "30"]))
 def test_harmonics(gamma, ratio, harmonic):
     with mpmath.workdps(DIGITS + 10):
         motion = ExactBacklash(mpmath.mpf(ratio), mpmath.mpf(gamma))

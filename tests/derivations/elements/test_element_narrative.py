@@ -35,8 +35,8 @@ def steps():
 
 
 @pytest.fixture(scope="module")
-def shown(steps):
-    return tuple(step.proven() for step in steps)
+def shown():
+    return element_narrative.element_narrative()
 
 
 def test_each_step_proves_something_by_algebra(steps, shown):
@@ -103,7 +103,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("harmonic", [1, 3, 5, 7, 21])
+@pytest.mark.parametrize("harmonic", [1, 3, 21])
 @pytest.mark.parametrize("name", CASES)
 def test_relay_and_friction_are_those_of_quadrature(name, harmonic):
     step, left, output = CASES[name]

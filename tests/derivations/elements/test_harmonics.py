@@ -63,7 +63,7 @@ def test_a_waveform_that_is_not_odd_is_refused():
     ],
     ids=["relay", "coulomb", "viscous", "friction", "inertia"],
 )
-@pytest.mark.parametrize("harmonic", [1, 3])
+@pytest.mark.parametrize("harmonic", [1, pytest.param(3, marks=pytest.mark.slow)])
 def test_sympys_own_integration_gives_the_same(made, ratio, harmonic):
     """The same coefficients over the whole period, by SymPy's integrate and two real integrals."""
     waveform = made()

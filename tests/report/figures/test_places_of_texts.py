@@ -1,4 +1,4 @@
-"""Titles fit, and texts stand beside curves: in a file of its own, as to lay out all figures takes long."""
+"""Titles fit, and texts stand beside curves: those that are like others are slow."""
 
 import numpy as np
 import pytest
@@ -11,11 +11,15 @@ from tests.report.figures import conftest
 
 STEP = 2.0
 """Distance of the points of a curve that are looked for under a text, in pixels."""
+QUICK = ("fig-1.1", "fig-2.9", "fig-2.14", "fig-3.4", "fig-3.8", "fig-5.8", "fig-5.15", "twin-map-friction")
 MARGIN = np.array([1.0, 2.0])
 """What a curve may reach into the box of a text, across and up, in pixels; it is larger than the letters."""
 
 
-@pytest.mark.parametrize("figure_id", conftest.FIGURES)
+@pytest.mark.parametrize(
+    "figure_id",
+    [pytest.param(each, marks=[] if each in QUICK else pytest.mark.slow) for each in conftest.FIGURES],
+)
 def test_titles_fit_and_texts_stand_beside_curves(figure_id, drawn):
     drawing = drawn(figure_id)
     with style():

@@ -104,7 +104,7 @@ def solutions(parameters, system, force, starts):
     return distinct
 
 
-@pytest.mark.parametrize(("share", "count"), [(0.6, 2), (0.98, 2), (1.02, 0), (10.0, 0)])
+@pytest.mark.parametrize(("share", "count"), [(0.98, 2), (1.02, 0)])
 def test_a_search_from_many_starts_finds_what_the_branch_counts(loop, share, count):
     parameters, system, _, branch = loop
     force = share * branch.merger.force_per_gap

@@ -12,7 +12,7 @@ from report.octave.archive import files, write_files
 from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, modes, transfer_function
 from trimmer.linear import InputChannels
 
-pytestmark = pytest.mark.octave
+pytestmark = [pytest.mark.octave, pytest.mark.slow]  # test_against_python asks for more numbers
 THESIS = TrimmerParameters.thesis()
 BOTH = InputChannels.DISPLACEMENT_AND_VELOCITY
 

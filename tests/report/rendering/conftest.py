@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser
 
+from report.cache.stage_store import StageStore
 from report.document.document import Document
 from report.pages.formats import Format
 from report.rendering.render import render
@@ -26,7 +27,8 @@ def rendered(
     document: Document, tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
 ) -> Mapping[Format, Path]:
     folder = tmp_path_factory.mktemp("report") / "build"
-    return made_once.get("rendered", lambda: render(document, folder))
+    store = StageStore(folder.parent / "kept")
+    return made_once.get("rendered", lambda: render(document, folder, store=store))
 
 
 @pytest.fixture(scope="session")

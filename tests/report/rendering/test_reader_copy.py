@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Iterator, Mapping
 from html.parser import HTMLParser
 from pathlib import Path
@@ -73,8 +74,10 @@ def read(page: str) -> Reader:
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("copy")
+def folder(tmp_path_factory: pytest.TempPathFactory, rendered: Mapping[Format, Path]) -> Path:
+    folder = tmp_path_factory.mktemp("copy")
+    shutil.copytree(rendered[Format.HTML].parents[1] / "kept", folder / "kept")
+    return folder
 
 
 @pytest.fixture(scope="module")

@@ -200,5 +200,4 @@ def test_static_friction_that_gives_way_ends_the_branch() -> None:
 def test_a_friction_that_fades_away_leaves_the_linear_motion() -> None:
     oscillator = Mechanism.from_toml(EXAMPLES / "den-hartog.toml")
     end = follow(oscillator, "frictions.floor.force", 0.2, 0.0).points[-1]
-    assert end.value == 0.0
-    assert end.outputs["block"].peak_to_peak == pytest.approx(2 / (1 - 0.7**2), rel=1e-9)
+    assert (end.value, end.outputs["block"].peak_to_peak) == pytest.approx((0.0, 2 / 0.51), rel=1e-9)

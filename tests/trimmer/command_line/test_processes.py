@@ -12,26 +12,23 @@ import pytest
 from tests.complaints import complaints
 from trimmer.command_line.main import main
 
-COMMAND = "import sys; from trimmer.command_line.main import main; sys.exit(main(sys.argv[1:]))"
-IN_TURN = """
+COMMAND = """
 import sys
 from trimmer.command_line.main import main
-words = []
-for word in [*sys.argv[1:], ";"]:
-    words.append(word)
-    if word == ";":
-        main(words[:-1])
-        print("ended")
-        words = []
+*before, last = "\\n".join(sys.argv[1:]).split("\\n;\\n")
+for words in before:
+    main(words.splitlines())
+    print("ended")
+sys.exit(main(last.splitlines()))
 """
-"""Several commands, with a semicolon between them."""
+"""One command, or several with a semicolon between them."""
 C_LOCALE = {"LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
 NOWHERE = {"HOME": "/dev/null/nowhere", "TMPDIR": "/dev/null/nowhere", "XDG_CACHE_HOME": "/dev/null/nowhere"}
 SIMULATED = ["simulate", "--drive", "110", "--amplitude", "1e-3", "--duration", "0.01"]
 
 
 def run(
-    folder: Path, *words: str, shell: str = "", alone: bool = False, command: str = COMMAND, **settings: str
+    folder: Path, *words: str, shell: str = "", alone: bool = False, **settings: str
 ) -> subprocess.CompletedProcess[str]:
     """Run a command by a shell, which redirects its streams and tells its exit code in a file ``code``.
 
@@ -39,7 +36,7 @@ def run(
     """
     kept = {name: each for name, each in os.environ.items() if not alone or name in ("PATH", "PYTHONPATH")}
     done = subprocess.run(
-        ["sh", "-c", f'{{ "$@"; echo $? >code; }} {shell}', "sh", sys.executable, "-c", command, *words],
+        ["sh", "-c", f'{{ "$@"; echo $? >code; }} {shell}', "sh", sys.executable, "-c", COMMAND, *words],
         capture_output=True, cwd=folder, env={**kept, "PYTHONUNBUFFERED": "", **settings}, text=True,
         encoding="utf-8",
     )  # fmt: skip
@@ -88,9 +85,9 @@ def test_names_and_texts_in_any_letters_where_nothing_but_ascii_is_written_and_h
     done = run(
         tmp_path, "linear", ";", *SIMULATED, "--csv", "out.csv", ";",
         "linear", "--parameters", "ω\udcff.toml", ";", "spectrum", "a.csv", "--column", "µ", "--rate", "100",
-        command=IN_TURN, alone=True, COLUMNS="1", **NOWHERE, **C_LOCALE,
+        alone=True, COLUMNS="1", **NOWHERE, **C_LOCALE,
     )  # fmt: skip
-    plain, moved, unread, spectrum, _ = done.stdout.split("ended\n")
+    plain, moved, unread, spectrum = done.stdout.split("ended\n")
     assert (code(tmp_path), done.stdout.isascii()) == (0, True)
     assert main(["linear"]) == 0
     full = capsys.readouterr().out

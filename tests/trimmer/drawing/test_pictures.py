@@ -25,6 +25,7 @@ from tests.trimmer.drawing.pictures import FIGURES, PLOTS, in_words, kept, new_a
 from trimmer.errors import WrongTypeError
 from trimmer.showing.drawn import Drawn
 
+LAID_OUT = ("HarmonicBalance", "Motion", "FollowedBranch", "MotionMap", "SpectrumAnalysis")
 ROUNDING = 3e-4
 """What noise leaves of a fit, and the last of five digits."""
 
@@ -71,10 +72,16 @@ def test_all_public_results_with_a_plot_are_drawn() -> None:
 @pytest.mark.parametrize("name", PLOTS)
 def test_axes_that_are_given_are_drawn_into_and_no_others(name: str) -> None:
     axes = small(name)
-    assert_all_is_seen(axes)
     for wrong in (axes.figure, "axes", 3):
         with pytest.raises(WrongTypeError, match="ax must be Matplotlib axes"):
             PLOTS[name](wrong)
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(each, marks=[] if each in LAID_OUT else pytest.mark.slow) for each in PLOTS]
+)
+def test_labels_and_legend_have_room(name: str) -> None:
+    assert_all_is_seen(small(name))
 
 
 def assert_all_is_seen(axes: Axes) -> None:

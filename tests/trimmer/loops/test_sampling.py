@@ -39,9 +39,8 @@ def test_any_number_of_times(free: LoopMotion, count: int, end: float) -> None:
 
 
 def test_times_that_are_far_apart_or_all_the_same(free: LoopMotion) -> None:
-    assert free.state([3.999]) == pytest.approx(exact(np.array([3.999])), abs=1e-12)
-    assert free.state([0.1, 3.9]) == pytest.approx(exact(np.array([0.1, 3.9])), abs=1e-12)
-    assert free.state([1.7] * 5) == pytest.approx(np.repeat(exact(np.array([1.7])), 5, axis=1), abs=1e-12)
+    for times in ([3.999], [0.1, 3.9], [1.7] * 5):
+        assert free.state(times) == pytest.approx(exact(np.array(times)), abs=1e-12)
 
 
 def test_several_modes_each_from_its_own_start() -> None:
