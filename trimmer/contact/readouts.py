@@ -20,6 +20,7 @@ from trimmer.contact.statuses import (
     RELEASED_PLUS,
     STICK,
 )
+from trimmer.hybrid.system import NOTHING
 from trimmer.motion.extremes import extremes
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
@@ -116,6 +117,17 @@ def friction_measures(course: Course, number: int, periods: int) -> FrictionMeas
     lost = float(machine.kinetic[number]) * sliding
     stick = float(durations(course)[sticking].sum() / course.duration)
     return FrictionMeasures(lost / periods, lost / course.duration, stick)
+
+
+def event_rates(course: Course) -> Reals:
+    """Return the rate of end less start at each event that counts, m/s, (events,); 0 for frictions."""
+    log, rates = course.log, course.modes.system.machine.contact_rate
+    rows = np.flatnonzero(log.kind != NOTHING)
+    found = np.zeros(len(rows))
+    of_contact = log.part[rows] < len(rates)
+    touching = rows[of_contact]
+    found[of_contact] = (rates[log.part[touching]] * log.state[touching]).sum(axis=1)
+    return found
 
 
 def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:

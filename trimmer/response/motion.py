@@ -16,7 +16,7 @@ from trimmer.contact import statuses
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
-from trimmer.contact.readouts import contact_force
+from trimmer.contact.readouts import contact_force, event_rates
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
@@ -60,11 +60,21 @@ class MechanismEvent:
         time: Time since the start of the motion, s.
         part: Name of the play, stop or friction.
         kind: What happens to it.
+        rate: Of its end less that of its start, m/s, just before an impulse; 0 where friction is held or
+            turns back.
+        impulse: That of a wall, N s; None of what gives none.
     """
 
     time: float
     part: str
     kind: MechanismEventKind
+    rate: float = 0.0
+    impulse: float | None = None
+
+    @property
+    def speed(self) -> float:
+        """How fast its ends meet or part, m/s: the modulus of the rate."""
+        return abs(self.rate)
 
 
 class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
@@ -76,7 +86,7 @@ class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
         return counted(len(self), "event")
 
     def _table(self) -> Table:
-        return Table("Events", self, attributes(time="s", kind="", part=""))
+        return Table("Events", self, attributes(time="s", kind="", part="", speed="m/s", impulse="N s"))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -123,8 +133,9 @@ class MechanismMotion(Motion):
         """All events in order of time."""
         layout = self.course.modes.system.layout
         parts = (*layout.contacts, *layout.frictions)
+        events = zip(self.course.events, event_rates(self.course).tolist(), strict=True)
         return MechanismEvents(
-            MechanismEvent(time, parts[part], KINDS[kind]) for time, part, kind in self.course.events
+            MechanismEvent(time, parts[part], KINDS[kind], rate) for (time, part, kind), rate in events
         )
 
     @cached_property
@@ -204,6 +215,12 @@ class MechanismMotion(Motion):
         _require("friction", name, frictions)
         number = frictions.index(name)
         return self._at(times, lambda rows, states: dry_forces(self.course, rows, states)[:, number])
+
+    @property
+    def final(self) -> Mapping[str, tuple[float, ...]]:
+        """Displacement, m, and velocity, m/s, of each body at its end."""
+        state = self.course.end.state
+        return {name: tuple(state[list(places)].tolist()) for name, places in self.flow.axes.items()}
 
     @cached_property
     def rest(self) -> Rest | None:

@@ -44,6 +44,17 @@ def test_the_block_on_the_belt_sticks_and_slips() -> None:
     assert motion.velocity("block", stuck) == pytest.approx(0.2, abs=1e-13)
 
 
+def test_events_have_the_speed_at_which_contact_begins_and_ends() -> None:
+    """The ratio of speeds is exp(-z/sqrt(1 - z²) atan2(2 z sqrt(1 - z²), 2 z² - 1)), z = 0.1."""
+    motion = simulate(example("thrown-body"), 5.0)
+    made, broken = motion.events
+    assert (made.time, made.rate, made.impulse) == (pytest.approx(1.0), pytest.approx(1.0), None)
+    assert broken.rate == pytest.approx(-0.744079397722, abs=1e-12)
+    assert broken.speed == -broken.rate
+    back = broken.speed * (0.2 / 1.0 - (5.0 - broken.time))  # It lets go where k x + c v = 0.
+    assert motion.final["body"] == pytest.approx((back, broken.rate), abs=1e-12)
+
+
 def test_contact_forces_and_accelerations_are_one() -> None:
     motion = simulate(twin(0.0), 0.05)
     times = np.linspace(0.0, 0.05, 501)[::-1]

@@ -14,7 +14,7 @@ from trimmer.showing.rounding import or_rounding
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.response.energy import MechanismEnergy
-    from trimmer.response.motion import MechanismMotion
+    from trimmer.response.motion import MechanismEvent, MechanismMotion
 
 
 def as_text(motion: MechanismMotion) -> str:
@@ -33,7 +33,8 @@ def as_json(motion: MechanismMotion) -> str:
         "outcome": motion.outcome.word,
         "success": motion.success,
         "message": motion.message,
-        "events": [{"time": each.time, "kind": each.kind.word, "part": each.part} for each in motion.events],
+        "events": [_event(each) for each in motion.events],
+        "final": {name: list(state) for name, state in motion.final.items()},
         "rest": None if motion.rest is None else rest_json(motion.rest),
         "last_amplitudes": _ranges(motion),
         "energy": {
@@ -49,6 +50,17 @@ def as_json(motion: MechanismMotion) -> str:
         "undetermined_frictions": list(motion.undetermined_frictions),
     }
     return document(content)
+
+
+def _event(event: MechanismEvent) -> dict[str, Any]:
+    return {
+        "time": event.time,
+        "kind": event.kind.word,
+        "part": event.part,
+        "speed": event.speed,
+        "rate": event.rate,
+        "impulse": event.impulse,
+    }
 
 
 def displacements(motion: MechanismMotion, times: Reals) -> dict[str, Reals]:
