@@ -69,7 +69,7 @@ def body_coefficients(course: Course, periods: int, count: int) -> Complexes:
         Coefficients, m, shape (bodies, count + 1).
     """
     layout, nodes = course.modes.system.layout, course.nodes
-    displacements = nodes.states[:, : len(layout.bodies)]
+    displacements = nodes.states[:, : len(layout.coordinates)]
     mean = nodes.weights @ displacements / course.duration
     waves = fourier(course, displacements, layout.omega / periods, count)
     return np.column_stack([mean, waves.T])

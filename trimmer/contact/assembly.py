@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.machine import Machine, free_springs, independent, relaxing_springs
+from trimmer.contact.machine import Machine, free_springs, relaxing_springs
 from trimmer.contact.statuses import (
     ALWAYS,
     BROKEN,
@@ -25,7 +25,7 @@ from trimmer.contact.statuses import (
     RETURNED,
     STICK,
 )
-from trimmer.hybrid.dry_friction import elementary_vectors
+from trimmer.hybrid.dry_friction import elementary_vectors, independent
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, EventFunction, Mode
 
 PUSHING = (PLUS, MINUS, ALWAYS)
@@ -55,7 +55,7 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
     functions = list(_of_contacts(machine, statuses))
     sticking = np.array([i for i, each in enumerate(statuses[contacts:]) if each == STICK], dtype=np.intp)
     if len(sticking):
-        tree = independent(machine.vertices, sticking)
+        tree = sticking[independent(machine.friction_rate[sticking, bodies : 2 * bodies])]
         rates, push = machine.friction_rate[tree], machine.friction_push[tree]
         inverse = np.linalg.inv(rates[:, bodies : 2 * bodies] @ push.T)
         forces = inverse @ (rates @ flow)

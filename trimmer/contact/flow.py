@@ -43,6 +43,7 @@ from trimmer.hybrid.affine_modes import Change, is_straight
 from trimmer.hybrid.system import ARRIVED, NO_STATE, Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
+from trimmer.mechanism.coordinates import inertia_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Force, Pin
 from trimmer.motion.course import Course
@@ -67,7 +68,7 @@ ROUNDING = 64 * float(np.finfo(float).eps)
 class MechanismFlow(Flow):
     """The exact motion of one mechanism.
 
-    The state of n entries holds the displacements of the bodies, m, their velocities, m/s, and the stretches
+    The state of n entries holds the coordinates, m, their velocities, m/s, and the stretches
     of relaxing springs, m, plays before stops, in the order of the mechanism.
 
     Attributes:
@@ -92,7 +93,7 @@ class MechanismFlow(Flow):
     def names(self) -> tuple[str, ...]:
         """What the states are, such as ``motor``, ``motor'`` and ``bridge``."""
         layout = self.modes.system.layout
-        return (*layout.bodies, *(f"{body}'" for body in layout.bodies), *layout.relaxing)
+        return (*layout.coordinates, *(f"{body}'" for body in layout.coordinates), *layout.relaxing)
 
     def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
         """Return the instant t = 0 at which bodies have given displacements, m, and velocities, m/s.
@@ -100,10 +101,10 @@ class MechanismFlow(Flow):
         The others are where the mechanism's own start puts them, or at rest at 0.
         """
         layout = self.modes.system.layout
-        count = len(layout.bodies)
+        count = len(layout.coordinates)
         state = np.zeros(self.size)
         for name, (displacement, velocity) in {**self.mechanism.start, **(start or {})}.items():
-            body = layout.bodies.index(name)
+            body = layout.coordinates.index(name)
             state[body], state[count + body] = displacement, velocity
         return self.at(state, stretched=False)
 
@@ -179,7 +180,7 @@ class MechanismFlow(Flow):
         frame = self.modes.system.layout.frame
         if not frame.follows or not self.shifts:
             return self, course
-        bodies, nodes = len(self.modes.system.layout.bodies), course.nodes
+        bodies, nodes = len(self.modes.system.layout.coordinates), course.nodes
         flow = self.moving(nodes.weights @ nodes.states[:, bodies : 2 * bodies] / course.duration)
         periods = course.end.periods - course.begin.periods
         if periods and course.end.phase == course.begin.phase:
@@ -213,7 +214,7 @@ class MechanismFlow(Flow):
         """Return the motion in the frame that moves as leaders do in the mean over some drive periods."""
         if not self.modes.system.layout.frame.follows or not self.shifts:
             return self
-        count = len(self.modes.system.layout.bodies)
+        count = len(self.modes.system.layout.coordinates)
         still = self.moving(np.zeros(count))
         states = still.strobe(instant, periods).states
         gone = states[-1, :count] - states[0, :count]
@@ -258,7 +259,7 @@ class MechanismFlow(Flow):
     @cached_property
     def axes(self) -> Mapping[str, tuple[int, ...]]:
         """Places of the displacement and the velocity of each body."""
-        bodies = self.modes.system.layout.bodies
+        bodies = self.modes.system.layout.coordinates
         return {name: (place, len(bodies) + place) for place, name in enumerate(bodies)}
 
     @property
@@ -279,7 +280,7 @@ class MechanismFlow(Flow):
     @cached_property
     def accelerations(self) -> Mapping[str, Signal]:
         """Acceleration of each body, m/s²."""
-        bodies = self.modes.system.layout.bodies
+        bodies = self.modes.system.layout.coordinates
         return {name: acceleration(self.modes, body) for body, name in enumerate(bodies)}
 
     def without_rounding(self, sizes: Reals) -> Reals:
@@ -340,7 +341,7 @@ class MechanismFlow(Flow):
 
     def positions(self, course: Course) -> Mapping[str, float]:
         """Return the displacement of each body, m, at the start of a motion."""
-        bodies = self.modes.system.layout.bodies
+        bodies = self.modes.system.layout.coordinates
         return dict(zip(bodies, course.begin.state[: len(bodies)].tolist(), strict=True))
 
     def forces(self, course: Course, times: Reals) -> Mapping[str, Reals]:
@@ -375,18 +376,15 @@ class MechanismFlow(Flow):
         """
         if any(pin.velocity for pin in self.mechanism.pins.values()):
             return False
-        roots = np.sqrt(self._masses)
-        count, base = len(roots), self.modes.system.machine.base
+        # Relative to the mass: of L⁻¹ K L⁻ᵀ with M = L Lᵀ.
+        factor = np.linalg.cholesky(inertia_of(self.mechanism).matrix)
+        count, base = len(factor), self.modes.system.machine.base
         for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
-            resisting = -base[count : 2 * count, block] * roots[:, None] / roots
+            resisting = -np.linalg.solve(factor, (factor.T @ base[count : 2 * count, block]).T)
             values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
             if values[0] <= NEGLIGIBLE * abs(values[-1]):
                 return False
         return True
-
-    @property
-    def _masses(self) -> Reals:
-        return np.array([body.mass for body in self.mechanism.bodies.values()])
 
     def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
         """Return the real parts of λ, exactly zero where nothing damps or rounding cannot tell.
@@ -394,11 +392,11 @@ class MechanismFlow(Flow):
         The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of
         m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is 0.
         """
-        masses = self._masses
-        velocities = slice(len(masses), 2 * len(masses))
+        mass = inertia_of(self.mechanism).matrix
+        velocities = slice(len(mass), 2 * len(mass))
         moved = states[velocities]  # Velocities of a free part are λ times its displacements.
-        damping = -masses[:, None] * mode.flow[velocities, velocities]
-        inertia = masses @ abs(moved) ** 2
+        damping = -mass @ mode.flow[velocities, velocities]
+        inertia = (moved.conj() * (mass @ moved)).real.sum(axis=0)
         real: Reals = rates.real.copy()
         for each in np.flatnonzero((rates.imag != 0) & (inertia > 0)):
             column = moved[:, each]

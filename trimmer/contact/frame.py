@@ -76,7 +76,7 @@ def frame_of(mechanism: Mechanism, *, without_stops: bool = False) -> Frame:
         mechanism: The mechanism.
         without_stops: Whether stops are left out: they hold against one direction alone.
     """
-    names = tuple(mechanism.bodies)
+    names = mechanism.coordinates
     joints: dict[str, list[tuple[str, float]]] = {name: [] for name in (GROUND, *names)}
     stops = () if without_stops else mechanism.stops.values()
     for part in (*mechanism.links.values(), *mechanism.plays.values(), *stops):

@@ -15,9 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import flow_without_stick
-from trimmer.contact.machine import independent
 from trimmer.contact.statuses import FORWARD, STICK
-from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, least_shares
+from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, independent, least_shares
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Places, Reals
@@ -84,7 +83,7 @@ def _sticking(modes: Modes[MechanismSystem], mode: int) -> Places:
 
 
 def _directions(modes: Modes[MechanismSystem], sticking: Places) -> Reals:
-    bodies = len(modes.system.layout.bodies)
+    bodies = len(modes.system.layout.coordinates)
     directions: Reals = modes.system.machine.friction_rate[sticking, bodies : 2 * bodies]
     return directions
 
@@ -95,9 +94,9 @@ def _shares(modes: Modes[MechanismSystem], sticking: Places, split: Reals) -> tu
 
 def _some_split(modes: Modes[MechanismSystem], mode: int, sticking: Places) -> Reals:
     """Return the forces in stick as functionals, (sticking, N), where those that close a ring are zero."""
-    machine, bodies = modes.system.machine, len(modes.system.layout.bodies)
+    machine, bodies = modes.system.machine, len(modes.system.layout.coordinates)
     flow = flow_without_stick(machine, modes[mode].statuses)
-    tree = independent(machine.vertices, sticking)
+    tree = sticking[independent(_directions(modes, sticking))]
     rates, push = machine.friction_rate[tree], machine.friction_push[tree]
     split = np.zeros((len(sticking), len(flow)))
     split[np.searchsorted(sticking, tree)] = np.linalg.solve(

@@ -1,7 +1,7 @@
 """Names and places in the extended state of a mechanism, and its ends as functionals of it.
 
-It holds displacements q and velocities v of the bodies, the springs z of relaxing contacts, sine and cosine
-of each order of the drive, the time if a pin that something leans on moves on for ever, and one.
+It holds displacements q and velocities v of the coordinates, the springs z of relaxing contacts, sine and
+cosine of each order of the drive, the time if a pin that something leans on moves on for ever, and one.
 Displacements are those in a frame, which may move.
 """
 
@@ -15,8 +15,9 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
+from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Pin, Play, Stop
+from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
@@ -29,37 +30,37 @@ class Layout:
     """Names and places in the extended state.
 
     Attributes:
-        bodies: Names of the bodies.
+        coordinates: Names of the coordinates.
         contacts: Names of plays and stops that exert a force.
         frictions: Names of the frictions that exert a force.
         relaxing: Names of those contacts whose z is a state.
         orders: Multiples of the drive's frequency that occur.
         ramp: Whether the time is an entry.
         omega: Angular frequency of the drive, rad/s; 0 without one.
-        pins: Names of the pins.
-        pin_rows: Displacements of the pins as functionals, (pins, N), without the share of a ramp that
+        ends: Names of the ends.
+        end_rows: Displacements of the ends as functionals, (ends, N), without the share of a ramp that
             nothing leans on.
         frame: That in which displacements are.
-        speeds: By name, how fast each body or pin moves on beyond what its functional says, m/s: with the
+        speeds: By name, how fast each end moves on beyond what its functional says, m/s: with the
             frame, or as a pin that nothing leans on.
     """
 
-    bodies: tuple[str, ...]
+    coordinates: tuple[str, ...]
     contacts: tuple[str, ...]
     frictions: tuple[str, ...]
     relaxing: tuple[str, ...]
     orders: tuple[int, ...]
     ramp: bool
     omega: float
-    pins: tuple[str, ...]
-    pin_rows: Reals
+    ends: tuple[str, ...]
+    end_rows: Reals
     frame: Frame
     speeds: Mapping[str, float]
 
     @cached_property
     def state_count(self) -> int:
         """Number of states: displacements, velocities, relaxing springs."""
-        return 2 * len(self.bodies) + len(self.relaxing)
+        return 2 * len(self.coordinates) + len(self.relaxing)
 
     @cached_property
     def size(self) -> int:
@@ -79,7 +80,7 @@ class Layout:
     @cached_property
     def kinds(self) -> tuple[slice, ...]:
         """The states of one kind each: displacements, velocities."""
-        count = len(self.bodies)
+        count = len(self.coordinates)
         return slice(0, count), slice(count, 2 * count)
 
     @property
@@ -140,11 +141,11 @@ class Layout:
 
     def is_alike(self, other: Layout) -> bool:
         """Say whether another mechanism has the same states, in the same frame, with the same drive."""
-        here, there = ({**vars(each), "frame": None, "pin_rows": None} for each in (self, other))
+        here, there = ({**vars(each), "frame": None, "end_rows": None} for each in (self, other))
         names = [each.name for each in fields(self)]
         return (
             all(here[name] == there[name] for name in names)
-            and np.array_equal(self.pin_rows, other.pin_rows)
+            and np.array_equal(self.end_rows, other.end_rows)
             and np.array_equal(self.frame.leaders, other.frame.leaders)
             and np.array_equal(self.frame.velocities, other.frame.velocities)
             and (self.frame.follows, self.frame.pulled) == (other.frame.follows, other.frame.pulled)
@@ -188,8 +189,9 @@ def layout_of(
     omega = 2 * np.pi * (mechanism.frequency or 0.0)
     moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
     orders = sorted({part.order for part in moved if moves(part)})
-    speeds = {GROUND: 0.0, **dict(zip(mechanism.bodies, frame.velocities.tolist(), strict=True))}
-    speeds |= {name: speeds[pin.on] + pin.velocity for name, pin in mechanism.pins.items()}
+    speeds = {name: float(each @ frame.velocities) for name, each in weights_of_ends(mechanism).items()}
+    for name, pin in mechanism.pins.items():
+        speeds[name] += pin.velocity
     ramp = any(
         abs(speeds[part.between[1]] - speeds[part.between[0]]) > SAME * max(map(abs, speeds.values()))
         for part in (*mechanism.links.values(), *contacts.values())
@@ -199,21 +201,20 @@ def layout_of(
         name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
     )
     layout = Layout(
-        tuple(mechanism.bodies),
+        mechanism.coordinates,
         tuple(contacts),
         frictions,
         relaxing,
         tuple(orders),
         ramp,
         omega,
-        tuple(mechanism.pins),
+        tuple(speeds),
         np.array([]),
         frame,
         dict.fromkeys(speeds, 0.0) if ramp else speeds,
     )
     rows = Rows(mechanism, layout)
-    pin_rows = np.array([rows.displacement(name) for name in mechanism.pins]).reshape(-1, layout.size)
-    return replace(layout, pin_rows=pin_rows)
+    return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
 
 
 def moves(part: Pin | Force) -> bool:
@@ -223,46 +224,52 @@ def moves(part: Pin | Force) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Displacements and velocities of ends as functionals of the extended state."""
+    """Displacements and velocities of ends as functionals of the extended state, and what forces on them do.
+
+    Nothing else turns the name of an end into rows; what kinds of ends there are,
+    ``trimmer.mechanism.coordinates`` alone knows, apart from the share of a pin that is prescribed.
+    """
 
     mechanism: Mechanism
     layout: Layout
 
+    @cached_property
+    def _weights(self) -> Mapping[str, Reals]:
+        return weights_of_ends(self.mechanism)
+
+    @cached_property
+    def _inertia(self) -> Inertia:
+        return inertia_of(self.mechanism)
+
+    def weights(self, end: str) -> Reals:
+        """Return what weighs the coordinates in the displacement of an end, (n,)."""
+        return self._weights[end]
+
     def displacement(self, end: str) -> Reals:
         """Return the displacement of an end, (N,)."""
-        row = np.zeros(self.layout.size)
-        if end == GROUND:
-            return row
-        if end in self.mechanism.bodies:
-            body = self.layout.bodies.index(end)
-            row[body] = 1.0
-            if self.layout.ramp:
-                row[-2] += self.layout.frame.velocities[body]
-            return row
-        pin = self.mechanism.pins[end]
-        row += self.displacement(pin.on)
-        row[-1] += pin.offset
+        row, weights = np.zeros(self.layout.size), self.weights(end)
+        row[: len(weights)] = weights
         if self.layout.ramp:
-            row[-2] += pin.velocity
-        if pin.amplitude:
-            self._add_wave(row, pin.order, pin.amplitude, pin.phase)
+            row[-2] += weights @ self.layout.frame.velocities
+        if end in self.mechanism.pins:
+            pin = self.mechanism.pins[end]
+            row[-1] += pin.offset
+            if self.layout.ramp:
+                row[-2] += pin.velocity
+            if pin.amplitude:
+                self._add_wave(row, pin.order, pin.amplitude, pin.phase)
         return row
 
     def velocity(self, end: str) -> Reals:
         """Return the velocity of an end, (N,)."""
-        row = np.zeros(self.layout.size)
-        if end == GROUND:
-            return row
-        count = len(self.layout.bodies)
-        if end in self.mechanism.bodies:
-            row[count + self.layout.bodies.index(end)] = 1.0
-            return row
-        pin = self.mechanism.pins[end]
-        row += self.velocity(pin.on)
-        row[-1] += pin.velocity
-        if pin.amplitude:
-            rate = pin.order * self.layout.omega * pin.amplitude
-            self._add_wave(row, pin.order, rate, pin.phase + np.pi / 2)
+        row, weights = np.zeros(self.layout.size), self.weights(end)
+        row[len(weights) : 2 * len(weights)] = weights
+        if end in self.mechanism.pins:
+            pin = self.mechanism.pins[end]
+            row[-1] += pin.velocity
+            if pin.amplitude:
+                rate = pin.order * self.layout.omega * pin.amplitude
+                self._add_wave(row, pin.order, rate, pin.phase + np.pi / 2)
         return row
 
     def _add_wave(self, row: Reals, order: int, amplitude: float, phase: float) -> None:
@@ -277,15 +284,6 @@ class Rows:
         self._add_wave(row, order, amplitude, phase)
         return row
 
-    def carrier(self, end: str) -> int:
-        """Return the number of the body that a force on an end acts on; the number of bodies for none."""
-        body = self.mechanism.pins[end].on if end in self.mechanism.pins else end
-        return len(self.layout.bodies) if body == GROUND else self.layout.bodies.index(body)
-
     def push(self, start: str, end: str) -> Reals:
-        """Return the accelerations by a force of 1 N that pushes the end and its opposite on the start."""
-        masses = np.array([body.mass for body in self.mechanism.bodies.values()])
-        forces = np.zeros(len(masses) + 1)
-        forces[self.carrier(end)] += 1.0
-        forces[self.carrier(start)] -= 1.0
-        return np.asarray(forces[:-1] / masses)
+        """Return the accelerations by 1 N that pushes the end, and its opposite on the start, (n,)."""
+        return self._inertia.accelerations(self.weights(end) - self.weights(start))

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from trimmer.arrays import Integers, Places, Reals
+from trimmer.arrays import Integers, Reals
 from trimmer.contact.frame import HELD, Frame
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
@@ -35,7 +35,6 @@ class Machine(NamedTuple):
         friction_rate: Velocities of end relative to start as functionals, (p, N).
         friction_push: Accelerations by a force of 1 N on the end, (p, n).
         kinetic, static: Forces of the frictions, N, (p,).
-        vertices: Bodies at start and end of the frictions, n for the ground, (p, 2).
     """
 
     base: Reals
@@ -52,7 +51,6 @@ class Machine(NamedTuple):
     friction_push: Reals
     kinetic: Reals
     static: Reals
-    vertices: Integers
 
 
 def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
@@ -81,7 +79,7 @@ def free_springs(machine: Machine, statuses: tuple[int, ...]) -> list[tuple[int,
 
 
 def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
-    count = len(layout.bodies)
+    count = len(layout.coordinates)
     base = np.zeros((layout.size, layout.size))
     base[:count, count : 2 * count] = np.eye(count)
     base[:count, -1] -= layout.frame.velocities
@@ -116,7 +114,7 @@ def _contacts(contacts: Mapping[str, Play | Stop], layout: Layout, rows: Rows) -
     count = len(contacts)
     parts = list(contacts.values())
     between = [part.between for part in parts]
-    first = 2 * len(layout.bodies)
+    first = 2 * len(layout.coordinates)
     return {
         "contact_distance": _stacked(
             [rows.displacement(end) - rows.displacement(start) for start, end in between], layout.size
@@ -124,7 +122,7 @@ def _contacts(contacts: Mapping[str, Play | Stop], layout: Layout, rows: Rows) -
         "contact_rate": _stacked(
             [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
         ),
-        "contact_push": _stacked([-rows.push(start, end) for start, end in between], len(layout.bodies)),
+        "contact_push": _stacked([-rows.push(start, end) for start, end in between], len(layout.coordinates)),
         "stiffness": np.array([part.stiffness for part in parts], dtype=np.float64),
         "damping": np.array([part.damping for part in parts], dtype=np.float64),
         "offsets": np.array([_offsets(part) for part in parts], dtype=np.float64).reshape(count, 2),
@@ -159,35 +157,11 @@ def _frictions(
         "friction_rate": _stacked(
             [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
         ),
-        "friction_push": _stacked([rows.push(start, end) for start, end in between], len(layout.bodies)),
+        "friction_push": _stacked([rows.push(start, end) for start, end in between], len(layout.coordinates)),
         "kinetic": np.array([part.force for part in parts], dtype=np.float64),
         "static": np.array([part.static_force for part in parts], dtype=np.float64),
-        "vertices": np.array(
-            [[rows.carrier(start), rows.carrier(end)] for start, end in between], dtype=np.int64
-        ).reshape(len(parts), 2),
     }
 
 
 def _stacked(rows: list[Reals], size: int) -> Reals:
     return np.array(rows, dtype=np.float64).reshape(len(rows), size)
-
-
-def independent(vertices: Integers, frictions: Places) -> Places:
-    """Return those of some frictions that hold them all together, without rings: numbers, in order.
-
-    Bodies and the ground are vertices of a graph and the frictions its edges; these are a spanning tree.
-    """
-    parents: dict[int, int] = {}
-
-    def root(vertex: int) -> int:
-        while vertex in parents:
-            vertex = parents[vertex]
-        return vertex
-
-    tree = []
-    for friction in frictions:
-        start, end = (root(int(vertex)) for vertex in vertices[friction])
-        if start != end:
-            parents[start] = end
-            tree.append(friction)
-    return np.array(tree, dtype=np.intp)

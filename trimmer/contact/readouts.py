@@ -66,17 +66,13 @@ def outputs_of(mechanism: Mechanism, layout: Layout) -> dict[str, Readout]:
 
 
 def _row(layout: Layout, name: str) -> Reals:
-    if name in layout.pins:
-        row: Reals = layout.pin_rows[layout.pins.index(name)]
-        return row
-    row = np.zeros(layout.size)
-    row[layout.bodies.index(name)] = 1.0
+    row: Reals = layout.end_rows[layout.ends.index(name)]
     return row
 
 
 def acceleration(modes: Modes[MechanismSystem], body: int) -> Signal:
     """Return the acceleration of a body by its number, m/s²."""
-    return lambda mode: np.asarray(modes[mode].flow[len(modes.system.layout.bodies) + body])
+    return lambda mode: np.asarray(modes[mode].flow[len(modes.system.layout.coordinates) + body])
 
 
 def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:

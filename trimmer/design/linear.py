@@ -12,6 +12,7 @@ from enum import Enum
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.mechanism.coordinates import Inertia
 from trimmer.mechanism.matrices import LinearMatrices, displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Contact, Link
@@ -108,13 +109,13 @@ def _state(mechanism: Mechanism, contacts: Contacts) -> LinearState:
     size = abs(values).max()
     rigid = abs(values) <= RIGID * size
     swinging = np.flatnonzero((values.imag > RIGID * size) & ~rigid)
-    bodies = len(mechanism.bodies)
+    bodies = len(mechanism.coordinates)
     modes = sorted(
         (_mode(values[at], vectors[:bodies, at]) for at in swinging), key=lambda mode: mode.frequency
     )
     return LinearState(
         contacts,
-        tuple(mechanism.bodies),
+        mechanism.coordinates,
         tuple(modes),
         int(rigid.sum() + 1) // 2,
         int(len(values) - rigid.sum() - 2 * len(swinging)),
@@ -124,11 +125,11 @@ def _state(mechanism: Mechanism, contacts: Contacts) -> LinearState:
 
 def _state_matrix(matrices: LinearMatrices) -> Reals:
     bodies = len(matrices.mass)
-    inverse = 1 / np.diag(matrices.mass)[:, None]
+    inertia = Inertia(matrices.mass)
     return np.block(
         [
             [np.zeros((bodies, bodies)), np.eye(bodies)],
-            [-inverse * matrices.stiffness, -inverse * matrices.damping],
+            [-inertia.accelerations(matrices.stiffness), -inertia.accelerations(matrices.damping)],
         ]
     )
 
@@ -170,7 +171,7 @@ def _responses(
     mechanism: Mechanism, matrices: LinearMatrices, drive: str, frequency: Reals
 ) -> dict[str, Complexes]:
     """Return what each output does for a unit of a drive, m per unit, (n,)."""
-    rows, bodies = displacement_rows(mechanism), len(mechanism.bodies)
+    rows, bodies = displacement_rows(mechanism), len(mechanism.coordinates)
     s = 2j * np.pi * frequency
     dynamic = s[:, None, None] ** 2 * matrices.mass + s[:, None, None] * matrices.damping + matrices.stiffness
     if drive in mechanism.pins:

@@ -96,7 +96,7 @@ def require_balanceable(mechanism: Mechanism) -> None:
     if len(free):
         raise UnsupportedMotionError(
             "harmonic balance needs bodies that springs, plays or stops hold in place, and nothing holds "
-            f"{tuple(mechanism.bodies)[free[0]]}, which may advance in each period"
+            f"{mechanism.coordinates[free[0]]}, which may advance in each period"
         )
 
 
@@ -180,7 +180,7 @@ class _Equations:
 
     def imbalance(self, unknowns: Reals) -> tuple[Reals, Reals]:
         """Return the imbalance, N, and its derivative."""
-        bodies = len(self.mechanism.bodies)
+        bodies = len(self.mechanism.coordinates)
         q = _as_complex(unknowns, (bodies, self.count))
         residual = np.einsum("nij,jn->in", self.linear, q) - self.driving
         direct = np.zeros((bodies, self.count, bodies, self.count), dtype=complex)
@@ -200,7 +200,7 @@ class _Equations:
 
     def _forces(self, q: Complexes) -> Iterator[tuple[Reals, Harmonics]]:
         """Yield how a force that pulls two ends together acts against the bodies, and its harmonics."""
-        rows, bodies = displacement_rows(self.mechanism), len(self.mechanism.bodies)
+        rows, bodies = displacement_rows(self.mechanism), len(self.mechanism.coordinates)
         moved = np.vstack([q, self.pins])
         for part in self._contacts:
             row = rows[part.between[1]] - rows[part.between[0]]

@@ -91,6 +91,24 @@ def elementary_vectors(directions: Reals) -> Reals:
     return np.array([found[support] for support in sorted(found)])
 
 
+def independent(directions: Reals) -> Integers:
+    """Return the numbers of rows that span the space of all: each that those before it do not span, in order.
+
+    Args:
+        directions: D, (m, n).
+    """
+    chosen: list[int] = []
+    basis = np.zeros((0, directions.shape[1]))
+    for number, direction in enumerate(directions):
+        left, length = direction, np.linalg.norm(direction)
+        for _ in range(2):  # The second time takes away what rounding has left of the basis.
+            left = left - (basis @ left) @ basis
+        if np.linalg.norm(left) > DEPENDENT * length:
+            chosen.append(number)
+            basis = np.vstack([basis, left / np.linalg.norm(left)])
+    return np.array(chosen, dtype=np.intp)
+
+
 def closure(directions: Reals, held: Flags) -> Flags:
     """Return which contacts stick, because their velocities follow from those that are held, or are these.
 

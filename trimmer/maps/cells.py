@@ -169,7 +169,7 @@ def start_scales(flow: Flow) -> Reals:
     ]
     length = max(lengths, default=0.0) or 1e-3
     scales = np.full(flow.size, length)
-    bodies = len(mechanism.bodies)
+    bodies = len(mechanism.coordinates)
     scales[bodies : 2 * bodies] *= flow.modes.system.layout.omega
     return scales
 

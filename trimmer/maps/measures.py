@@ -78,7 +78,7 @@ def of_window(flow: Flow, course: Course, periods: int) -> Measures:
     if not isinstance(flow, MechanismFlow):
         return of_orbit(flow, course, periods)
     mechanism, log, machine = flow.mechanism, course.log, flow.modes.system.machine
-    count, bodies = periods * SAMPLES, len(mechanism.bodies)
+    count, bodies = periods * SAMPLES, len(mechanism.coordinates)
     times = course.duration * (np.arange(count) + 0.5) / count
     rows = np.searchsorted(log.start, times, side="right") - 1
     states = course.states(times)
@@ -88,7 +88,7 @@ def of_window(flow: Flow, course: Course, periods: int) -> Measures:
     powers = dict(zip(flow.modes.system.layout.frictions, machine.kinetic * speeds.mean(axis=0), strict=True))
     return Measures(
         _swings(flow, course, times, states),
-        dict(zip(mechanism.bodies, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
+        dict(zip(mechanism.coordinates, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
         {name: float(powers.get(name, 0.0)) for name in mechanism.frictions},
         *_of_events(flow, course, periods),
     )

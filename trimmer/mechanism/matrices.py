@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
+from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 from trimmer.showing.shown import Shown, counted
@@ -18,16 +19,16 @@ from trimmer.showing.shown import Shown, counted
 class LinearMatrices(Shown):
     """Matrices of M q'' + C q' + K q = P_u u + P_v u' + F f, in this order.
 
-    q are the displacements of the bodies in the fixed frame, u those of the pins relative to their carriers,
+    q are the coordinates in the fixed frame, u those of the pins relative to their carriers,
     f the forces, each in the order of the mechanism.
 
     Attributes:
-        mass: (bodies, bodies), kg.
-        damping: (bodies, bodies), N s/m.
-        stiffness: (bodies, bodies), N/m.
-        pin_displacement: (bodies, pins), N/m.
-        pin_velocity: (bodies, pins), N s/m.
-        forces: (bodies, forces), 1 where a force acts on a body.
+        mass: (coordinates, coordinates), kg.
+        damping: (coordinates, coordinates), N s/m.
+        stiffness: (coordinates, coordinates), N/m.
+        pin_displacement: (coordinates, pins), N/m.
+        pin_velocity: (coordinates, pins), N s/m.
+        forces: (coordinates, forces), 1 where a force acts on a body.
     """
 
     mass: Reals
@@ -57,33 +58,35 @@ def linear_matrices(mechanism: Mechanism, *, viscous: bool = False) -> LinearMat
     couplings = [(link.between, link.stiffness, link.damping) for link in mechanism.links.values()]
     if viscous:
         couplings += [(each.between, 0.0, each.viscous) for each in mechanism.frictions.values()]
-    stiffness, damping = (np.zeros((len(mechanism.bodies), len(rows[GROUND]))) for _ in range(2))
+    coordinates = len(mechanism.coordinates)
+    stiffness, damping = (np.zeros((coordinates, len(rows[GROUND]))) for _ in range(2))
     for (start, end), k, c in couplings:
         elongation = rows[end] - rows[start]
-        pulled = elongation[: len(mechanism.bodies)]
+        pulled = elongation[:coordinates]
         stiffness += k * np.outer(pulled, elongation)
         damping += c * np.outer(pulled, elongation)
-    bodies = len(mechanism.bodies)
     return LinearMatrices(
-        np.diag([body.mass for body in mechanism.bodies.values()]),
-        damping[:, :bodies],
-        stiffness[:, :bodies],
-        -stiffness[:, bodies:],
-        -damping[:, bodies:],
-        np.array([rows[force.on][:bodies] for force in mechanism.forces.values()]).reshape(-1, bodies).T,
+        inertia_of(mechanism).matrix,
+        damping[:, :coordinates],
+        stiffness[:, :coordinates],
+        -stiffness[:, coordinates:],
+        -damping[:, coordinates:],
+        np.array([rows[force.on][:coordinates] for force in mechanism.forces.values()])
+        .reshape(-1, coordinates)
+        .T,
     )
 
 
 def displacement_rows(mechanism: Mechanism) -> Mapping[str, Reals]:
-    """Return the displacement of every body, pin and of the ground as a row of factors.
+    """Return the displacement of every end as a row of factors.
 
     Returns:
-        By name, the factors (bodies + pins) of the displacements of the bodies in the fixed frame, then of
-        those of the pins relative to their carriers, in the order of the mechanism.
+        By name, the factors (coordinates + pins) of the coordinates in the fixed frame, then of the
+        displacements of the pins relative to their carriers, in the order of the mechanism.
     """
-    bodies, pins = list(mechanism.bodies), mechanism.pins
-    unit = np.eye(len(bodies) + len(pins))
-    rows = {GROUND: np.zeros(len(unit))} | dict(zip(bodies, unit, strict=False))
-    return rows | {
-        name: rows[pin.on] + unit[len(bodies) + place] for place, (name, pin) in enumerate(pins.items())
+    pins = dict(zip(mechanism.pins, np.eye(len(mechanism.pins)), strict=True))
+    beside = np.zeros(len(pins))
+    return {
+        name: np.concatenate([weights, pins.get(name, beside)])
+        for name, weights in weights_of_ends(mechanism).items()
     }

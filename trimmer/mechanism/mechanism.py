@@ -65,6 +65,11 @@ class Mechanism(Shown):
         if self.frequency is not None:
             object.__setattr__(self, "frequency", FREQUENCY.taken(self.frequency))
 
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of what it moves by, in the order of all states: the bodies."""
+        return tuple(self.bodies)
+
     def _told(self) -> str:
         sections = ((name, len(getattr(self, name))) for name in PARTS)
         parts = ", ".join(counted(count, SINGULAR.get(name, name[:-1])) for name, count in sections if count)

@@ -17,7 +17,7 @@ from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
 from trimmer.contact.readouts import contact_force
 from trimmer.contact.statuses import RELAXING, STICK
-from trimmer.mechanism.parts import GROUND
+from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
 from trimmer.motion.signals import along, while_status
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
@@ -133,8 +133,7 @@ class _Balance:
     def rows(self) -> dict[str, tuple[Reals, Reals]]:
         """Displacement and velocity of each end as functionals."""
         rows = Rows(self.mechanism, self.course.modes.system.layout)
-        ends = (GROUND, *self.mechanism.bodies, *self.mechanism.pins)
-        return {end: (rows.displacement(end), rows.velocity(end)) for end in ends}
+        return {end: (rows.displacement(end), rows.velocity(end)) for end in weights_of_ends(self.mechanism)}
 
     def integral(self, values: Reals) -> float:
         return float(self.course.nodes.weights @ values)
@@ -149,8 +148,9 @@ class _Balance:
         return self.at_nodes(self.rows[end][1] - self.rows[start][1])
 
     def kinetic(self, state: Reals) -> float:
-        masses = np.array([body.mass for body in self.mechanism.bodies.values()])
-        return float(0.5 * masses @ state[len(masses) : 2 * len(masses)] ** 2)
+        mass = inertia_of(self.mechanism).matrix
+        velocities = state[len(mass) : 2 * len(mass)]
+        return float(0.5 * velocities @ mass @ velocities)
 
     def stored(self, state: Reals, row: int) -> float:
         mode = int(self.course.log.mode[row])

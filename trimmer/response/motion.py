@@ -21,7 +21,6 @@ from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND
 from trimmer.messages import listed, near_match
 from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
@@ -262,8 +261,9 @@ class MechanismMotion(Motion):
         return self.flow.modes.system.layout.size
 
     def _rows(self, name: str) -> tuple[Reals, Reals]:
-        _require("body or pin", name, (*self.mechanism.bodies, *self.mechanism.pins, GROUND))
-        rows = Rows(self.mechanism, self.course.modes.system.layout)
+        layout = self.course.modes.system.layout
+        _require("body or pin", name, layout.ends)
+        rows = Rows(self.mechanism, layout)
         return rows.displacement(name), rows.velocity(name)
 
     def _signal(self, signal: Signal, times: ArrayLike) -> Reals:

@@ -68,7 +68,7 @@ def displacements(motion: MechanismMotion, times: Reals) -> dict[str, Reals]:
     mechanism = motion.mechanism
     if mechanism.outputs:
         return {name: motion.output(name, times) for name in mechanism.outputs}
-    return {name: motion.displacement(name, times) for name in mechanism.bodies}
+    return {name: motion.displacement(name, times) for name in mechanism.coordinates}
 
 
 def _ranges(motion: MechanismMotion) -> dict[str, float]:

@@ -1,0 +1,63 @@
+"""What a mechanism moves by: its coordinates, what each end weighs them with, and their mass.
+
+The displacement of an end is the sum of the coordinates times its weights, beside what is prescribed of it.
+By virtual work, a force F on it acts on each coordinate with F times the weight.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trimmer.arrays import Flags, Reals
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import GROUND
+
+
+def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:
+    """Return by name what weighs the coordinates in the displacement of each end, (coordinates,).
+
+    Ends are the ground, the coordinates and the pins; a pin has the weights of what carries it. Whatever else
+    may stand as an end takes its weights here, and nowhere else.
+    """
+    coordinates = mechanism.coordinates
+    weights = {
+        GROUND: np.zeros(len(coordinates)),
+        **dict(zip(coordinates, np.eye(len(coordinates)), strict=True)),
+    }
+    return weights | {name: weights[pin.on] for name, pin in mechanism.pins.items()}
+
+
+def inertia_of(mechanism: Mechanism) -> Inertia:
+    """Return the mass matrix of the coordinates."""
+    return Inertia(np.diag([body.mass for body in mechanism.bodies.values()]))
+
+
+@dataclass(frozen=True, eq=False)
+class Inertia:
+    """The mass matrix M of n coordinates, symmetric and positive definite, (n, n)."""
+
+    matrix: Reals
+
+    @cached_property
+    def _coupled(self) -> Flags:
+        """The coordinates whose accelerations depend on forces on others, (n,)."""
+        off = self.matrix != 0.0
+        np.fill_diagonal(off, False)
+        return np.asarray(off.any(axis=1))
+
+    @cached_property
+    def _inverse(self) -> Reals:
+        """The inverse of what is coupled."""
+        inverse = np.linalg.inv(self.matrix[np.ix_(self._coupled, self._coupled)])
+        return np.asarray(0.5 * (inverse + inverse.T))
+
+    def accelerations(self, forces: Reals) -> Reals:
+        """Return M⁻¹ times forces, (n,) or (n, columns)."""
+        found: Reals = (forces.T / self.matrix.diagonal()).T
+        if self._coupled.any():
+            found[self._coupled] = self._inverse @ forces[self._coupled]
+        return found
