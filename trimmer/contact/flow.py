@@ -301,7 +301,7 @@ class MechanismFlow(Flow):
         """Say whether another mechanism has the same states and parts, and the same leaders."""
         own, layout = self.modes.system.layout, other.modes.system.layout
         alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
-        return alike and not (layout.frame.leaders != own.frame.leaders).any()
+        return alike and np.array_equal(layout.frame.leading, own.frame.leading)
 
     def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
         """Return the statuses, with what a change of the state, (n,), tears out of stick.

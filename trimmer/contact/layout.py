@@ -146,9 +146,7 @@ class Layout:
         return (
             all(here[name] == there[name] for name in names)
             and np.array_equal(self.end_rows, other.end_rows)
-            and np.array_equal(self.frame.leaders, other.frame.leaders)
-            and np.array_equal(self.frame.velocities, other.frame.velocities)
-            and (self.frame.follows, self.frame.pulled) == (other.frame.follows, other.frame.pulled)
+            and self.frame.is_alike(other.frame)
         )
 
     def sine(self, order: int) -> int:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.frame import HELD, Frame
+from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
@@ -84,8 +84,7 @@ def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
     base[:count, count : 2 * count] = np.eye(count)
     base[:count, -1] -= layout.frame.velocities
     if layout.frame.follows:
-        led = np.flatnonzero(layout.frame.leaders != HELD)
-        base[led, count + layout.frame.leaders[led]] -= 1.0
+        base[:count, count + layout.frame.leading] -= layout.frame.directions
     for link in mechanism.links.values():
         start, end = link.between
         force = link.stiffness * (rows.displacement(end) - rows.displacement(start))

@@ -15,6 +15,7 @@ from trimmer.hybrid.dry_friction import (
     closure,
     complementary_forces,
     elementary_vectors,
+    independent,
     margins,
 )
 
@@ -53,6 +54,15 @@ def range_of_forces(
             return None
         ends.append(float(found.x[contact]))
     return ends[0], ends[1]
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_independent_rows_are_those_that_raise_the_rank_one_after_the_other(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    rows = random.integers(-2, 3, (8, 3)) @ random.integers(-1, 2, (3, 5)).astype(float)
+    ranks = [0, *(int(np.linalg.matrix_rank(rows[:count])) for count in range(1, 9))]
+    scaled = rows * 10.0 ** random.uniform(-5, 5, (8, 1))
+    assert independent(scaled).tolist() == np.flatnonzero(np.diff(ranks)).tolist()
 
 
 def test_a_ring_can_hold_what_two_of_three_can_hold_each() -> None:
