@@ -23,6 +23,7 @@ from derivations.parts import (
     Pin,
     RigidBody,
     Spring,
+    Tensioned,
 )
 from derivations.symbols import t
 
@@ -36,7 +37,7 @@ class Mechanism:
         springs: All springs.
         dampers: All dampers.
         pins: All pins.
-        contacts: All plays and stops.
+        contacts: All plays and stops, and springs with a curve.
         frictions: All frictions.
         forces: All given forces.
         outputs: Displacements that are asked for.
@@ -46,7 +47,7 @@ class Mechanism:
     springs: tuple[Spring, ...]
     dampers: tuple[Damper, ...]
     pins: tuple[Pin, ...] = ()
-    contacts: tuple[Contact, ...] = ()
+    contacts: tuple[Tensioned, ...] = ()
     frictions: tuple[Friction, ...] = ()
     forces: tuple[Force, ...] = ()
     outputs: tuple[Output, ...] = ()
@@ -95,17 +96,16 @@ def elongation_rate(joint: Joint) -> sympy.Expr:
 
 def closed(mechanism: Mechanism) -> Mechanism:
     """Return the mechanism with every contact closed: springs and dampers stand in the places of contacts."""
+    slots = [each for each in mechanism.contacts if isinstance(each, Contact)]
     springs = (
-        Spring(each.stiffness, each.start, each.end, each.offset)
-        for each in mechanism.contacts
-        if each.stiffness != 0
+        Spring(each.stiffness, each.start, each.end, each.offset) for each in slots if each.stiffness != 0
     )
-    dampers = (Damper(each.damping, each.start, each.end) for each in mechanism.contacts if each.damping != 0)
+    dampers = (Damper(each.damping, each.start, each.end) for each in slots if each.damping != 0)
     return replace(
         mechanism,
         springs=(*mechanism.springs, *springs),
         dampers=(*mechanism.dampers, *dampers),
-        contacts=(),
+        contacts=tuple(each for each in mechanism.contacts if not isinstance(each, Contact)),
     )
 
 

@@ -151,6 +151,31 @@ class Stop(Contact):
         return self.gap
 
 
+Points = tuple[tuple[sympy.Expr, sympy.Expr], ...]
+"""Points of a curve: an elongation, m, or a speed, m/s, and the force there, N."""
+
+
+@dataclass(frozen=True)
+class CurvedSpring:
+    """A spring whose force is straight between points, and beyond the outer ones.
+
+    Attributes:
+        name: What it is, in words.
+        start: One end.
+        end: The other end.
+        distance: s, displacement of ``end`` less that of ``start``, m, a function of time.
+        tension: T, N, a function of time; positive it pulls the ends together.
+        points: The points of the curve.
+    """
+
+    name: str
+    start: End
+    end: End
+    distance: sympy.Expr
+    tension: sympy.Expr
+    points: Points
+
+
 @dataclass(frozen=True)
 class Friction:
     """Dry friction with stick, and viscous friction beside it.
@@ -164,6 +189,7 @@ class Friction:
         end: The other end.
         rate: v, velocity of ``end`` less that of ``start``, m/s, a function of time.
         force: Dry share of the force, N, a function of time; positive it holds ``end`` back.
+        points: The force in sliding over the speed, where it changes with it.
     """
 
     name: str
@@ -174,6 +200,7 @@ class Friction:
     end: End
     rate: sympy.Expr
     force: sympy.Expr
+    points: Points = ()
 
 
 @dataclass(frozen=True)
@@ -204,4 +231,6 @@ class Output:
     weights: tuple[tuple[RigidBody | Pin, sympy.Expr], ...]
 
 
-Joint = Spring | Damper | Contact | Friction
+Tensioned = Contact | CurvedSpring
+"""What acts by a tension of its own law."""
+Joint = Spring | Damper | Tensioned | Friction

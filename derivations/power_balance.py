@@ -12,7 +12,7 @@ import sympy
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import accelerations
 from derivations.mechanism import Mechanism, elongation, elongation_rate
-from derivations.parts import Contact, Friction, Pin
+from derivations.parts import Friction, Pin, Tensioned
 from derivations.symbols import t
 
 
@@ -71,6 +71,6 @@ def _pin_force(pin: Pin, mechanism: Mechanism) -> sympy.Expr:
     return sympy.Add(of_links, *of_contacts)
 
 
-def _contact_forces(mechanism: Mechanism) -> tuple[tuple[Contact | Friction, sympy.Expr], ...]:
+def _contact_forces(mechanism: Mechanism) -> tuple[tuple[Tensioned | Friction, sympy.Expr], ...]:
     contacts = ((contact, contact.tension) for contact in mechanism.contacts)
     return (*contacts, *((friction, friction.force) for friction in mechanism.frictions))

@@ -28,7 +28,7 @@ from derivations.mechanism import Mechanism as SymbolicMechanism
 from derivations.mechanism import trimmer
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Force, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import (
     Place,
     PrintedSymbol,
@@ -138,6 +138,17 @@ class _Translation:
             contacts=(
                 *(self._play(name, play, ends) for name, play in self.data.plays.items() if _pushes(play)),
                 *(self._stop(name, stop, ends) for name, stop in self.data.stops.items() if _pushes(stop)),
+                *(
+                    parts.CurvedSpring(
+                        name,
+                        *_two(link.between, ends),
+                        self._function("links", name, "elongation"),
+                        self._function("links", name, "tension"),
+                        _points(link.curve),
+                    )
+                    for name, link in self.data.links.items()
+                    if link.curve
+                ),
             ),
             frictions=tuple(
                 self._friction(name, ends)
@@ -223,7 +234,7 @@ class _Translation:
 
     def _friction(self, name: str, ends: Mapping[str, parts.End]) -> parts.Friction:
         friction = self.data.frictions[name]
-        kinetic = self._number("frictions", name, "force", friction.force)
+        kinetic = self._number("frictions", name, "force", friction.kinetic_force)
         static = self._number("frictions", name, "static", friction.static_force)
         return parts.Friction(
             name,
@@ -233,6 +244,7 @@ class _Translation:
             *_two(friction.between, ends),
             self._function("frictions", name, "rate"),
             self._function("frictions", name, "dry"),
+            _points(friction.curve) if friction.curve else (),
         )
 
     def _number(self, section: str, name: str, of: str, value: float) -> sympy.Expr:
@@ -252,6 +264,11 @@ def _two(between: tuple[str, str], ends: Mapping[str, parts.End]) -> tuple[parts
     return ends[start], ends[end]
 
 
+def _points(curve: Curve) -> parts.Points:
+    """Return the points of a curve as the decimals that they are written with."""
+    return tuple((sympy.Rational(repr(x)), sympy.Rational(repr(y))) for x, y in curve)
+
+
 def _pushes(contact: Play | Stop) -> bool:
     return contact.stiffness != 0 or contact.damping != 0
 
@@ -260,7 +277,8 @@ def _occurring(mechanism: SymbolicMechanism) -> set[sympy.Basic]:
     """Return the symbols and functions of time that the parts of a mechanism hold."""
     listed = (each for kind in vars(mechanism).values() for each in kind)
     values = (value for part in listed for value in vars(part).values() if isinstance(value, sympy.Basic))
-    unused = {each.stretch for each in mechanism.contacts if not contact_statement(each).has_stretch}
+    slots = (each for each in mechanism.contacts if isinstance(each, parts.Contact))
+    unused = {each.stretch for each in slots if not contact_statement(each).has_stretch}
     return set().union(*(value.atoms(sympy.Symbol, AppliedUndef) for value in values)) - unused
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derivations.any_mechanism.contact_law import ContactStatement, contact_statement
+from derivations.any_mechanism.curve_law import CurveStatement, curve_statement
 from derivations.any_mechanism.friction_law import FrictionStatement, friction_statement
 from derivations.linear_motion import SymbolicMotion, linear_motion
 from derivations.mechanism import Mechanism, closed
+from derivations.parts import Contact, CurvedSpring
 
 
 @dataclass(frozen=True)
@@ -19,12 +21,14 @@ class MechanismDerivation:
         closed: With every contact closed; the same as ``motion`` where there is none.
         contacts: The law of each contact.
         frictions: The law of each friction.
+        curves: The law of each spring with a curve.
     """
 
     motion: SymbolicMotion
     closed: SymbolicMotion
     contacts: tuple[ContactStatement, ...]
     frictions: tuple[FrictionStatement, ...]
+    curves: tuple[CurveStatement, ...]
 
     @property
     def mechanism(self) -> Mechanism:
@@ -42,7 +46,8 @@ def derive_mechanism(mechanism: Mechanism) -> MechanismDerivation:
     motion = linear_motion(mechanism)
     return MechanismDerivation(
         motion=motion,
-        closed=linear_motion(closed(mechanism)) if mechanism.contacts else motion,
-        contacts=tuple(contact_statement(contact) for contact in mechanism.contacts),
+        closed=linear_motion(closed(mechanism)) if closed(mechanism) != mechanism else motion,
+        contacts=tuple(contact_statement(each) for each in mechanism.contacts if isinstance(each, Contact)),
         frictions=tuple(friction_statement(mechanism, friction) for friction in mechanism.frictions),
+        curves=tuple(curve_statement(each) for each in mechanism.contacts if isinstance(each, CurvedSpring)),
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations.any_mechanism.curve_law import straight_between
 from derivations.equations_of_motion import accelerations
 from derivations.mechanism import Mechanism, elongation_rate
 from derivations.parts import Friction
@@ -37,12 +38,19 @@ def friction_statement(mechanism: Mechanism, friction: Friction) -> FrictionStat
     return FrictionStatement(
         friction,
         rate=elongation_rate(friction),
-        sliding=friction.kinetic * sympy.sign(v),
+        sliding=_kinetic_force(friction) * sympy.sign(v),
         held=_holding_force(mechanism, friction),
         stick=sympy.And(
             sympy.Eq(v, 0, evaluate=False), sympy.Le(sympy.Abs(force), friction.static, evaluate=False)
         ),
     )
+
+
+def _kinetic_force(friction: Friction) -> sympy.Expr:
+    """Return the force in sliding, N, over the speed where it has a curve."""
+    if not friction.points:
+        return friction.kinetic
+    return straight_between(friction.points, sympy.Abs(friction.rate), level=True)
 
 
 def _holding_force(mechanism: Mechanism, friction: Friction) -> sympy.Expr | None:

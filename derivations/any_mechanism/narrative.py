@@ -8,6 +8,7 @@ import sympy
 
 from derivations.algebra.unevaluated import total
 from derivations.any_mechanism.contact_law import ContactStatement
+from derivations.any_mechanism.curve_law import CurveStatement
 from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.friction_law import FrictionStatement
 from derivations.equations_of_motion import MotionMatrices, inputs
@@ -41,10 +42,11 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[NarrativeStep,
         *([] if mechanism.is_linear and not mechanism.forces else [_virtual_work(derivation.motion)]),
         _motion(derivation.motion),
         _matrices(derivation.motion),
-        *([_closed_contact(derivation.closed)] if mechanism.contacts else []),
+        *([_closed_contact(derivation.closed)] if derivation.closed is not derivation.motion else []),
         _state_space(derivation),
         *([_outputs(derivation)] if mechanism.outputs else []),
         *map(_contact_law, derivation.contacts),
+        *map(_curve_law, derivation.curves),
         *map(_friction_law, derivation.frictions),
         _checks(derivation),
     )
@@ -66,7 +68,11 @@ def _parts(derivation: MechanismDerivation) -> NarrativeStep:
         if (damper.start, damper.end) not in between_springs
     )
     distances = (
-        Formula(latex_equation(each.contact.distance, each.distance)) for each in derivation.contacts
+        Formula(latex_equation(named, each))
+        for named, each in (
+            *((each.contact.distance, each.distance) for each in derivation.contacts),
+            *((each.spring.distance, each.distance) for each in derivation.curves),
+        )
     )
     return NarrativeStep(
         "parts",
@@ -226,6 +232,20 @@ def _contact_law(statement: ContactStatement) -> NarrativeStep:
     )
 
 
+def _curve_law(statement: CurveStatement) -> NarrativeStep:
+    spring = statement.spring
+    return NarrativeStep(
+        f"curve-{spring.tension.func.__name__}",
+        f"Curve: {spring.name}",
+        "The spring pulls its ends together with a force that is straight between the points of its curve, "
+        "and beyond the outer ones. Numbers are in SI units.",
+        (
+            Formula(latex_equation(spring.distance, statement.distance)),
+            Formula(latex_equation(spring.tension, statement.tension)),
+        ),
+    )
+
+
 def _friction_law(statement: FrictionStatement) -> NarrativeStep:
     friction = statement.friction
     v, force = latex(friction.rate), latex(friction.force)
@@ -237,11 +257,16 @@ def _friction_law(statement: FrictionStatement) -> NarrativeStep:
     ]
     if statement.held is not None:
         formulas.append(Formula(f"{force} = {latex(statement.held)}"))
+    sliding = (
+        "In sliding the dry force has the size that its curve gives for the speed, in SI units, and opposes "
+        if friction.points
+        else "In sliding the dry force has its kinetic size and opposes "
+    )
     viscous = " Its viscous share is a damper, which the equations of motion hold already."
     return NarrativeStep(
         f"friction-{friction.force.func.__name__}",
         f"Friction: {friction.name}",
-        "In sliding the dry force has its kinetic size and opposes the motion. In stick it is what keeps the "
+        f"{sliding}the motion. In stick it is what keeps the "
         "velocity at zero, which is the last line, as long as that is not more than the static force. Where "
         "several frictions stick, these lines hold together." + (viscous if friction.viscous != 0 else ""),
         tuple(formulas),

@@ -50,7 +50,7 @@ def question_words(question: Question, design: Design) -> Markdown:
 def inventory(design: Design) -> str:
     """Return what the mechanism is made of, in a sentence or two."""
     mechanism = design.file.mechanism
-    live = [each for each in mechanism.frictions.values() if each.force or each.viscous]
+    live = [each for each in mechanism.frictions.values() if each.kinetic_force or each.curve or each.viscous]
     counted = [
         (len(mechanism.bodies), "body", "bodies"),
         (len(mechanism.pins), "pin", "pins"),

@@ -78,7 +78,7 @@ class Judge:
         found = self._consistent(y)
         if not found:
             raise NoModeFoundError(f"no mode goes on from {y}")
-        if not any(part.part.static_force > part.part.force for part in self.system.frictions):
+        if not any(part.part.static_force > part.part.kinetic_force for part in self.system.frictions):
             most = max(mode.frictions.count(0) for mode in found)
             return Decided(next(mode for mode in found if mode.frictions.count(0) == most))
         return self._chosen(found, before, y)
@@ -119,13 +119,22 @@ class Judge:
         for friction in self.system.frictions:
             sign = self.sign(friction.velocity, y, self.near)
             frictions.append((sign,) if sign else (0, 1, -1))
+        curves = [
+            [
+                segment
+                for segment in curve.modes()
+                if all(self.sign(guard, y, self.near) >= 0 for guard in curve.guards(segment))
+            ]
+            for curve in self.system.curves
+        ]
         combinations = (
-            Mode(touching, sliding)
+            Mode(touching, sliding, segments)
             for touching in itertools.product(*contacts)
             for sliding in itertools.product(*frictions)
+            for segments in itertools.product(*curves)
         )
         ordered = sorted(combinations, key=lambda mode: -mode.frictions.count(0))
-        unique = all(part.part.static_force <= part.part.force for part in self.system.frictions)
+        unique = all(part.part.static_force <= part.part.kinetic_force for part in self.system.frictions)
         found = []
         for mode in ordered:
             if self._goes_on(mode, y):

@@ -9,19 +9,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tests.mechanisms.parts import Contact, ContactMode, DryFriction
+from tests.mechanisms.parts import Contact, ContactMode, Curved, DryFriction
 from tests.mechanisms.rows import Rows
 from tests.mechanisms.sticking import Sticking, stick_together
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Link
 
 ROUNDING = 1e-14
 
 
 class Mode(NamedTuple):
-    """Modes of all contacts and the sign of each friction's velocity."""
+    """Modes of all contacts, the sign of each friction's velocity, and the segment of each curve."""
 
     contacts: tuple[ContactMode, ...]
     frictions: tuple[int, ...]
+    curves: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,7 @@ class System:
     rows: Rows = field(init=False)
     contacts: tuple[Contact, ...] = field(init=False)
     frictions: tuple[DryFriction, ...] = field(init=False)
+    curves: tuple[Curved, ...] = field(init=False)
     _known: dict[Mode, Dynamics] = field(default_factory=dict)
 
     def __post_init__(self):
@@ -60,6 +63,9 @@ class System:
         self.frictions = tuple(
             DryFriction(name, part, self.rows) for name, part in self.mechanism.frictions.items()
         )
+
+        parts = (*self.mechanism.links.values(), *self.mechanism.frictions.values())
+        self.curves = tuple(Curved(part, self.rows) for part in parts if part.curve)
 
     @property
     def masses(self) -> np.ndarray:
@@ -78,6 +84,8 @@ class System:
         force = self._smooth_force()
         for contact, its in zip(self.contacts, mode.contacts, strict=True):
             self._pull(force, contact.part.between, contact.force(its))
+        for curve, segment in zip(self.curves, mode.curves, strict=True):
+            self._pull(force, curve.part.between, curve.tension(segment))
         rubbing = np.zeros((len(self.frictions), self.rows.size))
         sticking_places = [place for place, sign in enumerate(mode.frictions) if sign == 0]
         for place, (friction, sign) in enumerate(zip(self.frictions, mode.frictions, strict=True)):
@@ -132,6 +140,8 @@ class System:
         guards: list[np.ndarray] = []
         for contact, its in zip(self.contacts, mode.contacts, strict=True):
             guards += contact.guards(its)
+        for curve, segment in zip(self.curves, mode.curves, strict=True):
+            guards += curve.guards(segment)
         for friction, sign in zip(self.frictions, mode.frictions, strict=True):
             if sign:
                 guards.append(sign * friction.velocity)
@@ -172,6 +182,7 @@ class System:
     def _length(self) -> float:
         omega = self._omega()
         lengths = [abs(contact.half_gap) for contact in self.contacts]
+        lengths += [abs(x) for curve in self.curves for x in curve.corners if isinstance(curve.part, Link)]
         for pin in self.mechanism.pins.values():
             lengths += [abs(pin.amplitude), abs(pin.offset), abs(pin.velocity) / omega]
         for q, v in self.mechanism.start.values():

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tests.mechanisms.rows import Rows
-from trimmer.mechanism.parts import ContactLaw, Friction, Play, Stop
+from trimmer.mechanism.parts import ContactLaw, Friction, Link, Play, Stop
 
 
 class ContactMode(NamedTuple):
@@ -109,4 +109,51 @@ class DryFriction:
 
     def sliding_force(self, sign: int) -> np.ndarray:
         """The force on ``end``."""
-        return -self.rows.constant(sign * self.part.force) - self.part.viscous * self.velocity
+        return -self.rows.constant(sign * self.part.kinetic_force) - self.part.viscous * self.velocity
+
+
+@dataclass(frozen=True)
+class Curved:
+    """What a curve adds to a link or a friction; its mode is the segment between two corners."""
+
+    part: Link | Friction
+    rows: Rows
+
+    @property
+    def over(self) -> np.ndarray:
+        of = self.rows.distance if isinstance(self.part, Link) else self.rows.rate
+        return of(self.part.between)
+
+    @property
+    def points(self) -> list[tuple[float, float]]:
+        """Of a friction without its force at rest, for both directions and far beyond the last point."""
+        if isinstance(self.part, Link):
+            return list(self.part.curve)
+        ahead = [(v, force - self.part.kinetic_force) for v, force in self.part.curve]
+        ahead.append((ahead[-1][0] + 1.0, ahead[-1][1]))
+        return [*((-v, -force) for v, force in ahead[:0:-1]), *ahead]
+
+    @property
+    def corners(self) -> list[float]:
+        inner = self.points[1:-1]
+        return [x for x, _ in inner if isinstance(self.part, Link) or x != 0.0]
+
+    def modes(self) -> range:
+        return range(len(self.corners) + 1)
+
+    def guards(self, segment: int) -> list[np.ndarray]:
+        below = [self.over - self.rows.constant(x) for x in self.corners[segment - 1 : segment] if segment]
+        return below + [self.rows.constant(x) - self.over for x in self.corners[segment : segment + 1]]
+
+    def tension(self, segment: int) -> np.ndarray:
+        middle = (self.corners[segment - 1 : segment] if segment else []) + self.corners[
+            segment : segment + 1
+        ]
+        at = sum(middle) / len(middle) if len(middle) == 2 else None
+        pairs = list(zip(self.points[:-1], self.points[1:], strict=True))
+        chosen = pairs[0] if segment == 0 else pairs[-1]
+        if at is not None:
+            chosen = next(pair for pair in pairs if pair[0][0] <= at <= pair[1][0])
+        (x0, f0), (x1, f1) = chosen
+        slope = (f1 - f0) / (x1 - x0)
+        return slope * self.over + self.rows.constant(f0 - slope * x0)

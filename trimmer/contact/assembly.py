@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Places, Reals
+from trimmer.contact.curves import add_curves, functions_of_curves
 from trimmer.contact.machine import Machine, free_springs, relaxing_springs
 from trimmer.contact.statuses import (
     ALWAYS,
@@ -41,7 +42,7 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
 
     Args:
         machine: The mechanism.
-        statuses: Of all contacts, then of all frictions.
+        statuses: Of all contacts, then of all frictions, then of all curves.
     """
     contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
     flow = flow_without_stick(machine, statuses)
@@ -53,7 +54,8 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
         elif statuses[contact] == FREE:
             hold[z] = 0.0
     functions = list(_of_contacts(machine, statuses))
-    sticking = np.array([i for i, each in enumerate(statuses[contacts:]) if each == STICK], dtype=np.intp)
+    rubbing = machine.of_frictions(statuses)
+    sticking = np.array([i for i, each in enumerate(rubbing) if each == STICK], dtype=np.intp)
     if len(sticking):
         tree = sticking[independent(machine.friction_rate[sticking, bodies : 2 * bodies])]
         rates, push = machine.friction_rate[tree], machine.friction_push[tree]
@@ -63,11 +65,12 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
         flow[velocities] = _difference(flow[velocities], push.T @ forces, shares @ abs(flow))
         hold[velocities] = _difference(hold[velocities], push.T @ inverse @ rates, shares)
         functions += _of_stick(machine, sticking, tree, forces)
-    for friction, status in enumerate(statuses[contacts:]):
+    for friction, status in enumerate(rubbing):
         if status != STICK:
             direction = 1.0 if status == FORWARD else -1.0
             row = direction * machine.friction_rate[friction]
             functions.append(EventFunction(contacts + friction, ARRIVED, row))
+    functions += functions_of_curves(machine, statuses)
     relaxing = {contact: _rate(machine, contact) for contact, _ in relaxing_springs(machine)}
     decay = [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
     return Mode(
@@ -113,10 +116,11 @@ def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Pl
                 flow[z] = machine.contact_rate[contact]
         elif status == RELAXING:
             flow[z, z] = -_rate(machine, contact)
-    for friction, status in enumerate(statuses[contacts:]):
+    for friction, status in enumerate(machine.of_frictions(statuses)):
         if status != STICK and (left_out is None or friction not in left_out):
             resisted = machine.kinetic[friction] * (1.0 if status == FORWARD else -1.0)
             flow[bodies : 2 * bodies, -1] -= resisted * machine.friction_push[friction]
+    add_curves(machine, statuses, flow)
     return flow
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.assembly import force_of
+from trimmer.contact.curves import add_least_curves, segments_at
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
@@ -44,6 +45,7 @@ from trimmer.hybrid.system import ARRIVED, NO_STATE, Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.coordinates import inertia_of
+from trimmer.mechanism.curves import is_odd
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Force, Pin
 from trimmer.motion.course import Course
@@ -135,7 +137,7 @@ class MechanismFlow(Flow):
         frictions = [
             STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)
         ]
-        statuses = (*contacts, *frictions)
+        statuses = (*contacts, *frictions, *segments_at(machine, extended))
         if slow.any():
             statuses = decide(machine, statuses, extended, np.flatnonzero(slow))
         zeros = np.zeros((len(statuses), self.modes.system.action_count), dtype=np.int64)
@@ -269,8 +271,8 @@ class MechanismFlow(Flow):
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """The contacts, then the frictions."""
-        return parts_of(self.modes.system.layout)
+        """The contacts, then the frictions, then the curves."""
+        return parts_of(self.modes.system)
 
     @cached_property
     def outputs(self) -> Mapping[str, Readout]:
@@ -300,7 +302,9 @@ class MechanismFlow(Flow):
     def is_alike(self, other: Flow) -> bool:
         """Say whether another mechanism has the same states and parts, and the same leaders."""
         own, layout = self.modes.system.layout, other.modes.system.layout
-        alike = (layout.size, layout.contacts, layout.frictions) == (own.size, own.contacts, own.frictions)
+        alike = (layout.size, layout.contacts, layout.frictions, layout.curves) == (
+            *(own.size, own.contacts, own.frictions, own.curves),
+        )
         return alike and np.array_equal(layout.frame.leading, own.frame.leading)
 
     def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
@@ -364,7 +368,9 @@ class MechanismFlow(Flow):
         moving: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
         odd = all(part.order % 2 == 1 for part in moving)
         centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
-        pushed = any(force.constant != 0 for force in mechanism.forces.values())
+        pushed = any(force.constant != 0 for force in mechanism.forces.values()) or not all(
+            is_odd(link.curve or ()) for link in mechanism.links.values()
+        )
         return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops
 
     @property
@@ -378,7 +384,8 @@ class MechanismFlow(Flow):
             return False
         # Relative to the mass: of L⁻¹ K L⁻ᵀ with M = L Lᵀ.
         factor = np.linalg.cholesky(inertia_of(self.mechanism).matrix)
-        count, base = len(factor), self.modes.system.machine.base
+        count, base = len(factor), self.modes.system.machine.base.copy()
+        add_least_curves(self.modes.system.machine, base)
         for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
             resisting = -np.linalg.solve(factor, (factor.T @ base[count : 2 * count, block]).T)
             values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))

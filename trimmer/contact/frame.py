@@ -107,5 +107,5 @@ def leans(part: Link | Play | Stop) -> bool:
     if isinstance(part, Play) and part.gap == 0 and part.law is not ContactLaw.TRUNCATED:
         return part.stiffness > 0
     if isinstance(part, Link):
-        return part.stiffness > 0
+        return part.stiffness > 0 or len({force for _, force in part.curve or ()}) > 1
     return part.stiffness > 0 or part.damping > 0

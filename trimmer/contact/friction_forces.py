@@ -59,7 +59,7 @@ def undetermined(course: Course) -> tuple[str, ...]:
 
 def _forces_in_mode(modes: Modes[MechanismSystem], mode: int, states: Reals) -> Reals:
     machine, statuses = modes.system.machine, modes[mode].statuses
-    directions = np.array(statuses[len(machine.stiffness) :])
+    directions = np.array(machine.of_frictions(statuses))
     slides = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
     forces = np.tile(slides, (len(states), 1))
     sticking = _sticking(modes, mode)
@@ -78,7 +78,7 @@ def _forces_in_mode(modes: Modes[MechanismSystem], mode: int, states: Reals) -> 
 
 
 def _sticking(modes: Modes[MechanismSystem], mode: int) -> Places:
-    statuses = modes[mode].statuses[len(modes.system.machine.stiffness) :]
+    statuses = modes.system.machine.of_frictions(modes[mode].statuses)
     return np.flatnonzero(np.array(statuses, dtype=np.int64) == STICK)
 
 

@@ -103,9 +103,7 @@ def _accelerations(
 ) -> Reals:
     """Return the relative accelerations of frictions at rest, zero where they stick within their limits."""
     bodies = machine.contact_push.shape[1]
-    contacts = len(machine.stiffness)
-    sliding = tuple(FORWARD if each == STICK else each for each in statuses[contacts:])
-    flow = flow_without_stick(machine, statuses[:contacts] + sliding, at_rest)
+    flow = flow_without_stick(machine, statuses, at_rest)
     rates, push = machine.friction_rate[at_rest], machine.friction_push[at_rest]
     noise = NOISE * (abs(rates) @ (abs(flow) @ abs(state)))
     _, accelerations = complementary_forces(

@@ -16,6 +16,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
+from trimmer.mechanism.curves import curves_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
 
@@ -33,6 +34,7 @@ class Layout:
         coordinates: Names of the coordinates.
         contacts: Names of plays and stops that exert a force.
         frictions: Names of the frictions that exert a force.
+        curves: Section and name of the parts with a curve.
         relaxing: Names of those contacts whose z is a state.
         orders: Multiples of the drive's frequency that occur.
         ramp: Whether the time is an entry.
@@ -48,6 +50,7 @@ class Layout:
     coordinates: tuple[str, ...]
     contacts: tuple[str, ...]
     frictions: tuple[str, ...]
+    curves: tuple[tuple[str, str], ...]
     relaxing: tuple[str, ...]
     orders: tuple[int, ...]
     ramp: bool
@@ -202,6 +205,7 @@ def layout_of(
         mechanism.coordinates,
         tuple(contacts),
         frictions,
+        curves_of(mechanism),
         relaxing,
         tuple(orders),
         ramp,

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
+from trimmer.contact.curve_arrays import curve_arrays
 from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of, moves
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
@@ -35,6 +36,10 @@ class Machine(NamedTuple):
         friction_rate: Velocities of end relative to start as functionals, (p, N).
         friction_push: Accelerations by a force of 1 N on the end, (p, n).
         kinetic, static: Forces of the frictions, N, (p,).
+        curve_over: Distances or velocities that the forces of c curves go by, as functionals, (c, N).
+        curve_push: Accelerations by a force of 1 N that pulls the ends together, (c, n).
+        curve_knots: Where one segment ends and the next begins, infinite for none, (c, knots).
+        curve_slopes, curve_heights: The force of a segment is slope x + height, N, (c, knots + 1).
     """
 
     base: Reals
@@ -51,6 +56,16 @@ class Machine(NamedTuple):
     friction_push: Reals
     kinetic: Reals
     static: Reals
+    curve_over: Reals
+    curve_push: Reals
+    curve_knots: Reals
+    curve_slopes: Reals
+    curve_heights: Reals
+
+    def of_frictions(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
+        """Return the statuses of the frictions out of those of all parts."""
+        first = len(self.stiffness)
+        return statuses[first : first + len(self.kinetic)]
 
 
 def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
@@ -64,6 +79,7 @@ def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machin
         base=_base(mechanism, layout, rows),
         **_contacts(contacts, layout, rows),
         **_frictions(mechanism, frictions, layout, rows),
+        **curve_arrays(mechanism, rows),
     )
     return machine, layout
 
@@ -157,7 +173,7 @@ def _frictions(
             [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
         ),
         "friction_push": _stacked([rows.push(start, end) for start, end in between], len(layout.coordinates)),
-        "kinetic": np.array([part.force for part in parts], dtype=np.float64),
+        "kinetic": np.array([part.kinetic_force for part in parts], dtype=np.float64),
         "static": np.array([part.static_force for part in parts], dtype=np.float64),
     }
 

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, force_of
+from trimmer.contact.curve_forces import curve_forces
+from trimmer.contact.curves import mirror_of
 from trimmer.contact.friction_forces import dry_forces
 from trimmer.contact.layout import Rows
 from trimmer.contact.statuses import (
@@ -42,11 +44,15 @@ _OTHER_SIDE = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED
 _OTHER_WAY = {FORWARD: BACKWARD, BACKWARD: FORWARD}
 
 
-def parts_of(layout: Layout) -> tuple[Part, ...]:
-    """Return the contacts, then the frictions."""
+def parts_of(system: MechanismSystem) -> tuple[Part, ...]:
+    """Return the contacts, then the frictions, then the curves."""
+    layout = system.layout
     contacts = (Part(name, _SIDES, _OTHER_SIDE) for name in layout.contacts)
     frictions = (Part(name, {STICK: Phase.STICK}, _OTHER_WAY) for name in layout.frictions)
-    return (*contacts, *frictions)
+    curves = (
+        Part(name, {}, mirror_of(system.machine, number)) for number, (_, name) in enumerate(layout.curves)
+    )
+    return (*contacts, *frictions, *curves)
 
 
 def outputs_of(mechanism: Mechanism, layout: Layout) -> dict[str, Readout]:
@@ -111,6 +117,14 @@ def friction_measures(course: Course, number: int, periods: int) -> FrictionMeas
     speeds = abs(nodes.states @ machine.friction_rate[number])
     sliding = float(nodes.weights @ np.where(sticking[nodes.rows], 0.0, speeds))
     lost = float(machine.kinetic[number]) * sliding
+    name = course.modes.system.layout.frictions[number]
+    lost += float(
+        nodes.weights
+        @ (
+            curve_forces(course, "frictions", name, nodes.rows, nodes.states)
+            * (nodes.states @ machine.friction_rate[number])
+        )
+    )
     stick = float(durations(course)[sticking].sum() / course.duration)
     return FrictionMeasures(lost / periods, lost / course.duration, stick)
 
@@ -138,6 +152,7 @@ def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str
     forces: dict[str, Reals] = {}
     for name, link in mechanism.links.items():
         forces[name] = _between(ends, link.between, link.stiffness, link.damping, states)
+        forces[name] += curve_forces(course, "links", name, rows, states)
     for name in (*mechanism.plays, *mechanism.stops):
         forces[name] = np.zeros(len(times))
         if name in layout.contacts:
@@ -146,6 +161,7 @@ def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str
     dry = dry_forces(course, rows, states)
     for name, friction in mechanism.frictions.items():
         forces[name] = _between(ends, friction.between, 0.0, friction.viscous, states)
+        forces[name] += curve_forces(course, "frictions", name, rows, states)
         if name in layout.frictions:
             forces[name] = forces[name] + dry[:, layout.frictions.index(name)]
     return forces

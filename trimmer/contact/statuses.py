@@ -13,10 +13,10 @@ FORWARD, BACKWARD, STICK = range(3)
 RELAXES, TRUNCATES, PULLS = range(3)
 """The contact laws. Without damping they are one, which is held as the last."""
 
-ACTIONS = OWN_ACTIONS + 5
+ACTIONS = OWN_ACTIONS + 7
 """Number of actions of event functions."""
-MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT = range(OWN_ACTIONS, ACTIONS)
+MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT, ABOVE_KNOT, BELOW_KNOT = range(OWN_ACTIONS, ACTIONS)
 """Event functions of contacts: contact made on either side, broken; the force of a contact that was released
-is a push again, or it left the range of contact."""
+is a push again, or it left the range of contact. Of curves: a knot is reached from below, from above."""
 CONTACT_MADE, CONTACT_BROKEN = range(OWN_KINDS, OWN_KINDS + 2)
 """What contacts do that begins a segment of the motion."""

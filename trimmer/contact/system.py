@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.assembly import assemble, flow_without_stick
+from trimmer.contact.curves import first_curve
 from trimmer.contact.joint import after_event
 from trimmer.contact.layout import Layout
 from trimmer.contact.machine import Machine
@@ -19,7 +20,7 @@ from trimmer.hybrid.system import EventFunction, Mode, Transition
 
 @dataclass(frozen=True, eq=False)
 class MechanismSystem:
-    """The exact motion of a mechanism; its parts are its contacts, then its frictions.
+    """The exact motion of a mechanism; its parts are its contacts, then its frictions, then its curves.
 
     Attributes:
         machine: Its arrays.
@@ -36,8 +37,8 @@ class MechanismSystem:
 
     @property
     def part_count(self) -> int:
-        """Number of contacts and frictions."""
-        return self.contact_count + len(self.machine.kinetic)
+        """Number of contacts, frictions and curves."""
+        return first_curve(self.machine) + len(self.machine.curve_over)
 
     @property
     def kind_count(self) -> int:
@@ -62,7 +63,7 @@ class MechanismSystem:
         return widths
 
     def mode(self, statuses: tuple[int, ...]) -> Mode:
-        """Return the equations of the mode with given statuses of all contacts, then of all frictions."""
+        """Return the equations of the mode with given statuses: of contacts, frictions, curves."""
         return assemble(self.machine, statuses)
 
     def terms(self, mode: Mode) -> Reals:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from trimmer.contact.curves import beyond_knot
 from trimmer.contact.statuses import (
+    ABOVE_KNOT,
     BACKWARD,
+    BELOW_KNOT,
     BROKEN,
     CONTACT_BROKEN,
     CONTACT_MADE,
@@ -45,11 +48,15 @@ def transition(
     Returns:
         The change, or None where several frictions are at rest and decide it together.
     """
+    if function.action in (ABOVE_KNOT, BELOW_KNOT):
+        return beyond_knot(statuses, function)
     if function.action not in (ARRIVED, AT_LIMIT):
         return _of_contact(machine, statuses, function, jumped)
     contacts = len(machine.stiffness)
     others = [
-        part for part in range(contacts, len(statuses)) if part != function.owner and statuses[part] == STICK
+        part
+        for part in range(contacts, contacts + len(machine.kinetic))
+        if part != function.owner and statuses[part] == STICK
     ]
     if function.action == ARRIVED:
         return None if others else Transition(_with(statuses, function.owner, STICK), HOLD_BEGUN)

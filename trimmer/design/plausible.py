@@ -121,5 +121,6 @@ def _contacts(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:
 def _held(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:
     for name, measures in motion.frictions.items():
         if measures.stick >= 1 - 1e-9:
-            force = mechanism.frictions[name].force
-            yield Question(Oddity.FRICTION_HOLDS, ("frictions", name, "force"), force, force)
+            part = mechanism.frictions[name]
+            place = ("frictions", name, *(("curve", "1") if part.curve else ()), "force")
+            yield Question(Oddity.FRICTION_HOLDS, place, part.kinetic_force, part.kinetic_force)

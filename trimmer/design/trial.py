@@ -159,7 +159,7 @@ def all_measures(subject: Subject) -> tuple[MeasureOfPart, ...]:
         *(
             MeasureOfPart(Measure.WEAR_POWER, name)
             for name, each in mechanism.frictions.items()
-            if each.force
+            if each.kinetic_force or each.curve
         ),
         *([MeasureOfPart(Measure.PERIOD, "")] if mechanism.frequency is not None else []),
     )

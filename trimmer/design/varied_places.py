@@ -108,16 +108,17 @@ def _speed(mechanism: Mechanism) -> Iterator[VariedNumber]:
 
 
 def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNumber]:
-    live = [name for name, friction in mechanism.frictions.items() if friction.force > 0]
+    live = [name for name, friction in mechanism.frictions.items() if friction.kinetic_force > 0]
     if not live:
         return
     name = max(live, key=lambda each: _told_apart(motion.frictions[each].power) if motion else 0.0)
     friction = mechanism.frictions[name]
-    place = place_text(("frictions", name, "force"))
-    if friction.static_force > friction.force:
+    kinetic = friction.kinetic_force
+    place = place_text(("frictions", name, *(("curve", "1") if friction.curve else ()), "force"))
+    if friction.static_force > kinetic:
         highest, bounded = friction.static_force, True
     elif friction.static is not None:
-        highest, bounded = friction.force, True
+        highest, bounded = kinetic, True
     else:
-        highest, bounded = 4 * friction.force, False
-    yield VariedNumber(NumberRole.FRICTION, place, name, "N", friction.force, 0.0, highest, bounded)
+        highest, bounded = 4 * kinetic, False
+    yield VariedNumber(NumberRole.FRICTION, place, name, "N", kinetic, 0.0, highest, bounded)

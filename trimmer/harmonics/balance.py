@@ -15,9 +15,11 @@ from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
+from trimmer.mechanism.curves import curves_of
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link, Play, Stop
+from trimmer.mechanism.place_text import place_text
 
 MOST_ITERATIONS = 30
 MOST_HALVINGS = 8
@@ -86,6 +88,11 @@ def require_balanceable(mechanism: Mechanism) -> None:
     """
     if mechanism.frequency is None:
         raise UnsupportedMotionError("harmonic balance needs a frequency at the top of the mechanism")
+    if curved := curves_of(mechanism):
+        raise UnsupportedMotionError(
+            f"harmonic balance does not know curves, such as that of {place_text(curved[0])}; "
+            "'trimmer respond' does"
+        )
     moving = [name for name, pin in mechanism.pins.items() if pin.velocity != 0.0]
     parts: list[Link | Play | Stop] = [*mechanism.links.values()]
     parts += [*mechanism.plays.values(), *mechanism.stops.values()]
@@ -175,7 +182,7 @@ class _Equations:
     @cached_property
     def scale(self) -> float:
         """Largest force that occurs, N."""
-        frictions = [friction.force for friction in self.mechanism.frictions.values()]
+        frictions = [friction.kinetic_force for friction in self.mechanism.frictions.values()]
         return max([float(abs(self.driving).max()), *frictions]) or 1.0
 
     def imbalance(self, unknowns: Reals) -> tuple[Reals, Reals]:
@@ -210,7 +217,7 @@ class _Equations:
             start, end = friction.between
             drift = self._drift(end) - self._drift(start)
             distance = PeriodicWaveform(row @ moved, self.omega)
-            yield row[:bodies], friction_harmonics(distance, drift, friction.force)
+            yield row[:bodies], friction_harmonics(distance, drift, friction.kinetic_force)
 
     def _drift(self, end: str) -> float:
         return self.mechanism.pins[end].velocity if end in self.mechanism.pins else 0.0

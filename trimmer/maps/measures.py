@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import STICK
 from trimmer.hybrid.system import NOTHING
@@ -84,8 +85,15 @@ def of_window(flow: Flow, course: Course, periods: int) -> Measures:
     states = course.states(times)
     accelerations = _accelerations(course, rows, states, bodies)
     speeds = abs(product(states, machine.friction_rate))
-    speeds[flow.modes.tables.statuses[log.mode[rows], len(machine.stiffness) :] == STICK] = 0.0
-    powers = dict(zip(flow.modes.system.layout.frictions, machine.kinetic * speeds.mean(axis=0), strict=True))
+    first = len(machine.stiffness)
+    statuses = flow.modes.tables.statuses[log.mode[rows], first : first + len(machine.kinetic)]
+    speeds[statuses == STICK] = 0.0
+    means = machine.kinetic * speeds.mean(axis=0)
+    names = flow.modes.system.layout.frictions
+    for number, name in enumerate(names):
+        forces = curve_forces(course, "frictions", name, rows, states)
+        means[number] += (forces * product(states, machine.friction_rate[number : number + 1])[:, 0]).mean()
+    powers = dict(zip(names, means, strict=True))
     return Measures(
         _swings(flow, course, times, states),
         dict(zip(mechanism.coordinates, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
@@ -169,8 +177,7 @@ def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
     if not isinstance(flow, MechanismFlow):  # Friction in a loop has an event in each period.
         nothing = dict.fromkeys(flow.rubbing, 0.0)
         return Measures(dict(lines.peak_to_peak), {}, nothing, 0.0, 0.0, 0.0)
-    contacts = len(flow.modes.system.machine.stiffness)
-    sliding = np.array(motion.instant.statuses[contacts:]) != STICK
+    sliding = np.array(flow.modes.system.machine.of_frictions(motion.instant.statuses)) != STICK
     speeds = [abs(motion.seen_by(row)[0]) for row in flow.modes.system.machine.friction_rate]
     powers = flow.modes.system.machine.kinetic * np.array(speeds) * sliding
     of_each = dict(zip(flow.modes.system.layout.frictions, powers.tolist(), strict=True))

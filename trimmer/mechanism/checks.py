@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
 from trimmer.choices import ChoiceError
+from trimmer.mechanism import curves
 from trimmer.mechanism.parts import ContactLaw, Output
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import (
@@ -35,7 +36,7 @@ _SYMBOL = re.compile(rf"[{_LETTER}]+[0-9]*(?:_[{_LETTER}0-9]+|_\{{[{_LETTER}0-9]
 Content = Mapping[str, object]
 """Fields of a mechanism, by name."""
 
-OPTIONAL_NUMBERS = {"static"}
+OPTIONAL_NUMBERS = {"static", "force"}
 """Numbers that may be None, for what the docstring of the part says."""
 
 
@@ -83,7 +84,9 @@ def _fields(place: tuple[str, ...], part: object) -> Iterator[Problem]:
     quantities = QUANTITIES[type(part)]
     for each in fields(part):  # type: ignore[arg-type]
         value, there = getattr(part, each.name), (*place, each.name)
-        if each.name in quantities:
+        if each.name == "force" and value is None and getattr(part, "curve", ()) is None:
+            yield Problem(there, "missing; add force = 0.5")
+        elif each.name in quantities:
             if value is not None or each.name not in OPTIONAL_NUMBERS:
                 yield from _number(there, value, quantities[each.name])
         else:
@@ -97,6 +100,9 @@ def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:
                 yield Problem(place, _SYMBOL_RULE, value)
         case "law":
             yield from _law(place, value)
+        case "curve":
+            if value is not None:
+                yield from curves.problems_of_types(place, value, curves.FORMS[PARTS[place[0]]])
         case "on":
             if not isinstance(value, str):
                 yield Problem(place, "name a body", value)

@@ -55,7 +55,7 @@ def linear_matrices(mechanism: Mechanism, *, viscous: bool = False) -> LinearMat
     """
     require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
     rows = displacement_rows(mechanism)
-    couplings = [(link.between, link.stiffness, link.damping) for link in mechanism.links.values()]
+    couplings = [(link.between, link.stiffness_at_rest, link.damping) for link in mechanism.links.values()]
     if viscous:
         couplings += [(each.between, 0.0, each.viscous) for each in mechanism.frictions.values()]
     coordinates = len(mechanism.coordinates)

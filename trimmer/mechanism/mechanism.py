@@ -9,6 +9,7 @@ from typing import Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
+from trimmer.mechanism import curves
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.mechanism.problems import Problem, as_message
@@ -190,6 +191,8 @@ def _taken(part: Any) -> Any:
     others: dict[str, object] = {}
     if hasattr(part, "between"):
         others["between"] = tuple(part.between)
+    if getattr(part, "curve", None) is not None:
+        others["curve"] = curves.taken(part.curve, curves.FORMS[type(part)])
     if hasattr(part, "law"):
         others["law"] = ContactLaw.chosen(part.law, "law")
     return replace(part, **numbers, **others)

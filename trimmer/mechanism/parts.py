@@ -9,6 +9,8 @@ from trimmer.choices import Choice
 
 GROUND = "ground"
 """The name of the fixed frame, where an end or a carrier is asked for."""
+Curve = tuple[tuple[float, float], ...]
+"""Points of a curve: abscissa and force."""
 
 
 class ContactLaw(Choice):
@@ -80,12 +82,25 @@ class Link(_Damped):
         stiffness: N/m.
         damping: N s/m.
         symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
+        curve: A force beside these, N, over end - start, m: straight between points and beyond them.
     """
 
     between: tuple[str, str]
     stiffness: float = 0.0
     damping: float = 0.0
     symbol: str | None = None
+    curve: Curve | None = None
+
+    @property
+    def stiffness_at_rest(self) -> float:
+        """Stiffness at no elongation, with that of the curve, N/m; at a corner the mean of both sides."""
+        if self.curve is None:
+            return self.stiffness
+        pairs = list(zip(self.curve[:-1], self.curve[1:], strict=True))
+        slopes = [(after[1] - before[1]) / (after[0] - before[0]) for before, after in pairs]
+        below = sum(before[0] < 0 for before, _ in pairs[1:])
+        above = sum(before[0] <= 0 for before, _ in pairs[1:])
+        return self.stiffness + 0.5 * (slopes[below] + slopes[above])
 
 
 @dataclass(frozen=True)
@@ -131,22 +146,30 @@ class Friction:
 
     Attributes:
         between: Names of start and end.
-        force: Kinetic force, N.
+        force: Kinetic force, N; None where a curve gives it.
         static: Largest force in stick, N; None for the kinetic one.
         viscous: N s/m.
         symbol: Symbol of the kinetic force in printed equations.
+        curve: Kinetic force, N, over the modulus of the sliding speed, m/s, from 0 on: straight between
+            points, constant beyond the last.
     """
 
     between: tuple[str, str]
-    force: float
+    force: float | None = None
     static: float | None = None
     viscous: float = 0.0
     symbol: str | None = None
+    curve: Curve | None = None
+
+    @property
+    def kinetic_force(self) -> float:
+        """Kinetic force where sliding begins, N."""
+        return self.curve[0][1] if self.curve else self.force or 0.0
 
     @property
     def static_force(self) -> float:
         """Largest force in stick, N."""
-        return self.force if self.static is None else self.static
+        return self.kinetic_force if self.static is None else self.static
 
 
 @dataclass(frozen=True)

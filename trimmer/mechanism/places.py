@@ -8,6 +8,7 @@ from functools import lru_cache
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
+from trimmer.mechanism import curves
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.parts import Friction, Output
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
@@ -32,8 +33,13 @@ def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
     """Return all numbers that may be set, with what they measure."""
     found: dict[Place, NumberField] = {("frequency",): FREQUENCY}
     for section, kind in PARTS.items():
-        for name in getattr(mechanism, section):
-            found |= {(section, name, key): each for key, each in QUANTITIES[kind].items()}
+        for name, part in getattr(mechanism, section).items():
+            found |= {
+                (section, name, key): each
+                for key, each in QUANTITIES[kind].items()
+                if not (key == "force" and part.curve)
+            }
+            found |= {(section, name, *end): each for end, each in curves.quantities(part).items()}
     for name, output in mechanism.outputs.items():
         found |= {("outputs", name, body): WEIGHT for body in output.weights}
     for name in mechanism.bodies:
@@ -57,6 +63,8 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             return mechanism.outputs[name].weights[body]
         case ("start", name, key):
             return mechanism.start.get(name, (0.0, 0.0))[list(STATE).index(key)]
+        case (section, name, "curve", point, key):
+            return curves.value_at(getattr(mechanism, section)[name], point, key)
     section, name, key = names
     part = getattr(mechanism, section)[name]
     if isinstance(part, Friction) and key == "static":
@@ -87,6 +95,10 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
             state = list(mechanism.start.get(name, (0.0, 0.0)))
             state[list(STATE).index(key)] = number
             return _with_entry(mechanism, "start", name, tuple(state))
+        case (section, name, "curve", point, key):
+            part = getattr(mechanism, section)[name]
+            curve = curves.with_value_at(part, point, key, number)
+            return _with_entry(mechanism, section, name, replace(part, curve=curve))
     section, name, key = names
     part = replace(getattr(mechanism, section)[name], **{key: number})
     return _with_entry(mechanism, section, name, part)
@@ -153,6 +165,11 @@ def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
             return None if output is None or body not in output.weights else WEIGHT
         case ("start", name, key):
             return STATE.get(key) if name in mechanism.bodies else None
-        case (section, name, key) if section in PARTS and name in getattr(mechanism, section):
-            return QUANTITIES[PARTS[section]].get(key)
+        case (section, name, *end) if section in PARTS and name in getattr(mechanism, section):
+            part = getattr(mechanism, section)[name]
+            if end == ["force"] and part.curve:
+                return None
+            if len(end) == 1:
+                return QUANTITIES[PARTS[section]].get(end[0])
+            return curves.quantities(part).get(tuple(end))
     return None

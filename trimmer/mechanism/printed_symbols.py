@@ -15,6 +15,7 @@ from typing import Any
 
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Link
 from trimmer.mechanism.place_text import place_text
 
 Place = tuple[str, str, str]
@@ -93,7 +94,11 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("offset", r"\bar{%s}", "offset of %s", "m"),
             Stem("velocity", r"\bar{v}", "constant velocity of %s", "m/s"),
         ),
-        "links": _LINK,
+        "links": (
+            *_LINK,
+            Stem("elongation", "e", "elongation of %s", "m"),
+            Stem("tension", "T", "tension of the curve of %s", "N"),
+        ),
         "plays": (*_CONTACT, Stem("side", "sigma", "side of the contact of %s", "1")),
         "stops": _CONTACT,
         "frictions": (
@@ -136,6 +141,8 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
         alone = section in ("pins", "forces", "outputs") and len(parts) == 1
         preferred = index if own is not None or alone else name
         for stem in others if own is not None else (first, *others):
+            if not _occurs(part, stem):
+                continue
             form = stem.form % letters if "%s" in stem.form else stem.form
             indices = _indices(preferred, name, 1 + parts.index(name))
             found[section, name, stem.of] = _first_free(form, indices, {*TAKEN, *found.values()})
@@ -143,7 +150,13 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
         (section, name, stem.of): PrintedSymbol(found[section, name, stem.of], stem.meaning % name, stem.unit)
         for section, name, _ in _parts(mechanism)
         for stem in STEMS[section]
+        if (section, name, stem.of) in found
     }
+
+
+def _occurs(part: Any, stem: Stem) -> bool:
+    """Say whether a part has what a stem stands for; only a curve has a tension beside a link."""
+    return not (isinstance(part, Link) and stem.of in ("elongation", "tension")) or part.curve is not None
 
 
 def plain_name(symbol: str) -> str:

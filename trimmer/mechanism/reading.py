@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
+from trimmer.mechanism import curves
 from trimmer.mechanism.mechanism import Mechanism, problems_with
 from trimmer.mechanism.open_values import open_values, replaced
 from trimmer.mechanism.parts import Output
@@ -158,6 +159,8 @@ def _arguments(content: Mapping[str, Any], problems: list[Problem]) -> dict[str,
                 **{
                     key: convert.number((section, name, key), value, QUANTITIES[kind][key])
                     if key in QUANTITIES[kind]
+                    else curves.read((section, name, key), value, curves.FORMS[kind], convert.number)
+                    if key == "curve"
                     else value
                     for key, value in entries.items()
                 }

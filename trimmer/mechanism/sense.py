@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from trimmer.mechanism.curves import problems_of_points
 from trimmer.mechanism.parts import (
     GROUND,
     Body,
@@ -44,6 +45,9 @@ def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find numbers that do not go together; whether each can stand in its place is not asked."""
     yield from _contacts(content)
     yield from _frictions(content["frictions"])
+    for section in ("links", "frictions"):
+        for name, part in content[section].items():
+            yield from problems_of_points((section, name), part)
     yield from _drive(content)
 
 
@@ -123,8 +127,12 @@ def _contacts(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 def _frictions(frictions: Mapping[str, Friction]) -> Iterator[Problem]:
     for name, friction in frictions.items():
-        if friction.static is not None and friction.static < friction.force:
-            reason = f"the static force is less than the kinetic one, {friction.force!r} N; it is never less"
+        if friction.force is not None and friction.curve is not None:
+            reason = "the curve gives the kinetic force at the speed 0; leave this out, or the curve"
+            yield Problem(("frictions", name, "force"), reason, friction.force)
+        elif friction.static is not None and friction.static < friction.kinetic_force:
+            kinetic = friction.kinetic_force
+            reason = f"the static force is less than the kinetic one, {kinetic!r} N; it is never less"
             yield Problem(("frictions", name, "static"), reason, friction.static)
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, offset
+from trimmer.contact.curve_forces import force_signal, stored_energy
 from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
 from trimmer.contact.readouts import contact_force
@@ -158,6 +159,10 @@ class _Balance:
         for link in self.mechanism.links.values():
             start, end = link.between
             energy += 0.5 * link.stiffness * ((self.rows[end][0] - self.rows[start][0]) @ state) ** 2
+        machine = self.course.modes.system.machine
+        for curve, (section, _) in enumerate(self.course.modes.system.layout.curves):
+            if section == "links":
+                energy += stored_energy(machine, curve, state)
         for contact, stiffness in enumerate(self.course.modes.system.machine.stiffness):
             energy += 0.5 * stiffness * (self.stretch(contact)(mode) @ state) ** 2
         return float(energy)
@@ -209,6 +214,7 @@ class _Balance:
         friction = self.mechanism.frictions[name]
         speeds = self.rate(*friction.between)
         lost = friction.viscous * self.integral(speeds**2)
+        lost += self.integral(self.of(force_signal(self.course.modes, "frictions", name)) * speeds)
         if name in self.course.modes.system.layout.frictions:
             number = self.course.modes.system.layout.frictions.index(name)
             contacts = len(self.course.modes.system.machine.stiffness)
@@ -236,15 +242,18 @@ class _Balance:
         """Ends and tension at the nodes, N, of each part."""
         mechanism, layout = self.mechanism, self.course.modes.system.layout
         found = []
-        for link in mechanism.links.values():
+        modes = self.course.modes
+        for name, link in mechanism.links.items():
             start, end = link.between
             stretch = self.at_nodes(self.rows[end][0] - self.rows[start][0])
-            found.append((link.between, link.stiffness * stretch + link.damping * self.rate(start, end)))
+            tension = link.stiffness * stretch + link.damping * self.rate(start, end)
+            found.append((link.between, tension + self.of(force_signal(modes, "links", name))))
         contacts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
         for number, name in enumerate(layout.contacts):
             found.append((contacts[name].between, self.of(contact_force(self.course.modes, number))))
         for name, friction in mechanism.frictions.items():
             tension = friction.viscous * self.rate(*friction.between)
+            tension = tension + self.of(force_signal(modes, "frictions", name))
             if name in layout.frictions:
                 tension = tension + self.dry[name]
             found.append((friction.between, tension))

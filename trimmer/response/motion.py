@@ -13,6 +13,7 @@ from trimmer.arguments import real_values
 from trimmer.arrays import Integers, Reals
 from trimmer.choices import Choice
 from trimmer.contact import statuses
+from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
@@ -213,7 +214,13 @@ class MechanismMotion(Motion):
         frictions = self.course.modes.system.layout.frictions
         _require("friction", name, frictions)
         number = frictions.index(name)
-        return self._at(times, lambda rows, states: dry_forces(self.course, rows, states)[:, number])
+        return self._at(
+            times,
+            lambda rows, states: (
+                dry_forces(self.course, rows, states)[:, number]
+                + curve_forces(self.course, "frictions", name, rows, states)
+            ),
+        )
 
     @property
     def final(self) -> Mapping[str, tuple[float, ...]]:

@@ -192,10 +192,18 @@ class _Drawing:
         """Write name and main number of a part above and below it."""
         part = getattr(self.mechanism, run.joint.section)[run.joint.name]
         number = {
-            "links": lambda: shown(part.stiffness, "N/m") if part.stiffness else shown(part.damping, "N s/m"),
+            "links": lambda: (
+                "curve"
+                if part.curve
+                else shown(part.stiffness, "N/m")
+                if part.stiffness
+                else shown(part.damping, "N s/m")
+            ),
             "plays": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
             "stops": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
-            "frictions": lambda: shown(part.force, "N") if part.force else shown(part.viscous, "N s/m"),
+            "frictions": lambda: (
+                shown(part.kinetic_force, "N") if part.kinetic_force else shown(part.viscous, "N s/m")
+            ),
         }[run.joint.section]()
         name = plain_label("\n".join(textwrap.wrap(run.joint.name, 16, max_lines=2, placeholder="…")))
         self.axes.text(x, y + 0.24, name, ha="center", va="bottom", fontsize=SMALL, linespacing=0.9)

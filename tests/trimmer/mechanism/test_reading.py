@@ -89,6 +89,13 @@ CASES = {
     },
     ", force = 1": {
         "": "line 12: frictions.rub.force: missing; add force = 0.5",
+        ", force = 1, curve = [[0, 1]]": "line 12: frictions.rub.force = 1: the curve gives the kinetic",
+        ", curve = 3": "line 12: frictions.rub.curve = 3: give at least one point [speed in",
+        ", curve = [[0, 1], [2]]": "give at least one point [speed in m/s and force in N], as in [[0.0, 1.0]",
+        ", curve = [[1, 1]]": "line 12: frictions.rub.curve.1.speed = 1.0: the curve of a friction begins at",
+        ", curve = [[0, 1], [1, -1]]": "line 12: frictions.rub.curve.2.force = -1: must be zero or greater",
+        ", curve = [[0, 1], ['2 m', 1]]": "rub.curve.2.speed = '2 m': 'm' does not measure what m/s does",
+        ", curve = [[0, 1]], static = 0.5": "line 12: frictions.rub.static = 0.5: the static force is less",
     },
     '["a", "b"]': {
         '["a", "c"]': "line 12: frictions.rub.between = ['a', 'c']: there is no body or pin 'c'",
@@ -145,6 +152,9 @@ CASES = {
         "a = [0, false]": "line 18: start.a = [0, False]: give a number, in m/s",
     },
     "stiffness = 3": {
+        "curve = [[0, 1]]": "line 8: links.mount.curve = [[0, 1]]: give at least two points [elongation in",
+        "curve = [[0, 1], [0, 2]]": "line 8: links.mount.curve.2.elongation = 0.0: the elongation must rise",
+        "curve = [[0, nan], [1, 2]]": "line 8: links.mount.curve.1.force = nan: must be finite",
         'symbol = "\\\\input"': "links.mount.symbol = '\\\\input': a symbol is a letter",
         'symbol = "c_1"': "the symbol c_1 is taken twice",
     },
