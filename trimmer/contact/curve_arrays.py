@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.mechanism.curves import curves_of
 from trimmer.mechanism.parts import GROUND
 
 if TYPE_CHECKING:
@@ -30,7 +29,7 @@ class Segments(NamedTuple):
 
 def curve_arrays(mechanism: Mechanism, rows: Rows) -> dict[str, Any]:
     """Return the arrays of a machine for its curves: see ``Machine``."""
-    names = curves_of(mechanism)
+    names = rows.layout.curves
     parts = [(section, getattr(mechanism, section)[name]) for section, name in names]
     forces = [
         of_link(part.curve) if section == "links" else of_friction(part.curve) for section, part in parts

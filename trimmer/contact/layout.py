@@ -16,7 +16,6 @@ import numpy as np
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
-from trimmer.mechanism.curves import curves_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
 
@@ -217,6 +216,12 @@ def layout_of(
     )
     rows = Rows(mechanism, layout)
     return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
+
+
+def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:
+    """Return section and name of the parts of a mechanism that have a curve."""
+    found = ((section, getattr(mechanism, section)) for section in ("links", "frictions"))
+    return tuple((section, name) for section, parts in found for name, part in parts.items() if part.curve)
 
 
 def moves(part: Pin | Force) -> bool:

@@ -10,12 +10,12 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.frame import frame_of
+from trimmer.contact.layout import curves_of
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
-from trimmer.mechanism.curves import curves_of
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link, Play, Stop

@@ -6,14 +6,11 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trimmer.mechanism.parts import Curve, Friction, Link
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, VELOCITY, NumberField, Range
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 FORCE = NumberField("N", "500 mN")
 
@@ -127,12 +124,6 @@ def with_value_at(part: Link | Friction, point: str, key: str, value: float) -> 
     points = [list(each) for each in part.curve]
     points[int(point) - 1][FORMS[type(part)].keys.index(key)] = value
     return taken(points, FORMS[type(part)])
-
-
-def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:
-    """Return section and name of the parts of a mechanism that have a curve."""
-    found = ((section, getattr(mechanism, section)) for section in ("links", "frictions"))
-    return tuple((section, name) for section, parts in found for name, part in parts.items() if part.curve)
 
 
 def is_odd(curve: Curve) -> bool:
