@@ -136,6 +136,11 @@ def motion_map() -> trimmer.MotionMap:
 
 
 @cache
+def swept() -> trimmer.maps.Sweep:
+    return trimmer.maps.sweep(impact_oscillator(), "frequency", 1.1, 1.3, steps=2, periods=20, quiet=True)
+
+
+@cache
 def basin() -> trimmer.maps.Basin:
     values = {"mass.displacement": [-25.0, 0.0, 12.0], "mass.velocity": [-100.0, 0.0, 100.0]}
     return trimmer.basin(impact_oscillator(), values, runner=SerialRunner(), quiet=True)

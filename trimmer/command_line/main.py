@@ -19,7 +19,7 @@ from trimmer.command_line import completion, derive, parameters, simulate
 from trimmer.command_line.command import Command
 from trimmer.command_line.help_text import EXIT_CODES, HelpText, epilog
 from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
-from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample
+from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample, sweep
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.command_line.signals import fit, overlay, spectrum
@@ -34,7 +34,7 @@ ENTRY_POINT_GROUP = "trimmer.commands"
 _OWN = (
     *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
     *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
-    *(init.COMMAND, respond.COMMAND, follow.COMMAND, motion_maps.COMMAND, sample.COMMAND),
+    *(init.COMMAND, respond.COMMAND, follow.COMMAND, sweep.COMMAND, motion_maps.COMMAND, sample.COMMAND),
     fit.COMMAND,
     *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
 )

@@ -23,7 +23,7 @@ PICTURES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "elements": ("describing_function",),
         "fitting": ("signals.fit",),
         "linear": ("frequency_response", "time_response"),
-        "maps": ("mechanisms.curves", "mechanisms.motion_map"),
+        "maps": ("mechanisms.curves", "mechanisms.motion_map", "mechanisms.sweep"),
         "loops": ("loop_motion",),
         "orbits": ("orbit",),
         "response": ("mechanisms.motions", "mechanisms.response"),

@@ -93,7 +93,7 @@ def settle(flow: Flow, begin: Instant, most_periods: int) -> Settled:
             return settled
     before = following.instant
     settled = following.on(compared)
-    return settled or _beside(following, before, compared)
+    return settled or beside(flow, following.states, before, following.instant, compared)
 
 
 def _looks(periods: int) -> list[int]:
@@ -154,7 +154,7 @@ class _Following:
 
     def _solve(self) -> Orbit | None:
         """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on."""
-        count, difference = _recurrence(self.states)
+        count, difference = recurrence(self.states)
         if difference >= PROGRESS * self.tried:
             return None
         self.tried = difference
@@ -186,7 +186,7 @@ def orbit_near(flow: Flow, instant: Instant, periods: int) -> Orbit | None:
         instant, periods = orbit.instant, orbit.period_count
 
 
-def _recurrence(states: Reals) -> tuple[int, float]:
+def recurrence(states: Reals) -> tuple[int, float]:
     """Return after how many periods the last state nearly repeats, and how nearly, relative to sizes."""
     back = states[-2 : -2 - MOST_REPEATS : -1]
     differences = (abs(back - states[-1]) / strobed_sizes(states[-2 * MOST_REPEATS :])).max(axis=1)
@@ -195,10 +195,17 @@ def _recurrence(states: Reals) -> tuple[int, float]:
     return count + 1, float(differences[count])
 
 
-def _beside(following: _Following, before: Instant, compared: int) -> Settled:
-    """Follow a neighbour over the last drive periods of a motion, and say what can be said."""
-    flow, periods, end = following.flow, len(following.states) - 1, following.instant
-    states = following.states[-1 - compared :]
+def beside(flow: Flow, every: Reals, before: Instant, end: Instant, compared: int) -> Settled:
+    """Follow a neighbour over the last drive periods of a motion, and say what can be said.
+
+    Args:
+        flow: What moves.
+        every: Its states at the start of each drive period, (periods + 1, n); leaders are at 0.
+        before: Where the last periods begin.
+        end: Where they end.
+        compared: Their number.
+    """
+    periods, states = len(every) - 1, every[-1 - compared :]
     sizes = strobed_sizes(states)
     neighbour = flow.strobe(flow.at(before.state + APART * sizes, like=before), compared)
     if neighbour.ending is not Ending.REACHED_END:

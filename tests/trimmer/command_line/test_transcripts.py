@@ -21,7 +21,7 @@ from trimmer.command_line.parser import WRONG_USE
 
 WITH_JSON = {
     **{name: f"trimmer {name}" for name in ("linear", "limit-cycles", "identify", "orbits", "spectrum")},
-    **{name: f"trimmer {name}" for name in ("overlay", "respond", "follow", "map", "fit")},
+    **{name: f"trimmer {name}" for name in ("overlay", "respond", "follow", "sweep", "map", "fit")},
     "simulate-loops": "trimmer simulate",
     "simulate": "trimmer simulate, of a mechanism",
 }

@@ -26,7 +26,7 @@ def as_text(branch: FollowedBranch, harmonics: int | None) -> str:
 
 def as_json(branch: FollowedBranch, harmonics: int | None) -> str:
     """Return a branch as JSON; arguments are those of ``as_text``."""
-    return document(_content(branch, harmonics))
+    return document(branch_json(branch, harmonics))
 
 
 def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[str]:
@@ -95,7 +95,8 @@ def _balance(branch: FollowedBranch, harmonics: int) -> str:
     )
 
 
-def _content(branch: FollowedBranch, harmonics: int | None) -> dict[str, object]:
+def branch_json(branch: FollowedBranch, harmonics: int | None = None) -> dict[str, object]:
+    """Return a branch as data for JSON; arguments are those of ``as_text``."""
     return {
         "place": branch.map.place,
         "unit": branch.unit,
@@ -107,7 +108,7 @@ def _content(branch: FollowedBranch, harmonics: int | None) -> dict[str, object]
         "parted": None if branch.parted is None else _special(branch.parted),
         "points": [_point(point, harmonics) for point in branch.points],
         "special": [_special(each) for each in branch.special],
-        "branches": [_content(other, harmonics) for other in branch.branches],
+        "branches": [branch_json(other, harmonics) for other in branch.branches],
     }
 
 

@@ -1,0 +1,92 @@
+"""Run-up and coast-down: closed forms, folds that are known, one motion that goes on, and refusals."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.trimmer.response.mechanisms import example
+from trimmer import Body, Force, Link, Mechanism, Output, Stop, TrimmerError, follow, respond, simulate
+from trimmer.maps import sweep
+
+LINEAR = Mechanism(
+    frequency=3.0,
+    bodies={"mass": Body(mass=2.0)},
+    links={"spring": Link(("ground", "mass"), stiffness=800.0, damping=8.0)},
+    stops={"far": Stop(("ground", "mass"), stiffness=1e4, damping=0.0, gap=10.0)},
+    forces={"drive": Force("mass", amplitude=5.0)},
+    outputs={"x": Output({"mass": 1.0})},
+)
+
+
+def test_a_linear_machine_follows_its_frequency_response() -> None:
+    swept = sweep(LINEAR, "frequency", 2.0, "4 Hz", steps=4, periods=80, back=True)
+    assert swept.success
+    assert swept.unit == "Hz"
+    assert [point.value for point in swept.points] == [2.0, 2.5, 3.0, 3.5, 4.0, 3.5, 3.0, 2.5, 2.0]
+    for point in swept.points:
+        omega = 2 * math.pi * point.value
+        amplitude = 5.0 / abs(800.0 - 2.0 * omega**2 + 8.0j * omega)
+        (found,) = point.motion.outputs.values()
+        assert (point.motion.kind.word, point.motion.periods) == ("periodic", 1)
+        assert found.peak_to_peak == pytest.approx(2 * amplitude, rel=1e-7)
+        assert found.rms == pytest.approx(amplitude / math.sqrt(2), rel=1e-7)
+        assert found.lines[0][:2] == (1, 1)
+        assert found.lines[0][2] == pytest.approx(amplitude, rel=1e-7)
+        assert found.spectrum[32] == pytest.approx(amplitude, rel=1e-4)
+    assert (swept.jumps, swept.hysteresis) == ((), ())
+
+
+def test_the_way_up_and_the_way_back_jump_at_the_folds_of_the_branch() -> None:
+    """A published example of pyHarm: folds at 8.566393659 and 6.9976281194 rad/s, digits of mechanism.md."""
+    swept = sweep(example("oscillator-stop"), "frequency", 1.0, 1.4, steps=8, periods=100, back=True)
+    up, down = swept.jumps
+    assert up.before < 8.566393659 / (2 * math.pi) < up.after
+    assert down.after < 6.9976281194 / (2 * math.pi) < down.before
+    assert up.change < 0 < down.change
+    assert (swept.points[up.point].value, swept.points[down.point].back) == (1.4, True)
+    (differ,) = swept.hysteresis
+    assert (differ.lowest, differ.highest) == (pytest.approx(1.15), pytest.approx(1.35))
+    branch = follow(example("oscillator-stop"), "frequency", 1.0, 1.4)
+    folds = sorted(each.value for each in branch.special if each.kind.word == "fold")
+    assert down.after < folds[0] < down.before < up.before < folds[1] < up.after
+
+
+def test_what_is_varied_without_effect_leaves_one_motion() -> None:
+    swept = sweep(LINEAR, "stops.far.stiffness", 1e4, 2e4, steps=1, periods=6)
+    motion = simulate(LINEAR, 12 / 3.0)
+    for number, point in enumerate(swept.points):
+        times = np.linspace((6 * number + 3) / 3.0, (6 * number + 6) / 3.0, 20_001)
+        (found,) = point.motion.outputs.values()
+        assert found.peak_to_peak == pytest.approx(np.ptp(motion.output("x", times)), rel=1e-6)
+        assert found.mean == pytest.approx(np.trapezoid(motion.output("x", times), times), rel=1e-5)
+
+
+def test_what_is_carried_along_is_measured_without_its_advance() -> None:
+    swept = sweep(example("conveyor"), "forces.exciter.amplitude", 200.0, 210.0, steps=1, periods=400)
+    settled = respond(example("conveyor").with_value("forces.exciter.amplitude", 210.0)).motion
+    last = swept.points[-1].motion
+    assert last.kind is settled.kind
+    for name, found in last.outputs.items():
+        assert found.advance == pytest.approx(settled.advance[name], rel=1e-6, abs=1e-12)
+        assert found.peak_to_peak == pytest.approx(settled.peak_to_peak[name], rel=1e-3)
+
+
+REFUSED = {
+    "no drive": ("block-on-belt", "frictions.rubbing.force", 0.1, 0.2, {}, "no drive"),
+    "one value": ("oscillator-stop", "frequency", 1.0, "1 Hz", {}, "no length"),
+    "a start": ("oscillator-stop", "start.mass", 1.0, 2.0, {}, "begins once"),
+    "whole numbers": ("oscillator-stop", "forces.drive.order", 1, 3, {}, "whole numbers"),
+    "no place": ("oscillator-stop", "stops.stop.gab", 1.0, 2.0, {}, "gap"),
+    "no step": ("oscillator-stop", "frequency", 1.0, 2.0, {"steps": 0}, "steps"),
+    "one period": ("oscillator-stop", "frequency", 1.0, 2.0, {"periods": 1}, "periods"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_cannot_be_varied_is_refused(case: str) -> None:
+    name, place, start, stop, settings, sentence = REFUSED[case]
+    with pytest.raises((TrimmerError, ValueError), match=sentence):
+        sweep(example(name), place, start, stop, **settings)

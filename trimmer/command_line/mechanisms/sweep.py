@@ -1,0 +1,141 @@
+"""``trimmer sweep``: run-up and coast-down of a mechanism or a loop, as on a test bench."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.loops.motion_options import add_impulse_option, start_of_loop
+from trimmer.command_line.number_options import positive_whole
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
+from trimmer.command_line.patience import patience
+from trimmer.command_line.state_option import add_state_option, chosen_state
+from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
+
+if TYPE_CHECKING:
+    from trimmer.loops.trimmer_loop import TrimmerLoop
+    from trimmer.maps.swept import Sweep
+    from trimmer.mechanism.mechanism import Mechanism
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_system_options(parser)
+    add_impulse_option(parser)
+    add_state_option(parser)
+    parser.add_argument(
+        "--vary", required=True, metavar="PLACE", help="the number to vary, such as frequency"
+    )
+    parser.add_argument(
+        "--from",
+        required=True,
+        dest="start",
+        metavar="A",
+        help="first value, in SI units (Hz for a frequency) or with a unit",
+    )
+    parser.add_argument("--to", required=True, dest="stop", metavar="B", help="last value")
+    parser.add_argument(
+        "--back",
+        action="store_true",
+        help="go back to A too: where the ways differ, and where each jumps, is told",
+    )
+    parser.add_argument(
+        "--steps",
+        type=positive_whole,
+        default=100,
+        metavar="N",
+        help="equal steps from A to B, both of which are among the N + 1 values (default: 100)",
+    )
+    parser.add_argument(
+        "--periods",
+        type=positive_whole,
+        default=200,
+        metavar="N",
+        help="drive periods at each value, of which the second half is measured (default: 200)",
+    )
+    parser.add_argument(
+        "--branch",
+        action="store_true",
+        help="follow the exact periodic motions from A to B beside it, stable or not, as trimmer follow does",
+    )
+    add_json_option(parser)
+    add_plot_option(parser, "peak to peak both ways, and waterfalls over orders of the drive,")
+    add_overwrite_option(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.mechanisms.sweep_text import as_json, as_text
+
+    check_targets(arguments, {"plot": PICTURES}, SOURCES)
+    if arguments.periods < 2:
+        raise OptionError(f"--periods {arguments.periods}: give a whole number from 2 on")
+    system = chosen_system(arguments)
+    with patience():
+        swept = _swept(arguments, system)
+    _draw(arguments, swept)
+    show((as_json if arguments.json else as_text)(swept), arguments.plot)
+    if swept.success:
+        return 0
+    tell(swept.message)
+    return ENDED_EARLY
+
+
+def _swept(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Sweep:
+    from trimmer.maps.run_up import sweep
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.place_text import parse_place
+    from trimmer.mechanism.places import assignment
+
+    parse_place(arguments.vary)
+    (place, start), (_, stop) = (
+        assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
+    )
+    state: Mapping[str, Any] | None
+    if isinstance(system, Mechanism):
+        state = chosen_state(arguments.state, system)
+    else:
+        state = start_of_loop(arguments, system)
+    try:
+        return sweep(
+            system,
+            place,
+            start,
+            stop,
+            steps=arguments.steps,
+            periods=arguments.periods,
+            back=arguments.back,
+            state=state,
+            branch=arguments.branch,
+        )
+    except ValueError as error:
+        raise OptionError(str(error)) from error
+
+
+def _draw(arguments: Namespace, swept: Sweep) -> None:
+    if arguments.plot is not None:
+        from trimmer.drawing.mechanisms.sweep import sweep_figure
+
+        write_picture(arguments, sweep_figure(swept))
+
+
+COMMAND = Command(
+    "sweep",
+    "run-up and coast-down over any number: jumps, hysteresis, waterfall over orders",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer sweep examples/oscillator-stop.toml --vary frequency --from 1 --to 1.4 --steps 8 --back",
+            "where an oscillator with a stop jumps as its drive runs up from 1 Hz to 1.4 Hz, and down again",
+        ),
+        Example(
+            "trimmer sweep examples/thesis-play.toml --vary frequency --from 100 --to 110 --steps 4 "
+            "--periods 100 --plot waterfall.svg",
+            "the trimmer with play from 100 Hz to 110 Hz; and its orders as a picture",
+        ),
+    ),
+)
+"""The subcommand ``trimmer sweep``."""

@@ -1,0 +1,92 @@
+"""The picture of a sweep: peak to peak both ways beside the exact branch, and a waterfall over orders."""
+
+from __future__ import annotations
+
+from itertools import groupby
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from trimmer.drawing.axes import finish
+from trimmer.drawing.cells import edges
+from trimmer.drawing.content import head, new_figure
+from trimmer.drawing.dispatch import draw
+from trimmer.drawing.look import BLACK, FAINT, STABLE, UNSTABLE, colour
+from trimmer.drawing.units import name_axis
+from trimmer.maps.plateau import ORDERS
+from trimmer.maps.swept import Sweep, SweepPoint
+
+WIDTH, HEIGHT = 7.2, 3.6
+RANGE = 60.0
+"""Decibels below the largest line that a waterfall shows."""
+WAYS = ((False, "run-up", "o"), (True, "way back", "v"))
+
+
+def sweep_figure(sweep: Sweep, output: str | None = None) -> Figure:
+    """Draw peak to peak of an output, and below it a waterfall of each way."""
+    legs = sweep.legs()
+    figure = new_figure(WIDTH, HEIGHT * (1 + len(legs)))
+    first, *others = figure.subplots(1 + len(legs), sharex=True)
+    draw_sweep(sweep, first, output)
+    for axes, leg, (_, way, _) in zip(others, legs, WAYS, strict=False):
+        _draw_waterfall(sweep, axes, sweep.output(output), leg)
+        axes.set_title(way, fontsize="small")
+    head(figure, getattr(sweep.subject, "title", ""))
+    return figure
+
+
+@draw.register(Sweep)
+def draw_sweep(sweep: Sweep, axes: Axes, output: str | None = None) -> None:
+    """Draw peak to peak of an output over the number that is varied."""
+    name = sweep.output(output)
+    if sweep.branch is not None:
+        _draw_branch(sweep, axes, name)
+    for number, (leg, (_, way, mark)) in enumerate(zip(sweep.legs(), WAYS, strict=False)):
+        sizes = [point.peak_to_peak(name) for point in leg]
+        values = [point.value for point in leg]
+        axes.plot(
+            values, sizes, mark, markersize=3, fillstyle="none", linestyle="", color=colour(number), label=way
+        )
+    for jump in sweep.jumps:
+        if jump.output == name:
+            axes.axvline(0.5 * (jump.before + jump.after), **FAINT, label="jump")
+    finish(axes, (sweep.place, sweep.unit), (f"{name}, peak to peak", sweep.units[name]))
+
+
+def _draw_branch(sweep: Sweep, axes: Axes, name: str) -> None:
+    """Draw the exact motions: stable stretches solid, others dashed."""
+    assert sweep.branch is not None
+    for branch in sweep.branch.all():
+        for stable, group in groupby(enumerate(branch.points), key=lambda each: each[1].stable):
+            places = [place for place, _ in group]
+            part = branch.points[max(places[0] - 1, 0) : places[-1] + 1]
+            axes.plot(
+                [point.value for point in part],
+                [point.outputs[name].peak_to_peak for point in part],
+                color=BLACK,
+                linewidth=0.8,
+                linestyle=STABLE if stable else UNSTABLE,
+                label=f"exact, {'stable' if stable else 'unstable'}",
+            )
+
+
+def _draw_waterfall(sweep: Sweep, axes: Axes, name: str, leg: tuple[SweepPoint, ...]) -> None:
+    """Draw amplitudes over value and order, in decibels of the largest one."""
+    seen = [point for point in leg if name in point.motion.outputs]
+    if seen:
+        order = np.argsort([point.value for point in seen])
+        values = np.array([seen[place].value for place in order])
+        sizes = np.array([seen[place].motion.outputs[name].spectrum for place in order]).T
+        largest = sizes.max() or 1.0
+        decibels = 20.0 * np.log10(np.maximum(sizes / largest, 10.0 ** (-RANGE / 20.0)))
+        steps = np.linspace(0.0, ORDERS, len(sizes))
+        mesh = axes.pcolormesh(
+            edges(values), edges(steps), decibels, cmap="magma", vmin=-RANGE, vmax=0.0, rasterized=True
+        )
+        figure = axes.get_figure(root=True)
+        assert figure is not None
+        figure.colorbar(mesh, ax=axes, label=f"{name}, dB of {largest:.3g} {sweep.units[name]}".rstrip())
+    axes.set_ylim(0.0, ORDERS)
+    axes.set_ylabel("order of the drive")
+    name_axis(axes.xaxis, sweep.place, sweep.unit)

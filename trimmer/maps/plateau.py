@@ -1,0 +1,152 @@
+"""One plateau of a sweep: some drive periods at one value, of which the second half is measured."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.maps.settle import RETURNING, beside, on_orbit, orbit_near, recurrence, strobed_sizes
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
+from trimmer.motion.measures import Measures
+from trimmer.motion.signals import read
+from trimmer.response.recurrence import NEAR, has_returned
+from trimmer.response.response import MotionKind
+
+ORDERS = 10
+"""Multiples of the drive up to which a spectrum goes."""
+SAMPLES = 64
+"""Samples of a drive period, for the spectrum."""
+SEGMENT = 32
+"""Drive periods of a spectrum, at most."""
+STEADY = 1e-9
+"""Share of its size by which a state may miss its return and yet repeat."""
+
+
+@dataclass(frozen=True, eq=False)
+class SweptOutput:
+    """What an output does over the second half of a plateau, in its unit.
+
+    Attributes:
+        peak_to_peak: Largest less smallest.
+        rms: Root of the mean square about the mean.
+        mean: Its mean.
+        advance: Shift over the period of the motion, or over a drive period where it does not repeat.
+        lines: p, k and amplitude of the lines at p/k of the drive.
+        spectrum: Amplitudes at even steps from 0 to ``ORDERS`` times the drive, with a Hann window, (lines,).
+    """
+
+    peak_to_peak: float
+    rms: float
+    mean: float
+    advance: float
+    lines: tuple[tuple[int, int, float], ...]
+    spectrum: Reals
+
+
+@dataclass(frozen=True, eq=False)
+class Plateau:
+    """What moves at one value of a sweep.
+
+    Attributes:
+        kind: Kind of motion over the second half.
+        periods: Drive periods after which it repeats; None if it does not, or rests.
+        measured: Drive periods that were measured; 0 if the motion ended before.
+        outputs: What each output does; none if the motion ended before.
+        impact_speed: Largest speed at which sides of contacts meet, m/s; 0 without impacts.
+        ending: Why the motion ends.
+    """
+
+    kind: MotionKind
+    periods: int | None
+    measured: int
+    outputs: Mapping[str, SweptOutput]
+    impact_speed: float
+    ending: Ending
+
+
+def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:
+    """Go on for some drive periods, at least 2; returns what was measured, and where the motion ends.
+
+    Where it repeats to ``STEADY`` over the second half, one of its periods stands for all.
+    """
+    half = periods // 2
+    first = flow.strobe(begin, periods - half)
+    second = flow.strobe(first.end, half) if first.ending is Ending.REACHED_END else first
+    if second.ending is not Ending.REACHED_END:
+        return _ended(second.ending), second.end
+    states = flow.reduced(np.concatenate([first.states, second.states[1:]]))
+    kind, count = _kind(flow, states, first.end, second.end, half)
+    repeats = count or 1
+    apart = abs(states[-1 - half + repeats :] - states[-1 - half : -repeats]) / strobed_sizes(states)
+    measured = repeats if apart.max() < STEADY else half - half % repeats
+    start = first.end if measured == half else flow.strobe(first.end, half - measured).end
+    course = flow.course(start, measured)
+    speed = float(flow.impact_speeds(course).max(initial=0.0))
+    outputs = _outputs(*flow.travelling(course), repeats, measured, min(half, SEGMENT))
+    return Plateau(kind, count, measured, outputs, speed, course.ending), second.end
+
+
+def _ended(ending: Ending) -> Plateau:
+    kind = MotionKind.DIVERGING if ending is Ending.DIVERGED else MotionKind.UNDECIDED
+    return Plateau(kind, None, 0, {}, 0.0, ending)
+
+
+def _kind(
+    flow: Flow, states: Reals, middle: Instant, end: Instant, half: int
+) -> tuple[MotionKind, int | None]:
+    """Return the kind of a motion, and after how many drive periods it repeats.
+
+    It is periodic if an exact orbit is near that is stable, or on which it is to rounding: what is left of
+    the start may still be dying out.
+    """
+    count, difference = recurrence(states)
+    orbit = orbit_near(flow, end, count) if difference < RETURNING else None
+    if orbit is not None:
+        apart = abs(states[-1] - flow.reduced(orbit.instant.state)) / orbit.sizes
+        neutral = orbit.neutral and has_returned(states, orbit.sizes, orbit.periods)
+        if apart.max() < NEAR and (orbit.stable or neutral):
+            kind = on_orbit(orbit, len(states) - 1).kind
+            return kind, None if kind is MotionKind.REST else orbit.period_count
+    return beside(flow, states, middle, end, half).kind, None
+
+
+def _outputs(
+    flow: Flow, course: Course, count: int, measured: int, segment: int
+) -> Mapping[str, SweptOutput]:
+    spectra = _spectra(flow, course, measured, segment)
+    measures = Measures(course, flow, count, measured).outputs
+    return {
+        name: SweptOutput(
+            each.peak_to_peak,
+            each.rms,
+            each.mean,
+            each.advance * count / measured,
+            tuple(each.lines),
+            spectra[:, place],
+        )
+        for place, (name, each) in enumerate(measures.items())
+    }
+
+
+def _spectra(flow: Flow, course: Course, measured: int, segment: int) -> Reals:
+    """Return amplitudes over orders of all outputs, (lines, outputs); a line at one has its own height.
+
+    Args:
+        flow: What moves.
+        course: Its motion.
+        measured: Drive periods that this lasts.
+        segment: Drive periods of the spectrum; a motion that lasts less repeats.
+    """
+    seen, count = min(measured, segment), segment * SAMPLES
+    times = course.duration * (1.0 - seen / measured * (1.0 - np.arange(seen * SAMPLES) / (seen * SAMPLES)))
+    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    samples = read(course, flow.outputs.values(), rows, course.states(times))
+    samples = np.resize(samples - samples.mean(axis=0), (count, samples.shape[1]))
+    window = 1.0 - np.cos(2 * np.pi * np.arange(count) / count)
+    waves = np.fft.rfft(samples * window[:, None], axis=0)
+    return np.asarray(2.0 * abs(waves[: ORDERS * segment + 1]) / count)

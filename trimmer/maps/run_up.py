@@ -1,0 +1,131 @@
+"""``sweep``: run-up and coast-down, as on a test bench, in equal steps of so many drive periods."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.arguments import whole_number
+from trimmer.branches.follow import follow, require_continuous
+from trimmer.errors import MapError
+from trimmer.hybrid.advance import Ending
+from trimmer.maps.jumps import jumps
+from trimmer.maps.plateau import Plateau, dwell
+from trimmer.maps.swept import Sweep, SweepPoint
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.progress import progress_bar
+from trimmer.response.flows import called, flow_of, require_subject
+from trimmer.response.forced_orbit import require_repeating
+from trimmer.response.starts import instant_of
+
+if TYPE_CHECKING:
+    from trimmer.hybrid.advance import Instant
+    from trimmer.loops.loops import Loop
+    from trimmer.motion.flow import Flow
+    from trimmer.response.starts import Start
+
+
+def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a default)
+    mechanism: Mechanism | Loop,
+    place: str,
+    start: float | str,
+    stop: float | str,
+    *,
+    steps: int = 100,
+    periods: int = 200,
+    back: bool = False,
+    state: Start = None,
+    branch: bool = False,
+    quiet: bool = False,
+) -> Sweep:
+    """Vary a number in equal steps while the motion goes on: run-up, and coast-down.
+
+    At each value the motion goes on for some drive periods from the state before, and is measured over the
+    second half of them. A drive goes on with its phase. Where a number changes the place of a contact or the
+    speed of a pin, displacements and velocities of the bodies stay as they are.
+
+    Args:
+        mechanism: The mechanism or loop; it has a drive.
+        place: Dotted place of the number, such as ``frequency``.
+        start: First value in SI units (Hz for a frequency), or text with its unit.
+        stop: Last value.
+        steps: Equal steps between them, so that there are ``steps`` + 1 values.
+        periods: Drive periods at each value, at least 2.
+        back: Whether to go back to the first value too.
+        state: Where the motion begins; rest, or the start of the mechanism, if not given.
+        branch: Whether to follow the exact periodic motions over the same interval, stable or not.
+        quiet: Show no progress bar.
+
+    Returns:
+        The sweep. It ends before its time where the motion does, as where it grows without bound.
+
+    Raises:
+        MechanismError, LoopError: if there is no such number, or it cannot have these values.
+        MapError: if there is no drive, or the number is a start.
+        UnsupportedMotionError: if the motion never repeats, because a pin goes on for ever and pulls.
+        ValueError: if a number is out of its range.
+    """
+    require_subject(mechanism)
+    whole_number("steps", steps, 1)
+    whole_number("periods", periods, 2)
+    values = _values(mechanism, place, start, stop, steps)
+    ways = [False] * len(values) + [True] * (len(values) - 1) * back
+    values = [*values, *values[-2::-1]] if back else values
+
+    def flow_at(value: float) -> Flow:
+        return flow_of(mechanism.with_value(place, value))
+
+    def step(last: float, value: float, instant: Instant) -> tuple[Plateau, Instant]:
+        new = flow_at(value)
+        return dwell(new, carried(flow_at(last), instant, new), periods)
+
+    plateaus: list[Plateau] = []
+    ends: list[Instant] = []
+    for number in progress_bar(range(len(values)), "steps", quiet=quiet):
+        if number:
+            plateau, end = step(values[number - 1], values[number], ends[-1])
+        else:
+            plateau, end = _first(flow_at(values[0]), state, periods)
+        plateaus.append(plateau)
+        ends.append(end)
+        if plateau.ending is not Ending.REACHED_END:
+            break
+    jumped = jumps(list(flow_at(values[0]).outputs), values, plateaus, ends, step)
+    points = tuple(map(SweepPoint, values, ways, plateaus))
+    followed = follow(mechanism, place, *values[0 : steps + 1 : steps]) if branch else None
+    return Sweep(mechanism, place_text(parse_place(place)), steps, periods, back, points, jumped, followed)
+
+
+def _first(flow: Flow, state: Start, periods: int) -> tuple[Plateau, Instant]:
+    require_repeating(flow)
+    return dwell(flow, instant_of(flow, state), periods)
+
+
+def _values(
+    mechanism: Mechanism | Loop, place: str, start: float | str, stop: float | str, steps: int
+) -> list[float]:
+    """Return the values of a sweep, in SI units, once all was checked that can be without a motion."""
+    if parse_place(place)[0] == "start":
+        raise MapError(
+            f"{place}: a sweep begins once; vary a number of the {called(mechanism)}, or use a map"
+        )
+    begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
+    if mechanism.frequency is None:
+        raise MapError(
+            f"the {called(mechanism)} has no drive, so that there are no periods to count: give it a "
+            "frequency, or follow its own motion (trimmer follow)"
+        )
+    if begin == end:
+        raise MapError(f"{place}: the interval has no length, from {begin:.10g} to {end:.10g}")
+    require_continuous(place)
+    return np.linspace(begin, end, steps + 1).tolist()  # type: ignore[no-any-return]
+
+
+def carried(flow: Flow, instant: Instant, new: Flow) -> Instant:
+    """Return the instant at which another number comes in: states stay, and contacts are decided anew."""
+    if flow.names == new.names:
+        return new.at(instant.state)
+    known = dict(zip(flow.names, instant.state.tolist(), strict=True))
+    return new.at(np.array([known.get(name, 0.0) for name in new.names]), stretched=False)
