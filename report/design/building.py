@@ -13,6 +13,7 @@ from report.cache.libraries import libraries
 from report.cache.stage_store import StageStore
 from report.design.report import DesignReport
 from report.pages.formats import Format, Paper
+from trimmer.deadline import NEVER, Deadline
 from trimmer.design.design import Design, Study, Told
 from trimmer.design.design_file import DesignFile
 from trimmer.design.keeping import Keeper
@@ -45,6 +46,11 @@ class ReportPlace:
         """Where steps are kept."""
         return StageStore(self.directory / CACHE)
 
+    @property
+    def log(self) -> Path:
+        """Where it is written what was done when."""
+        return self.directory / f"{self.stem}.log"
+
     def file(self, form: Format) -> Path:
         """Return the file of a form."""
         return self.directory / f"{self.stem}.{form.value}"
@@ -62,6 +68,7 @@ def looked_at(
     runner: Runner,
     store: StageStore,
     told: Told,
+    deadline: Deadline = NEVER,
     *,
     short: bool = False,
 ) -> Design:
@@ -72,7 +79,7 @@ def looked_at(
         FileWriteError: if nothing can be kept there.
     """
     store.prepare()
-    study = Study(file, settings, runner, keeper_of(file, store), told)
+    study = Study(file, settings, runner, keeper_of(file, store), told, deadline)
     with going_on_from(store):
         return study.short() if short else study.whole()
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import re
 import webbrowser
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +15,10 @@ from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
-from trimmer.files import HTML, PDF, STANDARD_INPUT, check_target, write_atomically
+from trimmer.deadline import NEVER, Deadline
+from trimmer.files import HTML, LOG, PDF, STANDARD_INPUT, check_target, write_atomically
+from trimmer.mechanism.units import UnitError, quantity
+from trimmer.messages import shown_value
 
 if TYPE_CHECKING:
     from report.design.building import ReportPlace
@@ -24,6 +28,8 @@ if TYPE_CHECKING:
 
 KINDS = {Format.HTML: HTML, Format.PDF: PDF}
 DIRECTORY = Path("build") / "design"
+BUDGET, SHORTEST = 180.0, 10.0
+"""Time for the work if none is given, and the least that may be given, s."""
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -51,8 +57,35 @@ def add_report_options(parser: ArgumentParser) -> None:
         "(default: %(default)s)",
     )
     add_form_options(parser, KINDS, "both")
+    parser.add_argument(
+        "--budget",
+        type=time_allowed,
+        metavar="TIME",
+        help="time that the work may take, with its unit, as 90s or 10min, or none; spent first on what the "
+        "verdict needs, and the report says what was left out "
+        "(default: 3min; none where --full asks for more)",
+    )
     add_runner_options(parser)
     add_overwrite_option(parser)
+
+
+def time_allowed(text: str) -> float:
+    """Return the seconds that a text allows for the work, as the type of an option; infinite for none.
+
+    Raises:
+        ArgumentTypeError: if it is no time, or too short for anything.
+    """
+    if text == "none":
+        return math.inf
+    try:
+        seconds = quantity(text, "s")
+    except UnitError:
+        raise ArgumentTypeError(f"{shown_value(text)} is no time: write 90s, 10min or none") from None
+    if seconds < SHORTEST:
+        raise ArgumentTypeError(
+            f"{shown_value(text)} is too short: allow at least {SHORTEST:g}s; the pages alone take some of it"
+        )
+    return seconds
 
 
 def formats_of(arguments: Namespace) -> frozenset[Format]:
@@ -92,6 +125,7 @@ def check_files(place: ReportPlace, formats: frozenset[Format], overwrite: bool)
     """
     for form in (each for each in KINDS if each in formats):
         check_target(place.file(form), KINDS[form], overwrite=overwrite)
+    check_target(place.log, LOG, overwrite=overwrite)
 
 
 def check_reach(runner: Runner) -> None:
@@ -157,9 +191,11 @@ def _make(
     from report.design.words import verdict_sentence
     from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
 
-    told = ProgressLines()
+    allowed = arguments.budget or (math.inf if arguments.full else BUDGET)
+    deadline = Deadline.after(allowed) if allowed < math.inf else NEVER
+    told = ProgressLines(place.log, deadline)
     settings = DesignSettings(cells=FULL_CELLS) if arguments.full else USUAL
-    design = looked_at(file, settings, runner, place.store, told)
+    design = looked_at(file, settings, runner, place.store, told, deadline)
     told.say("equations, pictures and pages ...")
     with going_on_from(place.store):
         contents = files_of(
@@ -168,6 +204,7 @@ def _make(
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()
+    told.say("done")
     show("\n".join([plain_text(verdict_sentence(design)), *(f"  {place.file(form)}" for form in contents)]))
 
 

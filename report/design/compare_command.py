@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+import time
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.design.command import (
+    BUDGET,
     add_report_options,
     check_files,
     check_reach,
@@ -20,6 +23,7 @@ from report.pages.formats import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import file_to_read, show
 from trimmer.command_line.parser import OptionError
+from trimmer.deadline import NEVER, Deadline
 from trimmer.files import STANDARD_INPUT, write_atomically
 
 if TYPE_CHECKING:
@@ -50,8 +54,13 @@ def _run(arguments: Namespace) -> int:
     place = ReportPlace(arguments.directory, "-".join(names))
     check_files(place, formats, arguments.overwrite)
     check_reach(runner)
-    told = ProgressLines()
-    before, after = (looked_at(file, USUAL, runner, place.store, told, short=True) for file in files)
+    allowed, designs = arguments.budget or BUDGET, []
+    whole = Deadline.after(allowed) if allowed < math.inf else NEVER
+    told = ProgressLines(place.log, whole)
+    for file, share in zip(files, (0.5, 1.0), strict=True):
+        deadline = Deadline(time.time(), whole.share(share).end)
+        designs.append(looked_at(file, USUAL, runner, place.store, told, deadline, short=True))
+    before, after = designs
     comparison = compared(before, after)
     for form, content in _contents(comparison, names, formats, Paper(arguments.paper), date).items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)

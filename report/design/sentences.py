@@ -9,7 +9,7 @@ import numpy as np
 from report.design.quantities import percent, place_words, shown, written
 from report.design.words import capital, count, kind_words
 from report.pages.escaping import Markdown, code, markdown
-from trimmer.design.design import Design
+from trimmer.design.design import Design, Stage
 from trimmer.design.plausible import Oddity, Question
 from trimmer.design.spectrum import OutputSpectrum
 from trimmer.messages import listed
@@ -45,6 +45,40 @@ def question_words(question: Question, design: Design) -> Markdown:
         Oddity.FRICTION_HOLDS: f"with {value} this friction never slides. Is it meant to hold?",
     }[question.oddity]
     return markdown("{}: {}", where, why)
+
+
+STAGES = {
+    Stage.MOTIONS: "all starts",
+    Stage.RANGES: "all points of the ranges",
+    Stage.SENSITIVITIES: "the influence of every number",
+    Stage.REMEDIES: "all changes that might meet the targets",
+    Stage.NEIGHBOURS: "the search for other motions around",
+    Stage.MAP: "maps",
+    Stage.BRANCH: "branches",
+}
+"""What is missing if a stage was cut."""
+
+
+def time_words(design: Design) -> str:
+    """Say what was left out or ended early as the time was over; empty if nothing was."""
+    if not design.cut:
+        return ""
+    missing = listed(dict.fromkeys(STAGES[stage] for stage, _ in design.cut))
+    allowed = written(design.deadline.end - design.deadline.begun)
+    return (
+        f"The {allowed} s that were allowed did not suffice for {missing}. The same command goes on from "
+        "what is done; --budget allows more."
+    )
+
+
+def left_out(design: Design, *names: str) -> str:
+    """Say where a stage stands that it was left out or ended early as the time was over; else nothing."""
+    cut = [(stage, over) for stage, over in design.cut if stage.name in names]
+    over = [f"over the {listed([place_words(each) for each in places])}" for _, places in cut if places]
+    if not cut:
+        return ""
+    what = listed(dict.fromkeys(STAGES[stage] for stage, _ in cut))
+    return f"There was no time left for {what}{f' ({listed(over)})' if over else ''}: see the verdict."
 
 
 def inventory(design: Design) -> str:

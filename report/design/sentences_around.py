@@ -57,6 +57,8 @@ def margin_sentences(design: Design) -> str:
         for side in (path.down, path.up)
         if side is not None and side.reaches is not None and path.varied.value
     ]
+    if not shares and any(side.cut for path in design.paths for side in (path.down, path.up) if side):
+        return "As far as it was followed the motion stays stable."
     if not shares:
         return "Within these ranges the motion stays stable: nothing ends it."
     share, path, side = min(shares, key=lambda each: abs(each[0]))
@@ -84,6 +86,8 @@ def branch_sentences(path: NumberPath) -> str:
             continue
         reach = (
             "stays stable to the end of the range"
+            if side.reaches is None and not side.cut
+            else f"stays stable to {shown(float(side.values[-1]), path.varied.unit, 4)}"
             if side.reaches is None
             else (f"is stable {to} to {shown(side.reaches, path.varied.unit, 4)}, where {_ended(side)}")
         )

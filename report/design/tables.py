@@ -253,6 +253,8 @@ def margin_rows(design: Design) -> Rows:
 def _reach(side: PathSide | None, unit: str) -> str:
     if side is None:
         return "not looked at"
+    if side.reaches is None and side.cut:
+        return f"{_value(float(side.values[-1]), unit, 4)} at least"
     if side.reaches is None:
         return f"beyond {_value(side.end, unit)}" if side.end else "zero"
     return _value(side.reaches, unit, 4)

@@ -28,6 +28,7 @@ class BranchEnd(Choice):
     )
     STEP_TOO_SMALL = "no orbit was found near the last one"
     MOST_POINTS = "it has as many points as were asked for at most"
+    OUT_OF_TIME = "the time that was allowed is over"
     NO_START = "no orbit was found at the start"
 
     @property
@@ -37,6 +38,7 @@ class BranchEnd(Choice):
             BranchEnd.NOT_ISOLATED,
             BranchEnd.STEP_TOO_SMALL,
             BranchEnd.MOST_POINTS,
+            BranchEnd.OUT_OF_TIME,
             BranchEnd.NO_START,
         )
         return self not in failures

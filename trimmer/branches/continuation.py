@@ -157,6 +157,8 @@ def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
     for taken in taken_steps:
         if isinstance(taken, BranchEnd):
             return _Leg(front, taken)
+        if limits.settings.deadline.passed:
+            return _Leg(front, BranchEnd.OUT_OF_TIME)
         made, problem = taken
         if made.beyond is not None:
             return _Leg(made.front, BranchEnd.REJOINED, joint(made.front, made.beyond))

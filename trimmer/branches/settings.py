@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from trimmer.arguments import finite_number, positive_number, whole_number
+from trimmer.deadline import NEVER, Deadline
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,7 @@ class FollowSettings:
         bounds: The interval within which to stay, if it is not that of start and stop.
         most_periods: Drive periods to wait for a motion from rest to settle.
         quiet: Whether to show no progress bar.
+        deadline: After which no further orbit is solved for.
 
     Raises:
         WrongTypeError: if one of them has another type.
@@ -30,6 +32,7 @@ class FollowSettings:
     bounds: tuple[float, float] | None = None
     most_periods: int = 2000
     quiet: bool = False
+    deadline: Deadline = NEVER
 
     def __post_init__(self) -> None:
         whole_number("most_points", self.most_points, 2)

@@ -8,12 +8,13 @@ from functools import partial
 from typing import TypeVar
 
 from trimmer.choices import Choice
+from trimmer.deadline import NEVER, Deadline
 from trimmer.design.design_file import DesignFile
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.keeping import NOT_KEPT, Keeper
 from trimmer.design.kept_map import DesignMap, design_map
 from trimmer.design.linear import LinearState, linear_states
-from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
+from trimmer.design.motions import Motions, motions_from_starts, periods_within, with_neighbours
 from trimmer.design.paths import NumberPath, path_through
 from trimmer.design.plausible import Question, questions
 from trimmer.design.ranges import RangeStudy, study_ranges
@@ -23,23 +24,38 @@ from trimmer.design.settings import USUAL, DesignSettings
 from trimmer.design.spectrum import OutputSpectrum, spectra
 from trimmer.design.varied_places import VariedNumber, varied_places
 from trimmer.design.verdict import DesignVerdict, verdict_on
+from trimmer.maps.cells import Cell, CellResult
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner
+from trimmer.runners.timed import TimedRunner
 
 Result = TypeVar("Result")
 
 
 class Stage(Choice):
-    """A stage of the work, whose words are shown while it goes on."""
+    """A stage of the work, whose words are shown while it goes on; what the verdict needs comes first."""
 
-    LINEAR = "modes and transfer functions"
     MOTIONS = "motions from several starts"
-    NEIGHBOURS = "motions of neighbours"
     RANGES = "over what nobody knows"
     SENSITIVITIES = "what each number changes"
     REMEDIES = "what would meet the targets"
-    BRANCH = "branch"
+    NEIGHBOURS = "motions of neighbours"
     MAP = "map"
+    BRANCH = "branch"
+
+
+SPENT = {
+    Stage.MOTIONS: 0.2,
+    Stage.RANGES: 0.35,
+    Stage.SENSITIVITIES: 0.4,
+    Stage.REMEDIES: 0.6,
+    Stage.NEIGHBOURS: 0.66,
+    Stage.MAP: 0.8,
+    Stage.BRANCH: 0.86,
+}
+"""Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
+FIRST_START, CELL = 0.1, 0.02
+"""Share of that time that a start may take to settle, and a cell of a map or a trial."""
 
 
 Told = Callable[[Stage, tuple[str, ...], int, int], None]
@@ -68,6 +84,8 @@ class Design:
         paths: The branch through the working point over each number; empty where the motion does not repeat.
         sensitivities: Of the first motion; None where it does not repeat.
         remedies: What would meet them; None where they are met or there are none.
+        deadline: After which nothing more was begun.
+        cut: What was ended early or left out for it: stages, with the places that each is over.
     """
 
     file: DesignFile
@@ -83,11 +101,25 @@ class Design:
     paths: tuple[NumberPath, ...] = ()
     sensitivities: Sensitivities | None = None
     remedies: Remedies | None = None
+    deadline: Deadline = NEVER
+    cut: tuple[tuple[Stage, tuple[str, ...]], ...] = ()
+
+    def was_cut(self, stage: Stage) -> bool:
+        """Say whether something of a stage is missing as the time was over."""
+        return any(each is stage for each, _ in self.cut)
 
     @property
     def motion(self) -> FoundMotion | None:
         """What the first start settles to; None if it could not be measured."""
         return self.motions.first
+
+
+NO_MOTIONS = Motions((), 0, 0, 0, "", first_failed=True)
+
+
+def _no_motions(cell: Cell) -> CellResult:
+    """Return what stands for a cell that is not done."""
+    return CellResult(cell.number, ())
 
 
 @dataclass(frozen=True)
@@ -100,6 +132,7 @@ class Study:
         runner: Who computes the cells of maps and trials; processes on all cores by default.
         keeper: Keeps what is done; nothing by default.
         told: Is told of each stage.
+        deadline: After which nothing more is begun; each stage has its share of the time until then.
     """
 
     file: DesignFile
@@ -107,22 +140,30 @@ class Study:
     runner: Runner = field(default_factory=ProcessRunner)
     keeper: Keeper = NOT_KEPT
     told: Told = tell_nobody
+    deadline: Deadline = NEVER
+    _cut: list[tuple[Stage, tuple[str, ...]]] = field(default_factory=list, compare=False)
 
     def whole(self) -> Design:
-        """Compute everything."""
-        short = self.short()
-        of = self.sensitivities(short.motions)
+        """Compute everything, what the verdict needs first."""
+        study = self._paced()
+        motions, linear, ranges = study.motions(), study.linear(), study.ranges()
+        of = study.sensitivities(motions)
+        found = study.remedies(verdict_on(self.file.targets, motions, ranges), of)
+        motions = study.with_neighbours(motions)
+        varied = study.varied(motions)
+        maps = study.maps(varied)
+        paths = study.paths(motions, varied)
         return replace(
-            short,
-            sensitivities=of,
-            remedies=self.remedies(short.verdict, of),
-            paths=self.paths(short.motions, short.varied),
-            maps=self.maps(short.varied),
+            study._design(motions, linear, ranges), sensitivities=of, remedies=found, paths=paths, maps=maps
         )
 
     def short(self) -> Design:
         """Compute verdict, motions and spectra alone, as for a comparison."""
-        motions, linear, ranges = self.motions(), self.linear(), self.ranges()
+        study = self._paced()
+        motions, linear, ranges = study.motions(), study.linear(), study.ranges()
+        return study._design(study.with_neighbours(motions), linear, ranges)
+
+    def _design(self, motions: Motions, linear: tuple[LinearState, ...], ranges: RangeStudy | None) -> Design:
         return Design(
             file=self.file,
             settings=self.settings,
@@ -133,22 +174,45 @@ class Study:
             ranges=ranges,
             questions=questions(self.file.mechanism, motions.first),
             verdict=verdict_on(self.file.targets, motions, ranges),
+            deadline=self.deadline,
+            cut=tuple(self._cut),
         )
+
+    def _paced(self) -> Study:
+        """Return the same with as many drive periods for a start or a cell as there is time for."""
+        settings, allowed = self.settings, self.deadline.left
+        starts, cells = (
+            periods_within(self.file.mechanism, most, share * allowed)
+            for most, share in ((settings.most_periods, FIRST_START), (settings.cell_periods, CELL))
+        )
+        return replace(self, settings=replace(settings, most_periods=starts, cell_periods=cells))
 
     def linear(self) -> tuple[LinearState, ...]:
         """Return modes and transfer functions."""
-        return self._made(Stage.LINEAR, (), (), partial(linear_states, self.file.mechanism))
+        return self.keeper.made("linear", (), partial(linear_states, self.file.mechanism))
 
     def motions(self) -> Motions:
-        """Return the motions, those that neighbours lead to among them."""
+        """Return what several starts lead to; the first is followed whatever time is left."""
         settings, mechanism = self.settings, self.file.mechanism
         depends = (settings.starts, settings.seed, settings.most_periods)
-        found = self._made(Stage.MOTIONS, (), depends, partial(motions_from_starts, mechanism, settings))
-        near = self.varied(found)
-        if mechanism.frequency is None or len(near) < 2:
-            return found
-        more = partial(with_neighbours, mechanism, found, near, settings, self.runner)
-        return self._made(Stage.NEIGHBOURS, (), settings.without_cells, more)
+        make: Callable[[Deadline], Motions] = partial(motions_from_starts, mechanism, settings)
+        return self._made(Stage.MOTIONS, (), depends, make, NO_MOTIONS)
+
+    def with_neighbours(self, motions: Motions) -> Motions:
+        """Return the motions, those that neighbours lead to among them."""
+        near = self.varied(motions)
+        if self.file.mechanism.frequency is None or len(near) < 2:
+            return motions
+
+        def more(runner: TimedRunner) -> Motions:
+            whole = replace(runner, instead=_no_motions)
+            found = with_neighbours(self.file.mechanism, motions, near, self.settings, whole)
+            if found.neighbours is None or not runner.deadline.passed:
+                return found
+            return replace(found, neighbours=replace(found.neighbours, complete=False))
+
+        make = self._run(Stage.NEIGHBOURS, more)
+        return self._made(Stage.NEIGHBOURS, (), self.settings.without_cells, make, motions)
 
     def varied(self, motions: Motions) -> tuple[VariedNumber, ...]:
         """Return the numbers that maps and branches are over."""
@@ -163,16 +227,16 @@ class Study:
         if motions.first is None or not motions.first.repeats:
             return None
         make = partial(sensitivities, self.file.mechanism, motions.first)
-        return self._made(Stage.SENSITIVITIES, (), (), make)
+        return self._made(Stage.SENSITIVITIES, (), (), make, None)
 
     def ranges(self) -> RangeStudy | None:
         """Return how the verdict depends on unknown numbers."""
         file = self.file
         if not file.ranges or file.mechanism.frequency is None:
             return None
-        make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings, self.runner)
+        make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings)
         depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
-        return self._made(Stage.RANGES, (), depends, make)
+        return self._made(Stage.RANGES, (), depends, self._run(Stage.RANGES, make), None)
 
     def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
@@ -180,8 +244,14 @@ class Study:
         if not verdict.missed or file.mechanism.frequency is None:
             return None
         settings = self.settings
-        make = partial(remedies, file.mechanism, file.targets, verdict.missed, of, settings, self.runner)
-        return self._made(Stage.REMEDIES, (), (file.targets, settings.without_cells), make)
+
+        def make(runner: TimedRunner) -> Remedies:
+            return remedies(
+                file.mechanism, file.targets, verdict.missed, of, settings, runner, runner.deadline
+            )
+
+        depends = (file.targets, settings.without_cells)
+        return self._made(Stage.REMEDIES, (), depends, self._run(Stage.REMEDIES, make), None)
 
     def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
@@ -189,35 +259,63 @@ class Study:
         if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:
             return ()
         most = self.settings.most_points
-        return tuple(
+        found = (
             self._made(
                 Stage.BRANCH,
                 (each.place,),
                 (each, most),
                 partial(path_through, self.file.mechanism, each, first, most),
+                None,
             )
             for each in varied
         )
+        return tuple(each for each in found if each is not None)
 
     def maps(self, varied: tuple[VariedNumber, ...]) -> tuple[DesignMap, ...]:
         """Return the maps over gap and speed, and gap and friction; without a gap over speed and friction."""
         if self.file.mechanism.frequency is None:
             return ()
         by_role = tuple({each.role: each for each in varied}.values())
-        return tuple(self._map(by_role[0], each) for each in by_role[1:])
+        found = (self._map(by_role[0], each) for each in by_role[1:])
+        return tuple(each for each in found if each is not None)
 
-    def _map(self, first: VariedNumber, second: VariedNumber) -> DesignMap:
+    def _map(self, first: VariedNumber, second: VariedNumber) -> DesignMap | None:
         over = (first.place, second.place)
-        mechanism = self.file.mechanism
-        return design_map(
-            mechanism, first, second, self.settings, self.runner, self.keeper,
+        runner = TimedRunner(self.runner, self.deadline.share(SPENT[Stage.MAP]))
+        found = design_map(
+            self.file.mechanism, first, second, self.settings, runner, self.keeper,
             partial(self.told, Stage.MAP, over),
         )  # fmt: skip
+        if found is None:
+            self._cut.append((Stage.MAP, over))
+        return found
+
+    def _run(self, stage: Stage, make: Callable[[TimedRunner], Result]) -> Callable[[Deadline], Result]:
+        """Return work that is done by the runner, until an instant."""
+        told = partial(self.told, stage, ())
+        return lambda deadline: make(TimedRunner(self.runner, deadline, told=told))
 
     def _made(
-        self, stage: Stage, over: tuple[str, ...], depends: object, make: Callable[[], Result]
+        self,
+        stage: Stage,
+        over: tuple[str, ...],
+        depends: object,
+        make: Callable[[Deadline], Result],
+        otherwise: Result,
     ) -> Result:
+        """Return a stage, kept or made; one that the time has cut short is noted, and not kept."""
+        deadline = self.deadline.share(SPENT[stage])
+        key = stage.name.lower(), (over, depends)
+        result: Result | None = self.keeper.kept(*key)
         self.told(stage, over, 0, 1)
-        result = self.keeper.made(stage.name.lower(), (over, depends), make)
+        if result is None and deadline.passed and stage is not Stage.MOTIONS:
+            self._cut.append((stage, over))
+            result = otherwise
+        elif result is None:
+            result = make(deadline)
+            if deadline.passed:
+                self._cut.append((stage, over))
+            elif result is not None:
+                self.keeper.keep(*key, result)
         self.told(stage, over, 1, 1)
         return result

@@ -45,9 +45,13 @@ class Keeper:
         kept: Result | None = self.kept(stage, depends)
         if kept is None:
             kept = make()
-            if self.store is not None:
-                self.store.keep(*self._place(stage, depends), kept)
+            self.keep(stage, depends, kept)
         return kept
+
+    def keep(self, stage: str, depends: object, result: object) -> None:
+        """Keep a stage, which is not None."""
+        if self.store is not None:
+            self.store.keep(*self._place(stage, depends), result)
 
     def kept(self, stage: str, depends: object) -> Any | None:
         """Return what was kept of a stage; None if there is nothing."""

@@ -42,7 +42,7 @@ def design_map(
     runner: Runner,
     keeper: Keeper,
     told: Told,
-) -> DesignMap:
+) -> DesignMap | None:
     """Tell what the mechanism settles to over two numbers, each cell from rest or the file's own start.
 
     Args:
@@ -53,14 +53,19 @@ def design_map(
         runner: Who does the work.
         keeper: Keeps each row.
         told: Is told of each row.
+
+    Returns:
+        The map; None if the runner left cells out.
     """
     values = {each.place: each.values(settings.cells) for each in (first, second)}
     inputs = checked_inputs(mechanism, values, Settings(settings.cell_periods))
     rows = _rows(inputs, runner, keeper, told)
+    if rows is None:
+        return None
     return DesignMap(first, second, MotionMap(inputs, tuple(cell for row in rows for cell in row)))
 
 
-def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list[Row]:
+def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list[Row] | None:
     columns, digest = len(inputs.values[0]), inputs.header["inputs"]
     count = inputs.count // columns
     # They are read now, not looked for again at the end: whoever clears the folder meanwhile spoils nothing.
@@ -82,4 +87,4 @@ def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list
             whole[row] = keeper.made("row", (digest, row), partial(tuple, found))
             done += 1
             told(done, count)
-    return [whole[row] for row in range(count)]
+    return [whole[row] for row in range(count)] if len(whole) == count else None

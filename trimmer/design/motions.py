@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.deadline import NEVER, Deadline
 from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled
 from trimmer.design.settings import DesignSettings
 from trimmer.design.varied_places import VariedNumber
@@ -16,13 +18,18 @@ from trimmer.maps.cells import CellMotion
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.forced_orbit import exact_orbit
+from trimmer.response.flows import flow_of
+from trimmer.response.forced_orbit import diverges_by_pull, exact_orbit
 from trimmer.response.orbit import Orbit
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind
 from trimmer.response.same import same_orbit
 from trimmer.runners.runner import Runner
 
+PACE = 24
+"""Drive periods over which the pace is measured."""
+FEWEST = 60
+"""Drive periods that are followed whatever time there is."""
 REACH = 0.3
 """How far neighbours lie around the working point at most, relative, along each of two numbers."""
 
@@ -78,10 +85,36 @@ class Motions:
         return None if self.first_failed or not self.found else self.found[0]
 
 
-def motions_from_starts(mechanism: Mechanism, settings: DesignSettings) -> Motions:
-    """Return what several starts settle to."""
+def periods_within(mechanism: Mechanism, most: int, seconds: float) -> int:
+    """Return for how many drive periods some seconds suffice at the pace of the first ones, ``most`` at most.
+
+    A few are followed whatever time there is; without a drive there are none to count.
+    """
+    if seconds == np.inf or mechanism.frequency is None or diverges_by_pull(mechanism):
+        return most
+    flow = flow_of(mechanism)
+    if flow.modes.system.layout.ramp:
+        return most
+    flow.strobe(flow.rest(), 1)  # the kernels are loaded at the first call
+    begun = time.perf_counter()
+    flow.strobe(flow.rest(), PACE)
+    pace = (time.perf_counter() - begun) / PACE
+    return min(most, max(FEWEST, int(seconds / pace)))
+
+
+def motions_from_starts(
+    mechanism: Mechanism, settings: DesignSettings, deadline: Deadline = NEVER
+) -> Motions:
+    """Return what several starts settle to; after the deadline no further one is followed."""
     starts = settings.starts if mechanism.frequency is not None else 1
-    response = respond(mechanism, starts=starts, seed=settings.seed, most_periods=settings.most_periods)
+    response = respond(
+        mechanism,
+        starts=starts,
+        seed=settings.seed,
+        most_periods=settings.most_periods,
+        deadline=deadline,
+    )
+    starts = response.starts
     found = [of_settled(each) for each in response.motions]
     measured = tuple(each for each in found if each is not None)
     lost = len(found) - len(measured)

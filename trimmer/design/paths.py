@@ -13,6 +13,7 @@ from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
+from trimmer.deadline import NEVER, Deadline
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.varied_places import VariedNumber
 from trimmer.mechanism.mechanism import Mechanism
@@ -62,13 +63,13 @@ class PathSide:
 
     @property
     def reaches(self) -> float | None:
-        """Value up to which the motion stays stable; None if it does up to the end of the range.
+        """Value up to which the motion stays stable; None if it does up to the end of what was followed.
 
         It is the special point at which stability is lost, or the last stable orbit before.
         """
         unstable = np.flatnonzero(~self.stable)
         if not unstable.size:
-            return None if self._left else float(self.values[-1])
+            return None if self._left or self.cut else float(self.values[-1])
         before = float(self.values[max(int(unstable[0]) - 1, 0)])
         after = float(self.values[int(unstable[0])])
         low, high = sorted((before, after))
@@ -90,6 +91,11 @@ class PathSide:
             if each.value == reach:
                 break
         return tuple(found)
+
+    @property
+    def cut(self) -> bool:
+        """Whether it was ended as the time was over, so that what lies beyond is not known."""
+        return self.reason is BranchEnd.OUT_OF_TIME
 
     @property
     def _left(self) -> bool:
@@ -128,7 +134,11 @@ class NumberPath:
 
 
 def path_through(
-    mechanism: Mechanism, varied: VariedNumber, motion: FoundMotion, most_points: int
+    mechanism: Mechanism,
+    varied: VariedNumber,
+    motion: FoundMotion,
+    most_points: int,
+    deadline: Deadline = NEVER,
 ) -> NumberPath:
     """Follow the motion of the working point over one number to both ends of its range.
 
@@ -137,6 +147,7 @@ def path_through(
         varied: The number.
         motion: A periodic motion.
         most_points: Orbits to each side, at most.
+        deadline: After which no further orbit is solved for.
     """
     periods = motion.period_count or 1
     sides: list[PathSide | None] = []
@@ -146,7 +157,12 @@ def path_through(
             continue
         bounds = (min(varied.value, end), max(varied.value, end))
         settings = FollowSettings(
-            most_points=most_points, largest_step=LARGEST_STEP, switches=0, quiet=True, bounds=bounds
+            most_points=most_points,
+            largest_step=LARGEST_STEP,
+            switches=0,
+            quiet=True,
+            bounds=bounds,
+            deadline=deadline,
         )
         branch = follow(
             mechanism, varied.place, varied.value, end, periods=periods, state=motion.state, settings=settings

@@ -68,8 +68,11 @@ def study_ranges(
     targets: tuple[Target, ...],
     settings: DesignSettings,
     runner: Runner,
-) -> RangeStudy:
-    """Look at points of the ranges: evenly spaced for one, points of a Sobol sequence for several."""
+) -> RangeStudy | None:
+    """Look at points of the ranges: evenly spaced for one, points of a Sobol sequence for several.
+
+    Those that the runner leaves out are missing; None if all are.
+    """
     places = tuple(each.place for each in ranges)
     asked = all_measures(mechanism)
     work = TrialWork(mechanism, places, asked, settings.cell_periods)
@@ -78,7 +81,10 @@ def study_ranges(
     lengths = np.array([each.highest - each.lowest for each in ranges])
     values = [tuple(map(float, row)) for row in lowest + shares * lengths]
     found = {each.values: each for each in runner.results(work, values)}
-    trials = tuple(found[each] for each in values)
+    if not found:
+        return None
+    there = [at for at, each in enumerate(values) if each in found]
+    trials, shares = tuple(found[values[at]] for at in there), shares[there]
     met = np.array([trial.meets(targets) for trial in trials])
     doubt = _doubt(met) if targets else 0.0
     narrowings = sorted(

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import takewhile
 
 import numpy as np
 
+from trimmer.deadline import NEVER, Deadline
 from trimmer.design.motions import motions_from_starts
 from trimmer.design.sensitivity import Sensitivities, designable
 from trimmer.design.settings import DesignSettings
@@ -77,6 +79,7 @@ def remedies(
     sensitivities: Sensitivities | None,
     settings: DesignSettings,
     runner: Runner,
+    deadline: Deadline = NEVER,
 ) -> Remedies:
     """Look for the nearest value of one number at a time that meets all targets.
 
@@ -87,10 +90,11 @@ def remedies(
         sensitivities: What each number changes, by which those are chosen that are tried; without it all are.
         settings: How many starts there are, and how long each motion is waited for.
         runner: Who does the work.
+        deadline: After which no further number is tried.
     """
     places = _places(mechanism, missed, sensitivities)
     found, trials = [], 0
-    for place, unit, _ in places:
+    for place, unit, _ in takewhile(lambda _: not deadline.passed, places):
         of_place, count = remedies_by(mechanism, place, unit, targets, settings, runner)
         found += of_place
         trials += count
@@ -120,7 +124,7 @@ def remedies_by(
     results = {each.values: each for each in runner.results(work, [each for side in sides for each in side])}
     found, trials = [], len(results)
     for side in sides:
-        remedy = _nearest(work, value, [results[each] for each in side], targets)
+        remedy = _nearest(work, value, [results[each] for each in side if each in results], targets)
         if remedy is not None:
             found.append(Remedy(place, unit, value, remedy.values[0], remedy))
             trials += HALVINGS + 1

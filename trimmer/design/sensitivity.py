@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import takewhile
 
 import numpy as np
 
+from trimmer.deadline import NEVER, Deadline
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, all_measures, measured
@@ -71,11 +73,13 @@ class Sensitivities:
         step: Relative change of a number to either side.
         entries: Those that were found.
         failed: Places at which no orbit was found beside the one of the working point.
+        left_out: Those that were not tried, as the time was over.
     """
 
     step: float
     entries: tuple[Sensitivity, ...]
     failed: tuple[str, ...]
+    left_out: tuple[str, ...] = ()
 
     def ranked(self, asked: MeasureOfPart) -> tuple[Sensitivity, ...]:
         """Return the numbers with an influence on a measure, the largest first."""
@@ -88,16 +92,18 @@ def _size(elasticity: Elasticity | None) -> float:
     return 0.0 if elasticity is None else abs(elasticity.value)
 
 
-def sensitivities(mechanism: Mechanism, motion: FoundMotion) -> Sensitivities:
+def sensitivities(mechanism: Mechanism, motion: FoundMotion, deadline: Deadline = NEVER) -> Sensitivities:
     """Change each number a little to either side, and solve for the exact orbit again.
 
     Args:
         mechanism: The mechanism.
         motion: A periodic motion of it.
+        deadline: After which no further number is changed.
     """
     asked = tuple(each for each in all_measures(mechanism) if each.measure is not Measure.PERIOD)
     found, failed = [], []
-    for place, unit, value in designable(mechanism):
+    numbers = list(designable(mechanism))
+    for place, unit, value in takewhile(lambda _: not deadline.passed, numbers):
         wide = _slopes(mechanism, place, value, motion, asked, STEP)
         narrow = _slopes(mechanism, place, value, motion, asked, STEP / 2)
         if wide is None or narrow is None:
@@ -109,7 +115,8 @@ def sensitivities(mechanism: Mechanism, motion: FoundMotion) -> Sensitivities:
             if each in wide
         )
         found.append(Sensitivity(place, unit, value, entries))
-    return Sensitivities(STEP, tuple(found), tuple(failed))
+    tried = len(found) + len(failed)
+    return Sensitivities(STEP, tuple(found), tuple(failed), tuple(place for place, *_ in numbers[tried:]))
 
 
 def designable(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:

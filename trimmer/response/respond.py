@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import takewhile
 
 import numpy as np
 
 from trimmer.arguments import whole_number
+from trimmer.deadline import NEVER, Deadline
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.hybrid.advance import Instant
 from trimmer.loops.loops import Loop
@@ -50,6 +52,7 @@ def respond(
     most_periods: int = MOST_PERIODS,
     box: Mapping[str, tuple[float, ...]] | None = None,
     seed: int = 0,
+    deadline: Deadline = NEVER,
 ) -> Response:
     """Find what a mechanism or a loop settles to.
 
@@ -68,6 +71,7 @@ def respond(
         box: Largest modulus of displacement, m, and velocity, m/s, of each body, or of each state of a loop,
             in random starts; what they reach in the first motion if not given.
         seed: Of the random starts; the same one gives the same starts.
+        deadline: After which no further random start is followed; ``Response.starts`` says how many were.
 
     Raises:
         WrongTypeError: if an argument is of another type.
@@ -86,7 +90,8 @@ def respond(
     begin = instant_of(flow, state)
     first = search.motion(begin)
     reached = dict(box) if box is not None else _reached(flow, first, begin)
-    found = search.grouped(first, _random(flow, reached, starts - 1, seed))
+    found = search.grouped(first, _until(deadline, _random(flow, reached, starts - 1, seed)))
+    starts = sum(each.starts for each in found)
     shared = tuple(replace(each, share=each.starts / starts) for each in found)
     return Response(mechanism, shared, starts, reached, seed)
 
@@ -245,6 +250,10 @@ def _reached(flow: Flow, motion: SettledMotion, start: Instant) -> dict[str, tup
         times = np.linspace(0.0, course.duration, AT_FIRST * INSTANTS)
         sizes = abs(course.states(times)[:, : flow.size]).max(axis=0)
     return {name: tuple(sizes[list(places)].tolist()) for name, places in flow.axes.items()}
+
+
+def _until(deadline: Deadline, instants: Iterator[Instant]) -> Iterator[Instant]:
+    return takewhile(lambda _: not deadline.passed, instants)
 
 
 def _random(flow: Flow, box: Mapping[str, tuple[float, ...]], count: int, seed: int) -> Iterator[Instant]:

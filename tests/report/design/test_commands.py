@@ -6,6 +6,7 @@ Touches inner parts: a look that is quick enough for a test, and an interrupt in
 from __future__ import annotations
 
 import multiprocessing
+import re
 from argparse import ArgumentParser
 from importlib.metadata import EntryPoint
 from pathlib import Path
@@ -94,7 +95,12 @@ def test_a_design_is_written_whole_and_again_from_what_is_kept(
     assert main(["design", "block.toml", "--jobs", "1", "--directory", "out", "--format", "html"]) == 0
     assert (folder / "out" / "block.html").read_text() == first
     assert "branch over the gap of fork: kept" in capsys.readouterr().err
-    assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.html", "block.pdf"}
+    assert {path.name for path in (folder / "out").iterdir()} == {
+        CACHE,
+        "block.html",
+        "block.log",
+        "block.pdf",
+    }
 
 
 def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -152,7 +158,7 @@ def test_a_folder_that_cannot_be_made_is_told_before_any_work(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "taken").write_text("notes")
-    monkeypatch.setattr(Keeper, "made", lambda *_: pytest.fail("work was begun"))
+    monkeypatch.setattr(Keeper, "kept", lambda *_: pytest.fail("work was begun"))
     assert main(["design", "block.toml", "--directory", "taken"]) == 2
     assert (
         "taken/block.html cannot be written: a file stands where its folder would be"
@@ -160,23 +166,59 @@ def test_a_folder_that_cannot_be_made_is_told_before_any_work(
     )
 
 
+@pytest.mark.parametrize(
+    ("time", "told"),
+    [
+        ("soon", "'soon' is no time: write 90s, 10min or none"),
+        ("-1", "'-1' is no time"),
+        ("180", "'180' is no time"),
+        ("3 mm", "'3 mm' is no time"),
+        ("-20 s", "'-20 s' is too short: allow at least 10s"),
+        ("9.9s", "'9.9s' is too short"),
+    ],
+)
+@pytest.mark.parametrize("files", [["design", "block.toml"], ["compare", "block.toml", "block.toml"]])
+def test_a_time_that_is_none_is_refused(
+    files: list[str], time: str, told: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main([*files, "--budget", time])
+    assert told in capsys.readouterr().err
+    assert not (folder / "build").exists()
+
+
+def test_a_log_says_what_was_done_and_what_time_was_left(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
+    log = folder / "out" / "block.log"
+    log.parent.mkdir()
+    log.write_text("my own notes")
+    assert main(arguments) == 2
+    assert "block.log is there already and is no log of a design" in capsys.readouterr().err
+    assert main([*arguments, "--overwrite", "--budget", "10min"]) == 0
+    lines = log.read_text().splitlines()
+    assert lines[0].startswith("trimmer design: ") and lines[-1].startswith("done (9:")
+    assert any(re.fullmatch(r"branch over the gap of fork: .* \(\d+:\d\d left\)", line) for line in lines)
+
+
 @pytest.mark.slow
 def test_an_interrupted_design_leaves_nothing_half_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def interrupt(keeper: Keeper, stage: str, depends: object, make: object) -> object:
+    def interrupt(keeper: Keeper, stage: str, depends: object, result: object) -> None:
         if stage == "branch":
             raise KeyboardInterrupt
-        return whole(keeper, stage, depends, make)
+        whole(keeper, stage, depends, result)
 
-    whole = Keeper.made
-    monkeypatch.setattr(Keeper, "made", interrupt)
+    whole = Keeper.keep
+    monkeypatch.setattr(Keeper, "keep", interrupt)
     arguments = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
     assert main(arguments) == 130
     assert "what is done is kept in out/.kept" in capsys.readouterr().err
-    assert [path.name for path in (folder / "out").iterdir()] == [CACHE]
+    assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.log"}
     assert not list((folder / "out" / CACHE).glob("*.part"))
-    monkeypatch.setattr(Keeper, "made", whole)
+    monkeypatch.setattr(Keeper, "keep", whole)
     assert main(arguments) == 0
     assert "motions from several starts: kept" in capsys.readouterr().err
 
@@ -190,7 +232,7 @@ def test_an_interrupt_while_pages_are_made_tells_what_is_kept(
     monkeypatch.setattr(building, "report_on", interrupt)
     assert main(["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]) == 130
     assert "what is done is kept in out/.kept" in capsys.readouterr().err
-    assert [path.name for path in (folder / "out").iterdir()] == [CACHE]
+    assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.log"}
 
 
 def look(path: Path, folder: Path) -> None:

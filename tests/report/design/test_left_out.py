@@ -12,6 +12,7 @@ from report.design.building import looked_at, report_on
 from report.design.markdown import to_markdown
 from report.design.report import DesignReport
 from trimmer import MechanismError, SerialRunner
+from trimmer.deadline import Deadline
 from trimmer.design.design_file import DesignFile, design_file_of_text
 from trimmer.design.settings import DesignSettings
 from trimmer.examples import example_text, examples
@@ -59,6 +60,18 @@ def test_a_report_needs_no_section_that_may_be_left_out(name: str, left_out: str
     _, text = reported(file, tmp_path)
     assert re.search(r"\bNone\b(?! of the)", text) is None
     assert "nan" not in text.split()
+
+
+def test_what_there_was_no_time_for_is_said_where_it_would_stand(tmp_path: Path) -> None:
+    text = example_text("thesis-play").replace("gap = 40e-6", 'gap = "30 um..50 um"')
+    file = design_file_of_text(text.replace('"2.8 mm"', '"5 mm"'), "open.toml")
+    store = StageStore(tmp_path)
+    design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None, Deadline(0.0, 1.0))
+    pieces = to_markdown(report_on(design, store, "2026-03-01"))
+    assert "budget allows more" in pieces["verdict"]
+    for name in ("ranges", "motions", "maps", "branches", "sensitivity"):
+        assert "There was no time left for" in pieces[name], name
+    assert "missed" in pieces["verdict"]
 
 
 def test_a_file_without_outputs_gets_its_report(tmp_path: Path) -> None:
