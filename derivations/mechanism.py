@@ -40,7 +40,7 @@ class Mechanism:
         contacts: All plays and stops, and springs with a curve.
         frictions: All frictions.
         forces: All given forces.
-        outputs: Displacements that are asked for.
+        outputs: What is asked for.
     """
 
     bodies: tuple[RigidBody, ...]

@@ -220,15 +220,19 @@ class Force:
 
 @dataclass(frozen=True)
 class Output:
-    """A displacement that is asked for: a weighted sum of those of bodies and pins.
+    """What is asked for: a weighted sum of motions of bodies and pins, or a force.
 
     Attributes:
-        displacement: m, a function of time.
-        weights: Each body or pin with its factor.
+        value: A function of time.
+        weights: Each body or pin with its factor; none of a force.
+        order: How often displacements are differentiated.
+        force: The force, N; None of a motion.
     """
 
-    displacement: sympy.Expr
+    value: sympy.Expr
     weights: tuple[tuple[RigidBody | Pin, sympy.Expr], ...]
+    order: int = 0
+    force: sympy.Expr | None = None
 
 
 Tensioned = Contact | CurvedSpring

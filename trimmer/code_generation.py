@@ -25,7 +25,7 @@ from derivations.elements.narrative import element_narrative
 from derivations.latex_document import ValuedQuantity, latex_document, mechanism_document
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.mechanism import Mechanism as SymbolicMechanism
-from derivations.mechanism import trimmer
+from derivations.mechanism import elongation, elongation_rate, trimmer
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop
@@ -156,9 +156,7 @@ class _Translation:
                 if friction.static_force != 0
             ),
             forces=tuple(self._force(name, force, bodies) for name, force in self.data.forces.items()),
-            outputs=tuple(
-                self._output(name, output, {**bodies, **pins}) for name, output in self.data.outputs.items()
-            ),
+            outputs=tuple(self._output(name, output, ends) for name, output in self.data.outputs.items()),
         )
 
     def _body(self, name: str) -> parts.RigidBody:
@@ -182,13 +180,32 @@ class _Translation:
         law = total(constant, wave if height != 0 else 0)
         return parts.Force(bodies[force.on], self._function("forces", name, "value"), law)
 
-    def _output(
-        self, name: str, output: Output, ends: Mapping[str, parts.RigidBody | parts.Pin]
-    ) -> parts.Output:
+    def _output(self, name: str, output: Output, ends: Mapping[str, Any]) -> parts.Output:
         weights = tuple(
             (ends[end], sympy.nsimplify(weight, rational=True)) for end, weight in output.weights.items()
         )
-        return parts.Output(self._function("outputs", name, "displacement"), weights)
+        force = None if output.part is None else self._force_of(output.part, ends)
+        return parts.Output(self._function("outputs", name, "value"), weights, output.kind.value or 0, force)
+
+    def _force_of(self, part: str, ends: Mapping[str, parts.End]) -> sympy.Expr:
+        """Return the force of a link, play, stop or friction."""
+        for section, contacts in (("plays", self.data.plays), ("stops", self.data.stops)):
+            if part in contacts:
+                return self._function(section, part, "tension") if _pushes(contacts[part]) else sympy.S.Zero
+        if part in self.data.links:
+            link = self.data.links[part]
+            stiffness = self._number("links", part, "stiffness", link.stiffness)
+            spring = parts.Spring(stiffness, *_two(link.between, ends))
+            damping = self._number("links", part, "damping", link.damping)
+            return total(
+                _times(stiffness, elongation(spring)),
+                _times(damping, elongation_rate(spring)),
+                self._function("links", part, "tension") if link.curve else 0,
+            )
+        friction = self.data.frictions[part]
+        dry = self._function("frictions", part, "dry") if friction.static_force else sympy.S.Zero
+        drag = self._number("frictions", part, "viscous", friction.viscous)
+        return total(dry, _times(drag, elongation_rate(parts.Damper(drag, *_two(friction.between, ends)))))
 
     def _wave(self, section: str, name: str, part: Pin | Force) -> sympy.Expr:
         phase = self._number(section, name, "phase", part.phase)
@@ -257,6 +274,10 @@ class _Translation:
 
     def _function(self, section: str, name: str, of: str) -> sympy.Expr:
         return sympy.Function(self.printed[section, name, of].symbol, real=True)(t)
+
+
+def _times(coefficient: sympy.Expr, motion: sympy.Expr) -> sympy.Expr:
+    return sympy.S.Zero if coefficient == 0 else product(coefficient, motion)
 
 
 def _two(between: tuple[str, str], ends: Mapping[str, parts.End]) -> tuple[parts.End, parts.End]:

@@ -21,7 +21,7 @@ from derivations.narrative import (
     euler_lagrange_equation,
     symmetric_matrices,
 )
-from derivations.parts import ContactLaw, End, Play
+from derivations.parts import ContactLaw, End, Output, Play
 from derivations.step import Formula, NarrativeStep
 from derivations.symbols import t
 
@@ -193,19 +193,22 @@ def _space(motion: SymbolicMotion) -> list[Formula]:
 
 
 def _outputs(derivation: MechanismDerivation) -> NarrativeStep:
+    outputs = derivation.mechanism.outputs
+    displacements = all(each.order == 0 and each.force is None for each in outputs)
+    told = "The displacements that are asked for, in those of bodies and pins."
     return NarrativeStep(
         "outputs",
         "Outputs",
-        "The displacements that are asked for, in those of bodies and pins.",
-        tuple(
-            Formula(
-                latex_equation(
-                    output.displacement,
-                    total(*(weight * term for end, weight in output.weights for term in _terms(end))),
-                )
-            )
-            for output in derivation.mechanism.outputs
-        ),
+        told if displacements else "What is asked for: motions in those of bodies and pins, and forces.",
+        tuple(Formula(latex_equation(each.value, _asked(each))) for each in outputs),
+    )
+
+
+def _asked(output: Output) -> sympy.Expr:
+    if output.force is not None:
+        return output.force
+    return total(
+        *(weight * term.diff(t, output.order) for end, weight in output.weights for term in _terms(end))
     )
 
 

@@ -64,19 +64,20 @@ def harmonics(motion: BruteMotion, row: np.ndarray, numbers: list[int]) -> np.nd
 
 
 def root_mean_square(motion: BruteMotion, row_of) -> float:
-    """Rms of the row that ``row_of`` gives for each mode's dynamics."""
+    """Rms of the row that ``row_of`` gives for each mode."""
     begin, end = motion.pieces[0].begin, motion.pieces[-1].end
 
     def squared(times, y, piece):
-        return (row_of(motion.system.dynamics(piece.mode)) @ y) ** 2
+        return (row_of(piece.mode) @ y) ** 2
 
     return float(np.sqrt(integral(motion, squared) / (end - begin)))
 
 
-def extremes(motion: BruteMotion, row: np.ndarray) -> tuple[float, float]:
-    """Smallest and largest value of a displacement, at the zeros of its rate."""
+def extremes(motion: BruteMotion, row_of) -> tuple[float, float]:
+    """Smallest and largest value of the row that ``row_of`` gives for each mode, on both sides of events."""
     low, high = np.inf, -np.inf
     for piece in motion.pieces:
+        row = row_of(piece.mode)
         rate = row @ motion.system.dynamics(piece.mode).rates
         times = np.linspace(piece.begin, piece.end, TURNS)
         values, rates = row @ piece.interpolated(times), rate @ piece.interpolated(times)

@@ -160,17 +160,15 @@ def _signals(motion: LoopMotion | MechanismMotion, sample_rate: float) -> list[S
     import numpy as np
 
     from trimmer.command_line.loops import motion_text as of_loop
-    from trimmer.command_line.mechanisms import motion_text as of_mechanism
     from trimmer.loops.motion import LoopMotion
     from trimmer.signals.signal import Signal
 
     times = np.arange(int(motion.duration * sample_rate)) / sample_rate
-    sampled = (
-        of_loop.displacements(motion, times)
-        if isinstance(motion, LoopMotion)
-        else of_mechanism.displacements(motion, times)
-    )
-    return [Signal(values, sample_rate, name, "m") for name, values in sampled.items()]
+    if isinstance(motion, LoopMotion):
+        sampled = of_loop.displacements(motion, times)
+        return [Signal(values, sample_rate, name, "m") for name, values in sampled.items()]
+    units = motion.signals
+    return [Signal(motion.signal(name, times), sample_rate, name, unit) for name, unit in units.items()]
 
 
 _DRIVEN = "--element friction --drive 110 --amplitude 1.5e-3"

@@ -15,12 +15,11 @@ from trimmer.contact.curves import add_least_curves, segments_at
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
+from trimmer.contact.outputs import forces_at, outputs_of
 from trimmer.contact.readouts import (
     acceleration,
     contact_measures,
-    forces_at,
     friction_measures,
-    outputs_of,
     parts_of,
 )
 from trimmer.contact.statuses import (
@@ -276,8 +275,8 @@ class MechanismFlow(Flow):
 
     @cached_property
     def outputs(self) -> Mapping[str, Readout]:
-        """The outputs of the mechanism, m."""
-        return outputs_of(self.mechanism, self.modes.system.layout)
+        """The outputs of the mechanism."""
+        return outputs_of(self.mechanism, self.modes)
 
     @cached_property
     def accelerations(self) -> Mapping[str, Signal]:

@@ -77,6 +77,22 @@ def _forces_in_mode(modes: Modes[MechanismSystem], mode: int, states: Reals) -> 
     return forces
 
 
+def rows_in_mode(modes: Modes[MechanismSystem], mode: int) -> Reals:
+    """Return the dry forces in a mode as functionals, N, (frictions, N).
+
+    In stick they are those with the least sum of squares relative to the limits, which some may exceed.
+    """
+    machine = modes.system.machine
+    directions = np.array(machine.of_frictions(modes[mode].statuses))
+    rows = np.zeros((len(directions), modes.system.layout.size))
+    rows[:, -1] = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
+    sticking = _sticking(modes, mode)
+    if len(sticking):
+        shares, _ = _shares(modes, sticking, _some_split(modes, mode, sticking))
+        rows[sticking] = machine.static[sticking, None] * shares
+    return rows
+
+
 def _sticking(modes: Modes[MechanismSystem], mode: int) -> Places:
     statuses = modes.system.machine.of_frictions(modes[mode].statuses)
     return np.flatnonzero(np.array(statuses, dtype=np.int64) == STICK)

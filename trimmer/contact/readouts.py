@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.assembly import PUSHING, force_of
+from trimmer.contact.assembly import PUSHING
 from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.curves import mirror_of
-from trimmer.contact.friction_forces import dry_forces
-from trimmer.contact.layout import Rows
+from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
@@ -26,16 +25,12 @@ from trimmer.hybrid.system import NOTHING
 from trimmer.motion.extremes import extremes
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import Readout, Steady, along, durations, while_status
+from trimmer.motion.signals import durations, while_status
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from trimmer.arrays import Reals
-    from trimmer.contact.layout import Layout
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
-    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 
@@ -55,44 +50,9 @@ def parts_of(system: MechanismSystem) -> tuple[Part, ...]:
     return (*contacts, *frictions, *curves)
 
 
-def outputs_of(mechanism: Mechanism, layout: Layout) -> dict[str, Readout]:
-    """Return each output, m.
-
-    In a frame that moves it is without what the frame moves by, and so is a pin that goes on for ever while
-    nothing leans on it: that is its speed.
-    """
-    return {
-        name: Readout(
-            Steady(np.asarray(sum((weight * _row(layout, of) for of, weight in output.weights.items())))),
-            "m",
-            sum(weight * layout.speeds[of] for of, weight in output.weights.items()),
-        )
-        for name, output in mechanism.outputs.items()
-    }
-
-
-def _row(layout: Layout, name: str) -> Reals:
-    row: Reals = layout.end_rows[layout.ends.index(name)]
-    return row
-
-
 def acceleration(modes: Modes[MechanismSystem], body: int) -> Signal:
     """Return the acceleration of a body by its number, m/s²."""
     return lambda mode: np.asarray(modes[mode].flow[len(modes.system.layout.coordinates) + body])
-
-
-def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
-    """Return the force of a contact by its number, N, positive where it pulls the ends together."""
-
-    def row(mode: int) -> Reals:
-        status = modes[mode].statuses[contact]
-        return (
-            force_of(modes.system.machine, contact, status)
-            if status in PUSHING
-            else np.zeros(modes.system.layout.size)
-        )
-
-    return row
 
 
 def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures:
@@ -138,38 +98,3 @@ def event_rates(course: Course) -> Reals:
     touching = rows[of_contact]
     found[of_contact] = (rates[log.part[touching]] * log.state[touching]).sum(axis=1)
     return found
-
-
-def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:
-    """Return the force of each link, play, stop and friction, N, at times, s, that do not decrease.
-
-    It is positive where it pulls the ends together; forces of frictions that hold the same bodies are shared
-    as by ``MechanismMotion.friction_force``.
-    """
-    layout, states = course.modes.system.layout, course.states(times)
-    rows = np.searchsorted(course.log.start, times, side="right") - 1
-    ends = Rows(mechanism, layout)
-    forces: dict[str, Reals] = {}
-    for name, link in mechanism.links.items():
-        forces[name] = _between(ends, link.between, link.stiffness, link.damping, states)
-        forces[name] += curve_forces(course, "links", name, rows, states)
-    for name in (*mechanism.plays, *mechanism.stops):
-        forces[name] = np.zeros(len(times))
-        if name in layout.contacts:
-            signal = contact_force(course.modes, layout.contacts.index(name))
-            forces[name] = along(course, signal, rows, states)
-    dry = dry_forces(course, rows, states)
-    for name, friction in mechanism.frictions.items():
-        forces[name] = _between(ends, friction.between, 0.0, friction.viscous, states)
-        forces[name] += curve_forces(course, "frictions", name, rows, states)
-        if name in layout.frictions:
-            forces[name] = forces[name] + dry[:, layout.frictions.index(name)]
-    return forces
-
-
-def _between(rows: Rows, ends: tuple[str, str], stiffness: float, damping: float, states: Reals) -> Reals:
-    """Return the force of a spring and a damper between two ends at extended states, N, (count,)."""
-    start, end = ends
-    stretch = rows.displacement(end) - rows.displacement(start)
-    rate = rows.velocity(end) - rows.velocity(start)
-    return np.asarray(states @ (stiffness * stretch + damping * rate))

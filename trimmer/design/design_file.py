@@ -15,6 +15,7 @@ from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
+from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem, as_message_of_file, line_of
 from trimmer.mechanism.reading import bytes_of_file, content_of_text, mechanism_of_text
@@ -105,12 +106,20 @@ def _design_file(raw: bytes, name: str) -> DesignFile:
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)
+    problems += _no_displacements(mechanism)
     author = _author(content.get("author", ""), problems)
     _stop_at(problems, name, content, lines)
     for each in ranges:
         mechanism = mechanism.with_value(each.place, each.middle)
     digest = hashlib.sha256(raw).hexdigest()
     return DesignFile(name, mechanism, targets, held, ranges, lines, author, digest)
+
+
+def _no_displacements(mechanism: Mechanism) -> Iterator[Problem]:
+    """Find outputs that the report has no words for."""
+    for name, output in mechanism.outputs.items():
+        if output.kind is not OutputKind.DISPLACEMENT:
+            yield Problem(("outputs", name), "a design is judged by displacements; leave this output out")
 
 
 def _stop_at(

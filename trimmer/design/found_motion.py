@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.contact.assembly import PUSHING
-from trimmer.contact.readouts import contact_force
+from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target

@@ -27,6 +27,7 @@ from trimmer.messages import near_match
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of, require_subject
 from trimmer.signals.faults import faults
+from trimmer.signals.quantity import MotionQuantity, quantity_of
 from trimmer.signals.signal import Signal, SignalError
 
 if TYPE_CHECKING:
@@ -118,7 +119,8 @@ def fit(
     if drive_frequency is not None and not 0 < real_number("drive_frequency", drive_frequency, "Hz") < np.inf:
         raise SignalError(f"drive_frequency is {drive_frequency!r}: it must be positive and finite")
     unknowns = unknowns_of(mechanism, free)
-    plain = [name for name, each in flow_of(mechanism).outputs.items() if not each.unit]
+    units = {name: each.unit for name, each in flow_of(mechanism).outputs.items()}
+    plain = {name: unit for name, unit in units.items() if quantity_of(unit) is MotionQuantity.OTHER}
     lines = measure_lines(measured, frequency, drive_frequency, plain)
     if len(unknowns) + 1 >= 2 * lines.lines.size:
         raise FitError(
@@ -126,7 +128,9 @@ def fit(
         )
     driven = mechanism.with_value("frequency", lines.frequency)
     count = len(lines.lines)
-    model = Model(driven, unknowns, lines.outputs, lines.derivatives, lines.period_count, count)
+    own = (0 if name in plain else quantity_of(units[name]).derivatives for name in lines.outputs)
+    derivatives = tuple(np.subtract(lines.derivatives, tuple(own)).tolist())
+    model = Model(driven, unknowns, lines.outputs, derivatives, lines.period_count, count)
     misfit = Misfit(lines, model)
     searched = search(misfit, settings.starts, settings.spread, settings.seed)
     if searched is None:

@@ -7,7 +7,7 @@ is one to the waveform with the noise of each frequency as its weight; nothing i
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -101,7 +101,7 @@ def measure_lines(
     signals: Mapping[str, Signal],
     near: float,
     drive_frequency: float | None = None,
-    plain: Collection[str] = (),
+    plain: Mapping[str, str] | None = None,
 ) -> MeasuredLines:
     """Take the lines of a steady motion out of its record.
 
@@ -109,13 +109,17 @@ def measure_lines(
         signals: The record of each output, with the same times.
         near: Frequency near which the drive is looked for, Hz.
         drive_frequency: That of the drive, Hz, if it is known.
-        plain: Outputs that are plain numbers, whose signals are taken as they are if they have no unit.
+        plain: Units of outputs that are no motion, as forces or plain numbers, empty for the latter: their
+            signals are taken as they are in this unit.
 
     Raises:
         SignalError: if a signal is no motion, they have unlike times, there is no drive, or the record is
             too short.
     """
-    taken = {name for name in plain if name in signals and not signals[name].unit}
+    plain = plain or {}
+    taken = {name for name, unit in plain.items() if name in signals and signals[name].unit == unit}
+    for name in signals.keys() & {name for name, unit in plain.items() if unit} - taken:
+        raise SignalError(f"{name}: the output is in {plain[name]}; give its signal so (--unit)")
     signals = {name: each if name in taken else _motion(each) for name, each in signals.items()}
     first = next(iter(signals.values()))
     if len({(each.values.size, each.sample_rate, each.start) for each in signals.values()}) > 1:

@@ -15,7 +15,9 @@ from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import STICK
 from trimmer.hybrid.system import NOTHING
+from trimmer.mechanism.parts import OutputKind
 from trimmer.motion import measures as exact
+from trimmer.motion.extremes import extremes
 from trimmer.motion.signals import Steady
 
 if TYPE_CHECKING:
@@ -128,18 +130,22 @@ def _accelerations(course: Course, rows: Integers, states: Reals, bodies: int) -
 
 
 def _swings(flow: MechanismFlow, course: Course, times: Reals, states: Reals) -> dict[str, float]:
-    """Return peak to peak of the outputs, from cubics through values and rates."""
+    """Return peak to peak of the outputs: of displacements from cubics through values and rates."""
     times = np.concatenate([course.log.start, times])
     order = np.argsort(times, kind="stable")
     states = np.concatenate([course.log.state, states])[order]
-    signals = {name: each.signal for name, each in flow.outputs.items()}
+    kinds = {name: each.kind for name, each in flow.mechanism.outputs.items()}
+    others = [name for name, kind in kinds.items() if kind is not OutputKind.DISPLACEMENT]
+    ranges = {name: extremes(course, flow.outputs[name].signal) for name in others}
+    found = {name: largest - smallest for name, (smallest, largest) in ranges.items()}
+    signals = {name: each.signal for name, each in flow.outputs.items() if name not in found}
     rows = {name: each.row for name, each in signals.items() if isinstance(each, Steady)}
     if not rows:
-        return {}
+        return found
     functionals = np.array(list(rows.values()))
     # The rates of displacements are the same in every mode, but those of the drive must be among them.
     values, rates = product(states, functionals), product(states, functionals @ flow.modes[0].flow)
-    return {
+    return found | {
         name: _highest(times[order], values[:, i], rates[:, i])
         + _highest(times[order], -values[:, i], -rates[:, i])
         for i, name in enumerate(rows)

@@ -10,6 +10,7 @@ from .parts import Force as Force
 from .parts import Friction as Friction
 from .parts import Link as Link
 from .parts import Output as Output
+from .parts import OutputKind as OutputKind
 from .parts import Pin as Pin
 from .parts import Play as Play
 from .parts import Stop as Stop

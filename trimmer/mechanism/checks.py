@@ -11,6 +11,7 @@ from dataclasses import fields
 
 from trimmer.choices import ChoiceError
 from trimmer.mechanism import curves
+from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Output
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import (
@@ -133,6 +134,7 @@ def _outputs(outputs: object) -> Iterator[Problem]:
         if not isinstance(output, Output) or not isinstance(output.weights, Mapping):
             yield Problem(place, "give a trimmer.mechanism.Output with a mapping of weights", output)
             continue
+        yield from problems_of_kind(place, output)
         for body, weight in output.weights.items():
             yield from _name(place, body)
             yield from _number((*place, str(body)), weight, WEIGHT)

@@ -11,9 +11,10 @@ from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism import curves
 from trimmer.mechanism.checks import problems_of_types
+from trimmer.mechanism.outputs import taken
 from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.mechanism.problems import Problem, as_message
-from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
+from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 from trimmer.showing.shown import Shown, counted
@@ -56,7 +57,7 @@ class Mechanism(Shown):
         for section in PARTS:
             parts = {name: _taken(part) for name, part in getattr(self, section).items()}
             object.__setattr__(self, section, ReadOnly(parts))
-        outputs = {name: _taken_output(output) for name, output in self.outputs.items()}
+        outputs = {name: taken(output) for name, output in self.outputs.items()}
         start = {
             name: (DISPLACEMENT.taken(displacement), VELOCITY.taken(velocity))
             for name, (displacement, velocity) in self.start.items()
@@ -196,7 +197,3 @@ def _taken(part: Any) -> Any:
     if hasattr(part, "law"):
         others["law"] = ContactLaw.chosen(part.law, "law")
     return replace(part, **numbers, **others)
-
-
-def _taken_output(output: Output) -> Output:
-    return Output(ReadOnly({name: WEIGHT.taken(weight) for name, weight in output.weights.items()}))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from trimmer.choices import Choice
 
@@ -195,12 +195,25 @@ class Force:
     symbol: str | None = None
 
 
+class OutputKind(Choice):
+    """What an output is. The value is the order of its time derivative; None for what is no motion."""
+
+    DISPLACEMENT = 0
+    VELOCITY = 1
+    ACCELERATION = 2
+    FORCE = None
+
+
 @dataclass(frozen=True)
 class Output:
-    """A displacement that is asked for.
+    """What is asked for: a sum of displacements, velocities or accelerations, or the force of a part.
 
     Attributes:
-        weights: Factor of each body's and pin's displacement.
+        weights: Factor of each body's and pin's displacement, velocity or acceleration; none of a force.
+        kind: What it is.
+        part: Of a force: the link, play, stop or friction; positive where it pulls its ends together.
     """
 
-    weights: Mapping[str, float]
+    weights: Mapping[str, float] = field(default_factory=dict)
+    kind: OutputKind = OutputKind.DISPLACEMENT
+    part: str | None = None

@@ -10,7 +10,8 @@ from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism import curves
 from trimmer.mechanism.mechanism import Mechanism, changed
-from trimmer.mechanism.parts import Friction, Output
+from trimmer.mechanism.outputs import weight_place, with_weight
+from trimmer.mechanism.parts import Friction
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import (
     DISPLACEMENT,
@@ -41,7 +42,7 @@ def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
             }
             found |= {(section, name, *end): each for end, each in curves.quantities(part).items()}
     for name, output in mechanism.outputs.items():
-        found |= {("outputs", name, body): WEIGHT for body in output.weights}
+        found |= {weight_place(name, output.kind, of): WEIGHT for of in output.weights}
     for name in mechanism.bodies:
         found |= {("start", name, key): each for key, each in STATE.items()}
     return found
@@ -59,7 +60,7 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             if mechanism.frequency is None:
                 raise MechanismError("frequency: the mechanism has none; it moves by itself")
             return mechanism.frequency
-        case ("outputs", name, body):
+        case ("outputs", name, *_, body):
             return mechanism.outputs[name].weights[body]
         case ("start", name, key):
             return mechanism.start.get(name, (0.0, 0.0))[list(STATE).index(key)]
@@ -88,9 +89,9 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
     match names:
         case ("frequency",):
             return changed(mechanism, "frequency", number)
-        case ("outputs", name, body):
-            weights = {**mechanism.outputs[name].weights, body: number}
-            return _with_entry(mechanism, "outputs", name, Output(ReadOnly(weights)))
+        case ("outputs", name, *_, body):
+            output = with_weight(mechanism.outputs[name], body, number)
+            return _with_entry(mechanism, "outputs", name, output)
         case ("start", name, key):
             state = list(mechanism.start.get(name, (0.0, 0.0)))
             state[list(STATE).index(key)] = number
@@ -160,9 +161,11 @@ def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
     match names:
         case ("frequency",):
             return FREQUENCY
-        case ("outputs", name, body):
+        case ("outputs", name, *_, body):
             output = mechanism.outputs.get(name)
-            return None if output is None or body not in output.weights else WEIGHT
+            if output is None or body not in output.weights:
+                return None
+            return WEIGHT if names == weight_place(name, output.kind, body) else None
         case ("start", name, key):
             return STATE.get(key) if name in mechanism.bodies else None
         case (section, name, *end) if section in PARTS and name in getattr(mechanism, section):

@@ -15,7 +15,8 @@ from typing import Any
 
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Link
+from trimmer.mechanism.outputs import UNITS
+from trimmer.mechanism.parts import Link, Output
 from trimmer.mechanism.place_text import place_text
 
 Place = tuple[str, str, str]
@@ -115,7 +116,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("phase", r"\psi", "phase of %s", "rad"),
             Stem("unbalance", "epsilon", "unbalance of %s", "kg m"),
         ),
-        "outputs": (Stem("displacement", "y", "output %s", "m"),),
+        "outputs": (Stem("value", "y", "output %s", "m"),),
     }
 )
 """What has a symbol of its own, by section; the first is what the symbol that a part carries stands for."""
@@ -147,8 +148,10 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
             indices = _indices(preferred, name, 1 + parts.index(name))
             found[section, name, stem.of] = _first_free(form, indices, {*TAKEN, *found.values()})
     return {
-        (section, name, stem.of): PrintedSymbol(found[section, name, stem.of], stem.meaning % name, stem.unit)
-        for section, name, _ in _parts(mechanism)
+        (section, name, stem.of): PrintedSymbol(
+            found[section, name, stem.of], stem.meaning % name, _unit(part, stem)
+        )
+        for section, name, part in _parts(mechanism)
         for stem in STEMS[section]
         if (section, name, stem.of) in found
     }
@@ -157,6 +160,10 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
 def _occurs(part: Any, stem: Stem) -> bool:
     """Say whether a part has what a stem stands for; only a curve has a tension beside a link."""
     return not (isinstance(part, Link) and stem.of in ("elongation", "tension")) or part.curve is not None
+
+
+def _unit(part: Any, stem: Stem) -> str:
+    return UNITS[part.kind] if isinstance(part, Output) else stem.unit
 
 
 def plain_name(symbol: str) -> str:

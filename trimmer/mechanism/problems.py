@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
 from trimmer.mechanism.place_text import place_text
-from trimmer.messages import in_lines, shown_value
+from trimmer.messages import in_lines, listed, near_match, shown_value
 
 
 class _Nothing(Enum):
@@ -68,6 +68,13 @@ def as_message_of_file(
         for problem in ordered
     ]
     return in_one(sentences, name)
+
+
+def no_such(kind: str, name: str, known: Iterable[str]) -> str:
+    """Return the reason against a name that nothing of a kind has, with what is there."""
+    known = list(known)
+    there = f"there {'is' if len(known) == 1 else 'are'} {listed(map(repr, known))}"
+    return f"there is no {kind} {name!r}; {near_match(name, known) or (there if known else 'there is none')}"
 
 
 def in_one(sentences: Sequence[str], name: str) -> str:

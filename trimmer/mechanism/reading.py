@@ -12,7 +12,7 @@ from trimmer.errors import MechanismError
 from trimmer.mechanism import curves
 from trimmer.mechanism.mechanism import Mechanism, problems_with
 from trimmer.mechanism.open_values import open_values, replaced
-from trimmer.mechanism.parts import Output
+from trimmer.mechanism.outputs import output_of, problems_of_form
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
 from trimmer.mechanism.quantities import (
@@ -21,7 +21,6 @@ from trimmer.mechanism.quantities import (
     PARTS,
     QUANTITIES,
     VELOCITY,
-    WEIGHT,
     NumberField,
     is_number,
 )
@@ -124,8 +123,7 @@ def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
                 yield from _problems_of_part((key, name), entries)
         elif key == "outputs":
             for name, entries in value.items():
-                if not isinstance(entries, dict):
-                    yield Problem((key, name), "give weights, as in { cutter = 1, guard = -1 }", entries)
+                yield from problems_of_form((key, name), entries)
     if "bodies" not in content:
         yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
 
@@ -165,10 +163,8 @@ def _arguments(content: Mapping[str, Any], problems: list[Problem]) -> dict[str,
                     for key, value in entries.items()
                 }
             )
-    for name, weights in content.get("outputs", {}).items():
-        arguments["outputs"][name] = Output(
-            {key: convert.number(("outputs", name, key), value, WEIGHT) for key, value in weights.items()}
-        )
+    for name, entries in content.get("outputs", {}).items():
+        arguments["outputs"][name] = output_of(("outputs", name), entries, convert.number)
     for name, state in content.get("start", {}).items():
         arguments["start"][name] = convert.state(("start", name), state)
     return arguments

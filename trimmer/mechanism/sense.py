@@ -6,10 +6,11 @@ It is asked only of what ``checks`` has nothing against, so values have their ty
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from trimmer.mechanism.curves import problems_of_points
+from trimmer.mechanism.outputs import problems_of_outputs
 from trimmer.mechanism.parts import (
     GROUND,
     Body,
@@ -18,11 +19,9 @@ from trimmer.mechanism.parts import (
     Force,
     Friction,
     Link,
-    Output,
     Pin,
 )
-from trimmer.mechanism.problems import Problem
-from trimmer.messages import listed, near_match
+from trimmer.mechanism.problems import Problem, no_such
 
 COUPLINGS = ("links", "plays", "stops", "frictions")
 """Sections whose parts stand between two ends."""
@@ -57,7 +56,7 @@ def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
         for name, part in content[section].items():
             yield from _ends((section, name, "between"), part.between, content)
     yield from problems_of_numbers(content)
-    yield from _outputs(content)
+    yield from problems_of_outputs(content, [*content["bodies"], *content["pins"]])
     yield from _start(content)
     yield from _symbols(content)
 
@@ -82,7 +81,7 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
                 place, "a pin sits on a body or on the ground, not on a pin (no loops of pins)", pin.on
             )
         elif pin.on not in bodies and pin.on != GROUND:
-            yield Problem(place, _no_such("body", pin.on, [*bodies, GROUND]), pin.on)
+            yield Problem(place, no_such("body", pin.on, [*bodies, GROUND]), pin.on)
     for name, force in content["forces"].items():
         place = ("forces", name, "on")
         if force.on in pins:
@@ -90,7 +89,7 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
         elif force.on == GROUND:
             yield Problem(place, "a force on the ground moves nothing; name a body", force.on)
         elif force.on not in bodies:
-            yield Problem(place, _no_such("body", force.on, bodies), force.on)
+            yield Problem(place, no_such("body", force.on, bodies), force.on)
 
 
 def _ends(place: tuple[str, ...], between: tuple[str, str], content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -98,7 +97,7 @@ def _ends(place: tuple[str, ...], between: tuple[str, str], content: Mapping[str
     unknown = [end for end in between if end not in bodies and end not in pins and end != GROUND]
     if unknown:
         for end in dict.fromkeys(unknown):
-            yield Problem(place, _no_such("body or pin", end, [*bodies, *pins, GROUND]), list(between))
+            yield Problem(place, no_such("body or pin", end, [*bodies, *pins, GROUND]), list(between))
         return
     first, second = (pins[end].on if end in pins else end for end in between)
     if between[0] == between[1]:
@@ -152,26 +151,13 @@ def _drive(content: Mapping[str, Any]) -> Iterator[Problem]:
         yield Problem((*place, key), reason)
 
 
-def _outputs(content: Mapping[str, Any]) -> Iterator[Problem]:
-    known = [*content["bodies"], *content["pins"]]
-    outputs: Mapping[str, Output] = content["outputs"]
-    for name, output in outputs.items():
-        if not output.weights:
-            yield Problem(("outputs", name), "has no weights; write them, as in { cutter = 1, guard = -1 }")
-        for body, weight in output.weights.items():
-            if body == GROUND:
-                yield Problem(("outputs", name, body), "the ground does not move; leave it out", weight)
-            elif body not in known:
-                yield Problem(("outputs", name, body), _no_such("body or pin", body, known), weight)
-
-
 def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
     for name, state in content["start"].items():
         if name in content["pins"]:
             reason = "a pin starts where its motion puts it; only bodies have a start"
             yield Problem(("start", name), reason, state)
         elif name not in content["bodies"]:
-            yield Problem(("start", name), _no_such("body", name, content["bodies"]), state)
+            yield Problem(("start", name), no_such("body", name, content["bodies"]), state)
 
 
 def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -205,10 +191,3 @@ def _symbols_of(part: Any) -> list[str]:
     """Return the symbol that a part carries, if any, and that of its damping."""
     symbols = (part.symbol, part.damping_symbol) if isinstance(part, Link | Contact) else (part.symbol,)
     return [symbol for symbol in symbols if symbol is not None]
-
-
-def _no_such(kind: str, name: str, known: Iterable[str]) -> str:
-    known = list(known)
-    there = f"there {'is' if len(known) == 1 else 'are'} {listed(map(repr, known))}"
-    advice = near_match(name, known) or there
-    return f"there is no {kind} {name!r}; {advice}"

@@ -7,6 +7,7 @@ from dataclasses import MISSING, fields
 from typing import Any
 
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.outputs import entries_of
 from trimmer.mechanism.parts import ContactLaw
 from trimmer.mechanism.place_text import key_text, quoted
 from trimmer.mechanism.quantities import PARTS
@@ -30,8 +31,8 @@ def _paragraphs(mechanism: Mechanism) -> Iterator[str]:
         if parts := getattr(mechanism, section):
             yield _section(section, {name: _inline(_entries(part)) for name, part in parts.items()})
     if mechanism.outputs:
-        weights = {name: _inline(dict(output.weights)) for name, output in mechanism.outputs.items()}
-        yield _section("outputs", weights)
+        outputs = {name: _inline(entries_of(output)) for name, output in mechanism.outputs.items()}
+        yield _section("outputs", outputs)
     if mechanism.start:
         yield _section("start", {name: _value(state) for name, state in mechanism.start.items()})
 
@@ -59,6 +60,8 @@ def _value(value: object) -> str:
             return quoted(value.word)
         case str():
             return quoted(value)
+        case dict():
+            return _inline(value)
         case tuple():
             return f"[{', '.join(map(_value, value))}]"
         case _:

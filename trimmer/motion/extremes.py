@@ -55,9 +55,8 @@ def _between(
     """Return a signal where its rate is zero, by Newton's method between two times of unlike slopes."""
     low, high, slope_low, slope_high = (each.copy() for each in bracket)
     modes = course.modes
-    values, first, second = (
-        row_of_each(course, each)[rows]
-        for each in (signal, rate(modes, signal), rate(modes, rate(modes, signal)))
+    first, second = (
+        row_of_each(course, each)[rows] for each in (rate(modes, signal), rate(modes, rate(modes, signal)))
     )
     times = (low * slope_high - high * slope_low) / (slope_high - slope_low)
     for _ in range(NEWTON_STEPS):
@@ -70,4 +69,4 @@ def _between(
             following = times - np.divide(slope, curvature, out=np.zeros_like(slope), where=slope != 0)
         inside = (following >= low) & (following <= high)
         times = np.where(inside, following, 0.5 * (low + high))
-    return np.asarray(np.einsum("ij,ij->i", course.states(times), values))
+    return along(course, signal, rows, course.states(times))

@@ -5,6 +5,7 @@ A signal is given by a function from the number of a mode to a row (N,); its rat
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -32,6 +33,18 @@ class Steady:
     def __call__(self, mode: int) -> Reals:
         """Return the row, (N,)."""
         return self.row
+
+
+class OwnValues(ABC):
+    """A signal whose values are those of its rows in general, but not everywhere."""
+
+    @abstractmethod
+    def __call__(self, mode: int) -> Reals:
+        """Return the row, (N,)."""
+
+    @abstractmethod
+    def along(self, course: Course, rows: Integers, states: Reals) -> Reals:
+        """Return the values, as ``along`` does."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +78,8 @@ def rate(modes: Modes[Any], signal: Signal) -> Signal:
 
 def along(course: Course, signal: Signal, rows: Integers, states: Reals) -> Reals:
     """Return a signal at states, (count, N), that lie in rows, (count,), of the log of a motion."""
+    if isinstance(signal, OwnValues):
+        return signal.along(course, rows, states)
     return np.asarray(np.einsum("ij,ij->i", states, row_of_each(course, signal)[rows]))
 
 

@@ -16,7 +16,7 @@ from trimmer.contact.assembly import PUSHING, offset
 from trimmer.contact.curve_forces import force_signal, stored_energy
 from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
-from trimmer.contact.readouts import contact_force
+from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import RELAXING, STICK
 from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
 from trimmer.motion.signals import along, while_status

@@ -17,7 +17,8 @@ from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
-from trimmer.contact.readouts import contact_force, event_rates
+from trimmer.contact.outputs import contact_force
+from trimmer.contact.readouts import event_rates
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending

@@ -14,7 +14,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Table, arrays
-from trimmer.signals.quantity import MotionQuantity
+from trimmer.signals.quantity import MotionQuantity, quantity_of
 from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.classification import require_positive
 from trimmer.spectra.harmonics import HarmonicFit, fit_harmonics
@@ -39,11 +39,13 @@ class SimulatedLines(Shown):
         displacement: Complex amplitudes c of Re(c exp(2 pi j p f t / k)), p = 1, 2, ..., m, shape (n,).
         frequency: Frequency f of the drive, Hz; without a drive that of the motion.
         period_count: Drive periods k after which it repeats.
+        unit: What the amplitudes are in, SI: that of a displacement, velocity or acceleration, or another.
     """
 
     displacement: Complexes
     frequency: float
     period_count: int = 1
+    unit: str = "m"
 
     def __post_init__(self) -> None:
         lines: NDArray[Any]
@@ -160,7 +162,7 @@ def compare_motions(
 
     Args:
         signal: The measured displacement, velocity or acceleration.
-        simulated: Lines of the simulated displacement.
+        simulated: Lines of the simulated displacement, or of another signal.
         drive_frequency: Frequency of the drive in the measurement, Hz; looked for near that of the simulation
             if not given.
 
@@ -171,11 +173,7 @@ def compare_motions(
     """
     require_instance("signal", signal, Signal, "a trimmer.Signal")
     require_instance("simulated", simulated, SimulatedLines, "a trimmer.spectra.SimulatedLines")
-    if signal.quantity is MotionQuantity.OTHER:
-        raise SignalError(
-            f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
-            "velocity or an acceleration, so it is compared with no motion; say what it is (--unit)"
-        )
+    derivatives = _derivatives(signal, simulated)
     measured = signal.in_si()
     found = drive_frequency is None
     if drive_frequency is not None:
@@ -184,7 +182,7 @@ def compare_motions(
     fit = _fit(measured, simulated, frequency)
     orders = np.arange(1, fit.coefficients.size + 1)
     omega = 2 * np.pi * frequency / simulated.period_count * orders
-    lines = simulated.displacement[: orders.size] * (1j * omega) ** measured.quantity.derivatives
+    lines = simulated.displacement[: orders.size] * (1j * omega) ** derivatives
     angle, _ = _alignment(fit.coefficients, lines)
     _, opposite = _alignment(-fit.coefficients, lines)
     return MotionComparison(
@@ -200,6 +198,28 @@ def compare_motions(
         inverted_residual=opposite,
         rest=fit.residual,
     )
+
+
+def _derivatives(signal: Signal, simulated: SimulatedLines) -> int:
+    """Return how often the simulated lines are differentiated to be what was measured.
+
+    Raises:
+        SignalError: if one is no motion, and the other is not in the same unit.
+    """
+    quantity, own = signal.quantity, quantity_of(simulated.unit)
+    if own is MotionQuantity.OTHER:
+        if signal.unit == simulated.unit:
+            return 0
+        raise SignalError(
+            f"{signal.name}: the output is in {simulated.unit}, and the signal in {signal.unit!r}; give it "
+            f"in {simulated.unit} (--unit)"
+        )
+    if quantity is MotionQuantity.OTHER:
+        raise SignalError(
+            f"{signal.name}: the unit {signal.unit!r} does not tell whether it is a displacement, a "
+            "velocity or an acceleration, so it is compared with no motion; say what it is (--unit)"
+        )
+    return quantity.derivatives - own.derivatives
 
 
 def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:

@@ -24,6 +24,8 @@ spring = { between = ["ground", "m"], damping = 0.15, curve = [["-2 m", -5], [-1
 f = { on = "m", amplitude = 4.0 }
 [outputs]
 x = { m = 1 }
+a = { acceleration = { m = 1 } }
+spring = { force = "spring" }
 """
 BELT = """
 [bodies]
@@ -36,6 +38,8 @@ spring = { between = ["ground", "block"], stiffness = 1.0 }
 rub = { between = ["belt", "block"], curve = [[0.0, 1.0], [0.5, 0.6], [2.0, 0.5]] }
 [outputs]
 x = { block = 1 }
+v = { velocity = { block = 1 } }
+rub = { force = "rub" }
 """
 
 
@@ -83,7 +87,10 @@ def test_random_mechanisms_with_curves(seed):
 def test_the_hardening_spring_of_the_definition():
     """Digits of the public case hardening-curve of the definition of machines, found there in two ways."""
     motion = respond(Mechanism.from_toml_text(HARDENING)).motions[0]
-    assert motion.measures.peak_to_peak["x"] == pytest.approx(10.050618103494804, rel=1e-12)
+    swings = {"x": 10.050618103494804, "a": 26.551738528330826, "spring": 34.27708341211988}
+    assert motion.measures.peak_to_peak == pytest.approx(swings, rel=1e-12)
+    rms = {"x": 3.5137026201063133, "a": 8.747939904232563, "spring": 11.463445183653434}
+    assert {name: each.value for name, each in motion.rms.items()} == pytest.approx(rms, rel=1e-12)
     assert abs(motion.orbit.multipliers[0]) == pytest.approx(0.740818221, abs=2e-9)
     assert motion.events_per_period == 0.0
 
@@ -92,7 +99,10 @@ def test_the_belt_of_the_definition():
     """Digits of the public case belt-falling, found there in two ways."""
     motion = respond(Mechanism.from_toml_text(BELT)).motions[0]
     assert motion.orbit.period == pytest.approx(9.437666889696295, rel=1e-12)
-    assert motion.measures.peak_to_peak["x"] == pytest.approx(1.139914529794057, rel=1e-12)
+    swings = {"x": 1.139914529794057, "v": 0.7669547865929355, "rub": 0.9460400366818313}
+    assert motion.measures.peak_to_peak == pytest.approx(swings, rel=1e-12)
+    rms = {"x": 0.3709049702760084, "v": 0.2772839219288574, "rub": 0.24634147765895606}
+    assert {name: each.value for name, each in motion.rms.items()} == pytest.approx(rms, rel=1e-12)
     assert motion.events_per_period == 2.0
     assert motion.measures.frictions["rub"].stick * motion.orbit.period == pytest.approx(
         4.730200183409156, rel=1e-11

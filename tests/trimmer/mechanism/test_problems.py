@@ -129,6 +129,22 @@ def test_names_are_unique_and_stand_for_what_is_there() -> None:
     ]
 
 
+def test_outputs_are_of_one_kind_and_their_names_are_free() -> None:
+    loose = {"u": Output(kind="speed"), "v": Output({"a": 1.0}, "force", "mount"), "w": Output(kind="force")}
+    assert places(outputs=loose) == ["outputs.u.kind", "outputs.v", "outputs.w.force"]
+    assert places(outputs={"u": Output({"a": 1.0}, part="mount")}) == ["outputs.u.part"]
+    twice = {"links": MOUNT, "frictions": {"mount": Friction(("ground", "a"), 1.0)}}
+    force, speed = Output(kind="force", part="mount"), Output({"a": 1.0}, "velocity")
+    assert "a part of this name is in links and frictions" in told(**twice, outputs={"u": force})[0]
+    bodies, links = {"force": A}, {"mount": Link(("ground", "force"), 3.0)}
+    for output in (force, Output({"force": 1.0}, "velocity")):
+        (sentence,) = told(bodies=bodies, links=links, outputs={"u": output})
+        assert sentence.startswith("bodies.force: this name says of which kind an output is")
+    (sentence,) = told(bodies=bodies, links=links, outputs={"u": Output({"force": 1.0})})
+    assert "with the one key 'force' it is no displacement" in sentence
+    assert told(outputs={"u": force, "v": speed}) == []
+
+
 @pytest.mark.parametrize(
     ("ends", "reasons"),
     [

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from trimmer import Mechanism, simulate
+from trimmer import Mechanism, respond, simulate
 from trimmer.command_line.main import main
+from trimmer.mechanism import Output
 
 PUSHED = """
 frequency = 1.0
@@ -52,6 +54,16 @@ def test_equal_frictions_share_equally_and_their_order_does_not_matter() -> None
     assert forces["one"] == pytest.approx(forces["other"], abs=1e-12)
     for name in limits:
         assert again.friction_force(name, times) == pytest.approx(forces[name], abs=1e-12)
+
+
+def test_as_outputs_they_stay_within_their_limits() -> None:
+    weak, strong = (Output(kind="force", part=name) for name in ("weak", "strong"))
+    mechanism = replace(pushed({"weak": 0.1, "strong": 2.0}, 2.05), outputs={"weak": weak, "strong": strong})
+    found = respond(mechanism).motion.rest
+    assert found is not None
+    # Without limits the strong one would bear 2.05 times 4 / 4.01.
+    assert found.measures.outputs["strong"].peak_to_peak == pytest.approx(4.0, rel=1e-12)
+    assert found.measures.outputs["weak"].peak_to_peak == pytest.approx(0.1, rel=1e-9)
 
 
 def test_one_friction_alone_is_determined() -> None:

@@ -8,11 +8,11 @@ from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
 from trimmer.messages import listed
+from trimmer.motion.units import with_unit
 from trimmer.response.response_json import rest_json
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Reals
     from trimmer.response.energy import MechanismEnergy
     from trimmer.response.motion import MechanismEvent, MechanismMotion
 
@@ -21,7 +21,12 @@ def as_text(motion: MechanismMotion) -> str:
     """Return a summary of a motion: outcome, events of each part, outputs at the end, energy."""
     events = ((event.part, event.kind.value) for event in motion.events)
     lines = summary_lines(motion.duration, motion.message, events)
-    lines += table(("output", "m"), [(name, f"{value:.6g}") for name, value in _ranges(motion).items()])
+    units = motion.signals if motion.mechanism.outputs else {}
+    alike = len(set(units.values())) <= 1
+    rows = [
+        (name if alike else with_unit(name, units[name]), f"{v:.6g}") for name, v in _ranges(motion).items()
+    ]
+    lines += table(("output", next(iter(units.values()), "m") if alike else ""), rows)
     return "\n".join([*lines, *_energy_text(motion.energy)])
 
 
@@ -61,14 +66,6 @@ def _event(event: MechanismEvent) -> dict[str, Any]:
         "rate": event.rate,
         "impulse": event.impulse,
     }
-
-
-def displacements(motion: MechanismMotion, times: Reals) -> dict[str, Reals]:
-    """Return the outputs, or the displacements of the bodies if there are none, m, by their names."""
-    mechanism = motion.mechanism
-    if mechanism.outputs:
-        return {name: motion.output(name, times) for name in mechanism.outputs}
-    return {name: motion.displacement(name, times) for name in mechanism.coordinates}
 
 
 def _ranges(motion: MechanismMotion) -> dict[str, float]:

@@ -101,7 +101,8 @@ def _simulated(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
     measures = motion.orbit.measures.outputs[output]
     count = motion.orbit.period_count
     frequency = mechanism.frequency or 1.0 / motion.orbit.period
-    return SimulatedLines(measures.amplitudes, frequency, count), motion.message
+    unit = motion.orbit.flow.outputs[output].unit
+    return SimulatedLines(measures.amplitudes, frequency, count, unit), motion.message
 
 
 COMMAND = Command(

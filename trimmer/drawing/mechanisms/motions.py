@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -18,9 +19,12 @@ from trimmer.motion.flow import Flow, signals_of
 from trimmer.motion.part import TOUCHING, Phase
 from trimmer.motion.signals import Steady, rate, read, while_status
 from trimmer.motion.spans import spans_of
+from trimmer.motion.units import with_unit
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
 
+WORDS = {"m": "displacement", "m/s": "velocity", "m/s²": "acceleration", "N": "force"}
+"""What all signals are if this is their unit."""
 POINTS = 4000
 """Points of a curve."""
 
@@ -42,12 +46,20 @@ def draw_motion(flow: Flow, course: Course, axes: Axes) -> None:
     times = np.linspace(0.0, course.duration, POINTS)
     states, rows = course.states(times), _rows(course, times)
     signals = signals_of(flow)
+    alike = len({each.unit for each in signals.values()}) == 1
     for number, (name, each) in enumerate(signals.items()):
         (values,) = read(course, [each], rows, states).T
-        axes.plot(times, values, label=plain_label(name), linewidth=1.2, **line(number))
+        label = plain_label(name) if alike else with_unit(plain_label(name), each.unit)
+        axes.plot(times, values, label=label, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)
-    unit = "m" if all(each.unit == "m" for each in signals.values()) else ""
-    finish(axes, ("time", "s"), ("displacement" if unit else "signals", unit), strips_of(flow, course))
+    finish(axes, ("time", "s"), _shown(each.unit for each in signals.values()), strips_of(flow, course))
+
+
+def _shown(units: Iterable[str]) -> tuple[str, str]:
+    """Return what signals of some units are called, and their unit; none if they have several."""
+    found = set(units)
+    unit = found.pop() if len(found) == 1 else ""
+    return WORDS.get(unit, "signals"), unit
 
 
 def _rows(course: Course, times: Reals) -> Integers:
@@ -95,8 +107,8 @@ def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int 
     (name, first), *_ = signals_of(flow).items()
     forcing = np.tile(flow.modes.system.layout.forcing_at(0.0), (len(states), 1))
     extended = np.hstack([states, forcing])
-    # The rate of a displacement is the same in every mode.
-    alike = isinstance(first.signal, Steady)
+    # Only the rate of a displacement is the same in every mode.
+    alike = isinstance(first.signal, Steady) and first.unit == "m"
     modes = [flow.modes.number(flow.at(state).statuses) for state in (states[:1] if alike else states)]
     rows = np.array([(first.signal(mode), rate(flow.modes, first.signal)(mode)) for mode in modes])
     points = (rows @ extended[:, :, None])[:, :, 0]
@@ -109,5 +121,5 @@ def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int 
 def _name_plane(axes: Axes, name: str, unit: str) -> None:
     axes.locator_params(nbins=5)
     name_axis(axes.xaxis, name, unit)
-    name_axis(axes.yaxis, f"rate of {name}", f"{unit or 1}/s")
+    name_axis(axes.yaxis, f"rate of {name}", {"m/s": "m/s²", "m/s²": "m/s³"}.get(unit, f"{unit or 1}/s"))
     axes.grid(alpha=0.3)

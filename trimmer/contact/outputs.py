@@ -1,0 +1,151 @@
+"""Outputs of a mechanism as functionals of its state: sums of motions of ends, and forces of parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.assembly import PUSHING, force_of
+from trimmer.contact.curve_forces import force_signal as curve_signal
+from trimmer.contact.friction_forces import dry_forces, rows_in_mode
+from trimmer.contact.layout import Rows
+from trimmer.mechanism.outputs import UNITS
+from trimmer.mechanism.parts import OutputKind
+from trimmer.motion.signals import OwnValues, Readout, Steady, along, rate
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trimmer.arrays import Integers, Reals
+    from trimmer.contact.layout import Layout
+    from trimmer.contact.system import MechanismSystem
+    from trimmer.hybrid.tables import Modes
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.parts import Output
+    from trimmer.motion.course import Course
+    from trimmer.motion.signals import Signal
+
+
+def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str, Readout]:
+    """Return each output, in SI units.
+
+    In a frame that moves a displacement is without what the frame moves by, and so is a pin that goes on for
+    ever while nothing leans on it: that is its speed.
+    """
+    return {
+        name: Readout(_signal(mechanism, modes, each), UNITS[each.kind], _speed(modes.system.layout, each))
+        for name, each in mechanism.outputs.items()
+    }
+
+
+def _speed(layout: Layout, output: Output) -> float:
+    if output.kind is not OutputKind.DISPLACEMENT:
+        return 0.0
+    return sum(weight * layout.speeds[of] for of, weight in output.weights.items())
+
+
+def _signal(mechanism: Mechanism, modes: Modes[MechanismSystem], output: Output) -> Signal:
+    layout, weights = modes.system.layout, output.weights.items()
+    if output.part is not None:
+        return force_signal(mechanism, modes, output.part)
+    if output.kind is OutputKind.DISPLACEMENT:
+        return Steady(np.asarray(sum((weight * _displacement(layout, of) for of, weight in weights))))
+    ends = Rows(mechanism, layout)
+    velocity = np.asarray(sum((weight * ends.velocity(of) for of, weight in weights)))
+    if output.kind is OutputKind.VELOCITY:
+        return Steady(velocity)
+    return rate(modes, Steady(velocity))
+
+
+def _displacement(layout: Layout, name: str) -> Reals:
+    row: Reals = layout.end_rows[layout.ends.index(name)]
+    return row
+
+
+def force_signal(mechanism: Mechanism, modes: Modes[MechanismSystem], part: str) -> Signal:
+    """Return the force of a link, play, stop or friction, N, positive where it pulls its ends together.
+
+    Forces of frictions that hold the same bodies are shared as by ``MechanismMotion.friction_force``.
+    """
+    layout, ends = modes.system.layout, Rows(mechanism, modes.system.layout)
+    if part in layout.contacts:
+        return contact_force(modes, layout.contacts.index(part))
+    if part in mechanism.links:
+        link = mechanism.links[part]
+        linear = Steady(_between(ends, link.between, link.stiffness, link.damping))
+        return _with_curve(modes, linear, "links", part)
+    if part in mechanism.frictions:
+        friction = mechanism.frictions[part]
+        viscous = Steady(_between(ends, friction.between, 0.0, friction.viscous))
+        smooth = _with_curve(modes, viscous, "frictions", part)
+        if part in layout.frictions:
+            return FrictionForce(modes, layout.frictions.index(part), smooth)
+        return smooth
+    return Steady(np.zeros(layout.size))
+
+
+def _with_curve(modes: Modes[MechanismSystem], linear: Steady, section: str, part: str) -> Signal:
+    if (section, part) not in modes.system.layout.curves:
+        return linear
+    curve = curve_signal(modes, section, part)
+    return lambda mode: linear.row + curve(mode)
+
+
+def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
+    """Return the force of a contact by its number, N, positive where it pulls the ends together."""
+
+    def row(mode: int) -> Reals:
+        status = modes[mode].statuses[contact]
+        return (
+            force_of(modes.system.machine, contact, status)
+            if status in PUSHING
+            else np.zeros(modes.system.layout.size)
+        )
+
+    return row
+
+
+@dataclass(frozen=True, eq=False)
+class FrictionForce(OwnValues):
+    """The force of a friction, N.
+
+    Attributes:
+        modes: The modes.
+        number: Of the friction.
+        smooth: Its share beside dry friction: the viscous one, and that of a curve beyond the force at rest.
+        known: Functionals of modes that were asked for.
+    """
+
+    modes: Modes[MechanismSystem]
+    number: int
+    smooth: Signal
+    known: dict[int, Reals] = field(default_factory=dict)
+
+    def __call__(self, mode: int) -> Reals:
+        """Return the row, (N,): where several stick together, of the share with the least squares."""
+        if mode not in self.known:
+            self.known[mode] = self.smooth(mode) + rows_in_mode(self.modes, mode)[self.number]
+        return self.known[mode]
+
+    def along(self, course: Course, rows: Integers, states: Reals) -> Reals:
+        """Return the force at states, (count, N), in rows of the log: that of an admissible share."""
+        smooth = along(course, self.smooth, rows, states)
+        return np.asarray(smooth + dry_forces(course, rows, states)[:, self.number])
+
+
+def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:
+    """Return the force of each link, play, stop and friction, N, at times, s, that do not decrease."""
+    states = course.states(times)
+    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    parts = (*mechanism.links, *mechanism.plays, *mechanism.stops, *mechanism.frictions)
+    return {name: along(course, force_signal(mechanism, course.modes, name), rows, states) for name in parts}
+
+
+def _between(rows: Rows, ends: tuple[str, str], stiffness: float, damping: float) -> Reals:
+    """Return the force of a spring and a damper between two ends as a functional, N, (N,)."""
+    start, end = ends
+    stretch = rows.displacement(end) - rows.displacement(start)
+    speed = rows.velocity(end) - rows.velocity(start)
+    return np.asarray(stiffness * stretch + damping * speed)
