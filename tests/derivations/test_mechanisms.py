@@ -158,6 +158,7 @@ def everything():
     )
 
 
+@pytest.mark.slow
 def test_another_order_of_bodies_and_parts_permutes_the_matrices(everything):
     order = [2, 0, 1]
     turned = replace(

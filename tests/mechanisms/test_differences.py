@@ -21,6 +21,7 @@ def test_a_linear_oscillator():
     np.testing.assert_allclose(found[np.argmin(found.imag)], exact, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("ratio", "force"), [(0.7, 0.2)])
 def test_dry_friction_damps_as_the_saltation_at_reversals_says(ratio, force):
     """The determinant is the product of the ratios of accelerations at the two reversals."""

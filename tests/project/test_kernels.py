@@ -21,6 +21,7 @@ def kernels(*options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, cwd=TESTS.parent, check=False)
 
 
+@pytest.mark.slow
 def test_each_kernel_and_each_python_is_run_or_left_out_with_the_reason() -> None:
     ended = kernels("--list")
     assert ended.returncode == 0

@@ -20,6 +20,7 @@ EXAMPLES = "import pytest\n" + "".join(EXAMPLE.format(marker=marker) for marker 
 SETTINGS = "[tool.pytest.ini_options]\nmarkers = ['browser', 'octave', 'poppler']\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("ci", "outcome"), [("", "3 skipped"), ("true", "3 errors")])
 def test_missing_programs(tmp_path: Path, project_folder: Path, ci: str, outcome: str) -> None:
     shutil.copy(project_folder / "tests" / "conftest.py", tmp_path)

@@ -75,6 +75,7 @@ def test_there_are_scripts_to_look_at() -> None:
     assert {"benchmarks/run.py", "scripts/mutation/__main__.py", "report/twin/make_maps.py"} <= set(scripts())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("script", scripts())
 def test_help_is_told_and_nothing_is_done(told: dict[str, list[object]], script: str) -> None:
     code, errors, output, left = told[module_of(script)]

@@ -68,6 +68,7 @@ def test_generated_functions_agree_with_sympy():
         np.testing.assert_allclose(found, numeric, rtol=1e-12, atol=1e-15)
 
 
+@pytest.mark.slow
 def test_derive_command_writes_both_files(tmp_path, capsys, sources):
     module, document = tmp_path / "deep" / "module.py", tmp_path / "text.tex"
     assert main(["derive", "--module", str(module), "--latex", str(document)]) == 0

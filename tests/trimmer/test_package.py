@@ -39,14 +39,6 @@ def test_heavy_libraries_are_not_imported_before_they_are_needed(
     assert loaded.isdisjoint(HEAVY)
 
 
-def test_the_linear_model_needs_no_sympy(project_folder: Path) -> None:
-    statement = "import trimmer; trimmer.summarise(trimmer.TrimmerParameters.thesis())"
-    loaded = modules_after(statement, project_folder)
-    assert "control" in loaded
-    assert "sympy" not in loaded
-    assert not any(name.startswith("derivations") for name in loaded)
-
-
 def test_every_public_name_comes_from_its_module() -> None:
     for name, value in public_names().items():
         if hasattr(value, "__module__") and callable(value):

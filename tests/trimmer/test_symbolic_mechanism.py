@@ -74,7 +74,7 @@ def test_derived_matrices_of_the_examples_are_those_that_solvers_assemble(path):
     assert_matrices_agree(Mechanism.from_toml(path))
 
 
-@settings(max_examples=8)
+@settings(max_examples=4)
 @given(mechanisms())
 def test_derived_matrices_of_random_mechanisms_are_those_that_solvers_assemble(mechanism):
     assert_matrices_agree(mechanism)
@@ -118,7 +118,7 @@ def test_engine_moves_the_examples_as_they_are_derived(path):
     assert_motion_agrees(mechanism, 0.3 / (mechanism.frequency or 1.0))
 
 
-@settings(max_examples=6)
+@settings(max_examples=3)
 @given(mechanisms(most_bodies=3))
 def test_engine_moves_random_mechanisms_as_they_are_derived(mechanism):
     assert_motion_agrees(mechanism, 0.4)
@@ -185,7 +185,7 @@ def one_body(**sections):
     return Mechanism(**{"bodies": {"a": Body(1.0)}, "links": mount, **sections})
 
 
-@settings(max_examples=8)
+@settings(max_examples=5)
 @given(mechanisms_with_any_names())
 def test_symbols_and_names_of_random_mechanisms_are_unique(mechanism):
     found = [each.symbol for each in printed_symbols(mechanism).values()]

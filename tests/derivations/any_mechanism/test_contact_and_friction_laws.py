@@ -11,6 +11,7 @@ from derivations.mechanism import Mechanism
 from derivations.parts import ContactLaw, Play, Spring
 from derivations.symbols import t
 from tests.derivations.symbolic_parts import GROUND, body, friction, play, positive, stop
+from tests.quick import quick
 
 FIRST, SECOND = body(1), body(2)
 K, C, G = sympy.Integer(7), sympy.Integer(3), sympy.Integer(2)
@@ -37,7 +38,7 @@ def sides(contact):
     return [(G / 2, 1), (-G / 2, -1)] if isinstance(contact, Play) else [(G, 1)]
 
 
-@pytest.mark.parametrize("kind", [play, stop])
+@pytest.mark.parametrize("kind", quick([play, stop], 1))
 @pytest.mark.parametrize("law", [ContactLaw.TRUNCATED, ContactLaw.PULLING])
 def test_force_of_a_contact_without_memory(kind, law):
     """T = k (s -+ gap/2) + c s' while the gap is closed, and for the truncated law while T does not pull."""
@@ -52,7 +53,7 @@ def test_force_of_a_contact_without_memory(kind, law):
         assert value(tension, contact, distance=s, rate=v) == expected
 
 
-@pytest.mark.parametrize("kind", [play, stop])
+@pytest.mark.parametrize("kind", quick([play, stop], 0))
 def test_relaxing_contact(kind):
     """In contact z = s - side while T >= 0 there (<= 0 at the other side); free, z' = -(k/c) z and T = 0."""
     contact = kind("b", FIRST, SECOND)

@@ -21,6 +21,7 @@ from derivations.elements.friction import FORCE, relay_waveform
 from derivations.elements.friction import friction_waveform as coulomb_waveform
 from derivations.elements.waveform import THETA, describing_function
 from derivations.symbols import A
+from tests.quick import quick
 
 CASES = [(0.3, 1.9), (1.0, 1.6), (1.25, 2.25), (4.0, 2.0), (20.0, 1.0)]
 """Pairs of γ and contact angle, all after separation and within half a turn of it."""
@@ -48,7 +49,7 @@ def test_general_waveform_is_continuous_and_stays_in_the_gap(gamma, contact):
         assert np.all(np.abs(position - np.sin(phase)) <= values[GAP] / 2 + 1e-9)
 
 
-@pytest.mark.parametrize(("gamma", "contact"), CASES)
+@pytest.mark.parametrize(("gamma", "contact"), quick(CASES, 1))
 def test_general_describing_function_is_that_of_quadrature(gamma, contact):
     values = numbers(gamma, contact)
     closed = complex(describing_function(general_waveform(), A).subs(values))

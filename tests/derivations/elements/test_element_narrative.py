@@ -55,6 +55,7 @@ def test_no_equation_with_a_wrong_factor_is_proven(steps):
             assert_unproven(equality, closed)
 
 
+@pytest.mark.slow
 def test_no_equation_with_a_wrong_sign_is_proven(steps):
     """The last of each step; all take the same way through the proof."""
     for step in steps:

@@ -20,6 +20,7 @@ def trimmer():
     return derive_linear_trimmer()
 
 
+@pytest.mark.slow
 def test_the_proof_holds_for_the_trimmer(trimmer):
     proof = incremental_dissipation(trimmer)
     assert proof.residual == 0

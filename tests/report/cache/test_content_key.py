@@ -9,7 +9,14 @@ from pathlib import Path
 
 import pytest
 
-KEY = "from report.cache.content_key import content_key; print(content_key())"
+KEYS = """
+import sys
+from report.cache.content_key import content_key
+print(content_key())
+for name in sys.argv[1:]:
+    open(name, "a").write("\\n")
+    print(content_key())
+"""
 CHANGED = (
     "report/data/thesis.toml",
     "report/data/twin/branches.json",
@@ -29,17 +36,16 @@ def copy(tmp_path_factory: pytest.TempPathFactory, project_folder: Path) -> Path
     return folder
 
 
-def key(folder: Path) -> str:
-    run = subprocess.run([sys.executable, "-c", KEY], capture_output=True, text=True, check=True, cwd=folder)
-    return run.stdout.strip()
+def keys(folder: Path, *changed: str) -> list[str]:
+    """Return the key, and the key after each file has been changed."""
+    run = subprocess.run(
+        [sys.executable, "-c", KEYS, *changed], capture_output=True, text=True, check=True, cwd=folder
+    )
+    return run.stdout.split()
 
 
 def test_the_key_changes_with_any_source_or_file_of_data(copy: Path) -> None:
-    keys = [key(copy)]
-    for name in CHANGED:
-        with (copy / name).open("a") as file:
-            file.write("\n")
-        keys.append(key(copy))
-    assert len(set(keys)) == len(keys) == len({len(each) for each in keys}) * (len(CHANGED) + 1)
+    found = keys(copy, *CHANGED)
+    assert len(set(found)) == len(found) == len({len(each) for each in found}) * (len(CHANGED) + 1)
     shutil.rmtree(copy / "trimmer" / "__pycache__", ignore_errors=True)
-    assert key(copy) == keys[-1]
+    assert keys(copy) == found[-1:]

@@ -223,6 +223,7 @@ def test_an_interrupted_design_leaves_nothing_half_written(
     assert "motions from several starts: kept" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_an_interrupt_while_pages_are_made_tells_what_is_kept(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -74,6 +74,7 @@ def test_what_there_was_no_time_for_is_said_where_it_would_stand(tmp_path: Path)
     assert "missed" in pieces["verdict"]
 
 
+@pytest.mark.slow
 def test_a_file_without_outputs_gets_its_report(tmp_path: Path) -> None:
     text = without(example_text("den-hartog"), "outputs")
     report, text = reported(design_file_of_text(text, "den-hartog.toml"), tmp_path)

@@ -39,6 +39,7 @@ def test_observations_and_figures_stand_in_their_order(document):
     assert "second \\< check" in text
 
 
+@pytest.mark.slow
 def test_the_page_holds_the_drawing_the_evidence_and_the_code(document):
     html = to_html(document, Converter().html(Converter().parsed(to_markdown(document))))
     assert SVG in html

@@ -36,6 +36,7 @@ def test_servo_with_backlash_has_an_outer_stable_limit_cycle() -> None:
     assert (small.stable, large.stable) == (False, True)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
 def test_at_one_frequency_the_smaller_limit_cycle_comes_first_in_any_unit_of_time() -> None:
     """Without memory all lie where G is real, at sqrt(2) of the unit; rounding parts their frequencies."""

@@ -125,6 +125,7 @@ def outcomes(seed: int, places: range) -> Counter[Outcome]:
     return counts
 
 
+@pytest.mark.slow
 def test_no_limit_cycle_of_random_loops_is_missed() -> None:
     counts = outcomes(23, range(50))
     assert counts[Outcome.COMPLETE] >= 40

@@ -102,6 +102,7 @@ def twin(force: float = 1.0) -> Mechanism:
     return mechanism.with_value("frictions.blade.force", force)
 
 
+@pytest.mark.slow
 def test_first_case_of_the_trimmer() -> None:
     branch = follow(twin(), "frequency", 110.0, "110.2 Hz", settings=FollowSettings(most_points=2))
     orbit = branch.points[0]

@@ -159,6 +159,7 @@ def test_period_doublings_of_two_blocks_against_brute_force() -> None:
         assert abs(found[2:]).max() < 1e-5
 
 
+@pytest.mark.slow
 def test_orbits_of_two_blocks_return_by_brute_force_with_the_same_multipliers(blocks: FollowedBranch) -> None:
     for orbit in (blocks.points[3], blocks.points[-1]):
         mechanism = two_blocks(orbit.value)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.mechanisms.shifted_phases import differences_of_branches, shifted, state_at
+from tests.quick import quick
 from tests.trimmer.branches.bouncing_ball import ball, damping, fold, resting, thrown
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer import FollowSettings, Mechanism, SpecialKind, follow, follow_special, forced_orbit
@@ -39,7 +40,8 @@ def test_a_fold_is_passed_wherever_the_ball_meets_the_table(stiffness: float, ph
 
 
 @pytest.mark.parametrize(
-    ("law", "phase"), [(ContactLaw.PULLING, 0.0), (ContactLaw.TRUNCATED, 3.0), (ContactLaw.RELAXING, 0.0)]
+    ("law", "phase"),
+    quick([(ContactLaw.PULLING, 0.0), (ContactLaw.TRUNCATED, 3.0), (ContactLaw.RELAXING, 0.0)], 1),
 )
 def test_a_ball_at_rest_on_the_table_lifts_off(law: ContactLaw, phase: float) -> None:
     """The force, g + A |k + i c| / |k - 1 + i c| cos, falls to zero; where it may pull, r does."""
@@ -66,7 +68,7 @@ def test_a_ball_at_rest_on_the_table_lifts_off(law: ContactLaw, phase: float) ->
     assert found.points[-1].events_per_period > 0
 
 
-@pytest.mark.parametrize("law", ContactLaw)
+@pytest.mark.parametrize("law", quick(ContactLaw, 0))
 def test_a_phase_over_a_whole_turn_changes_nothing(law: ContactLaw) -> None:
     """All that happens in a period comes to t = 0 in turn."""
     machine = ball(1e6, 0.5, law=law)
@@ -110,6 +112,7 @@ def compared(
     return {each.kind for each in ours.special}, list(differences_of_branches(ours, theirs))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.13, pytest.param(0.5, marks=pytest.mark.slow)])
 def test_folds_grazings_and_period_doublings_are_the_same_under_a_later_clock(share: float) -> None:
     kinds, different = compared(impact_oscillator(), "frequency", (1.0, 1.5), share, None)

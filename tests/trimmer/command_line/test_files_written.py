@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.quick import quick
 from trimmer.command_line.main import main
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -26,7 +27,7 @@ def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("name", [*list(PICTURES)[:-1], pytest.param("starts.svg", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("name", quick(PICTURES, 0))
 def test_a_picture_is_the_same_bytes_each_time(name: str, capsys) -> None:
     contents = []
     for _ in range(2):  # the second one over a picture of its kind
@@ -42,6 +43,7 @@ def test_two_files_may_both_go_nowhere() -> None:
     assert main([*MOTION, "--csv", os.devnull, "--plot", "a.svg"]) == 0
 
 
+@pytest.mark.slow
 def test_what_does_not_repeat_is_told_and_drawn_too(capsys) -> None:
     words = ["--set", "frictions.blade.force=0", "--set", "plays.bridge.gap=0.2mm", "--periods", "64"]
     assert main(["respond", TWIN, *words, "--plot", "chaos.png"]) == 0

@@ -36,10 +36,21 @@ def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-@pytest.mark.parametrize("words", [["linear"], ["design", "--help"], ["map", "--help"]], ids=" ".join)
+@pytest.mark.parametrize("words", [["design", "--help"], ["map", "--help"]], ids=" ".join)
 def test_files_of_the_current_folder_are_not_run(folder: Path, words: list[str]) -> None:
     done = run(folder, "-m", "trimmer", *words)
     assert (done.returncode, done.stderr) == (0, "")
+    assert not list(folder.glob("ran-*"))
+
+
+def test_nor_are_they_by_the_linear_model_which_needs_no_sympy(folder: Path) -> None:
+    """Python tells on standard error what it imports."""
+    done = run(folder, "-X", "importtime", "-m", "trimmer", "linear")
+    imported = {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
+    assert done.returncode == 0 and done.stdout.count("\n") > 10
+    assert all(line.startswith("import time:") for line in done.stderr.splitlines())
+    assert "control" in imported and "sympy" not in imported
+    assert not any(name.startswith("derivations") for name in imported)
     assert not list(folder.glob("ran-*"))
 
 

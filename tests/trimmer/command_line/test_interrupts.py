@@ -132,6 +132,7 @@ def test_a_long_simulation_hears_it(capsys) -> None:
     assert printed.err.endswith(" s of 1e+06 s: interrupted\n")
 
 
+@pytest.mark.slow
 def test_a_motion_is_known_until_then() -> None:
     loop = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(2e-4), trimmer.Drive(1.5e-3, frequency=110.0))
     expected = trimmer.simulate(loop, 0.05)

@@ -137,6 +137,7 @@ def test_numbers_of_influence_are_tried_before_the_others() -> None:
     assert list(tried({number: 1.0 + number for number in range(20)})) == others[10:]
 
 
+@pytest.mark.slow
 def test_starts_are_counted_and_neighbours_are_looked_at_around_two_numbers() -> None:
     alone = motions_from_starts(oscillator(), replace(FEW, starts=3))
     assert (alone.starts, alone.seed, alone.lost, alone.first_failed) == (3, 5, 0, False)

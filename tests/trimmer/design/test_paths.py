@@ -66,6 +66,7 @@ def over_frequency(lowest: float, highest: float) -> VariedNumber:
     return VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, lowest, highest)
 
 
+@pytest.mark.slow
 def test_the_orbits_of_an_oscillator_are_those_of_its_formula() -> None:
     begun = motion(state=np.zeros(2))
     path = path_through(oscillator(), over_frequency(19.0, 20.5), begun, 300)

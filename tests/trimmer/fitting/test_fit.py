@@ -90,6 +90,7 @@ def two() -> Fit:
     return fit_numbers(start_of_two(), {"stroke": record(trimmer(), 2e-6)}, [GAP, FORCE], settings=ONCE)
 
 
+@pytest.mark.slow
 def test_a_machine_of_another_size_has_the_same_relative_intervals(two: Fit) -> None:
     """With all lengths and forces a thousandth the motion is a thousandth."""
     small, start = trimmer(), start_of_two()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import control
 import numpy as np
 import pytest
@@ -20,6 +22,7 @@ def driven(threshold: float, slope: float) -> trimmer.OpenLoop:
     return trimmer.OpenLoop(control.tf([1.0], [1.0, 0.6, 9.87]), trimmer.DeadZone(threshold, slope), DRIVE)
 
 
+@cache
 def record(threshold: float, slope: float, unit: str = "") -> trimmer.Signal:
     """Its output after a minute, by a method of order eight, with a little noise."""
 

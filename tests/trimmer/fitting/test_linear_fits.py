@@ -87,7 +87,7 @@ def lowest(fit: Fit, **held: float) -> tuple[np.ndarray, float]:
     return found.x, 2.0 * float(found.cost)
 
 
-@pytest.fixture(scope="module", params=quick([0, 1, 2], 0, 2))
+@pytest.fixture(scope="module", params=quick([0, 1, 2], 2))
 def fit(request: pytest.FixtureRequest) -> Fit:
     return fitted(record(request.param))
 
@@ -183,6 +183,7 @@ def test_a_mechanism_that_lacks_something_is_told() -> None:
     assert any("repeats after 2 drive periods, the fitted one after one" in note for note in fit.notes)
 
 
+@pytest.mark.slow
 def test_a_line_of_something_else_is_no_noise() -> None:
     hum = 1e-3 * np.cos(2 * np.pi * 7.3 * TIMES)
     with_hum, clean = fitted(record(more=hum).scaled(1e6, "um")), fitted(record())

@@ -72,6 +72,7 @@ def test_each_of_many_moves_as_it_does_alone() -> None:
         assert (abs(apart) <= 1e-8 * sizes[own]).all()
 
 
+@pytest.mark.slow
 def test_many_modes_take_little_memory() -> None:
     flow = MechanismFlow(copies(range(20)))
     start = flow.rest()

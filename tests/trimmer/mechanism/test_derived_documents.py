@@ -14,8 +14,7 @@ from trimmer.code_generation import derive_mechanism_sources
 from trimmer.mechanism.mechanism import Mechanism
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
-QUICK = {"oscillator-stop", "second-play"}
-"""Together they have links, a play, a stop, frictions, forces and pins."""
+QUICK = {"oscillator-stop"}
 FITTED = re.compile(r"\\resizebox\{\\fitted\}\{!\}\{\$\\displaystyle (.*?)\$\}", re.DOTALL)
 """A formula that LaTeX shrinks to the line, which pandoc does not know."""
 

@@ -39,6 +39,7 @@ def assert_returns(orbit: PeriodicOrbit) -> None:
     assert min(abs(orbit.multipliers - 1.0)) < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("system", "element"),
     quick(
@@ -74,6 +75,7 @@ def test_loads_that_slow_down_return_after_a_whole_period() -> None:
     assert orbit.amplitude == pytest.approx(final_amplitude(SERVO, element, orbit.period), rel=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
 def test_the_multipliers_of_contacts_of_no_length_are_those_of_differences() -> None:
     """A load that only touches leaves with the pin's state, which tells all of the next touch but one.

@@ -16,7 +16,7 @@ WITH_ORBIT = (3, 9, 12, 14, 18, 24, 27, 40)
 ALWAYS = OrbitSearch(Simulations.ALWAYS)
 
 
-@pytest.mark.parametrize("number", quick(WITH_ORBIT, 4, 7))
+@pytest.mark.parametrize("number", quick(WITH_ORBIT, 4))
 def test_no_stable_orbit_is_missed(number: int) -> None:
     loop = random_loop(number)
     expected = stable_amplitudes(loop)

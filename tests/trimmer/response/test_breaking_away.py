@@ -30,6 +30,7 @@ def test_a_block_breaks_away_from_one_that_stays() -> None:
     assert places == pytest.approx([0.0, 7.0], abs=1e-13)
 
 
+@pytest.mark.slow
 def test_from_rest_the_motion_is_that_by_brute_force() -> None:
     machine = random_mechanism(5030)
     duration = 3 / machine.frequency

@@ -36,7 +36,7 @@ def test_it_drags_then_locks_slips_or_overruns_on(push: float) -> None:
     assert lost == pytest.approx(DRAG * overrun + CAPACITY * slip, rel=1e-11)
 
 
-@pytest.mark.parametrize("frequency", [4.0, 10.0])
+@pytest.mark.parametrize("frequency", [10.0, pytest.param(4.0, marks=pytest.mark.slow)])
 def test_the_feeder_moves_as_by_the_law_of_a_clutch(frequency: float) -> None:
     """At 4 Hz the clutch holds, at 10 Hz it slips. What holds creeps, by its force over ``steep``."""
     steep, omega, guide, duration = 1e7, 2 * math.pi * frequency, 12.0, 3.0 / frequency

@@ -85,6 +85,7 @@ def test_equal_machines_have_the_multipliers_of_one_twice(
     assert (two.stable, two.neutral) == ((True, False) if frequency else (False, True))
 
 
+@pytest.mark.slow
 def test_frictions_of_bodies_that_hold_each_other_come_to_rest_together() -> None:
     """A body comes to rest beside one that is held and beside the ground: one event, also of a neighbour."""
     orbit = respond(random_mechanism(1118)).motion.orbit

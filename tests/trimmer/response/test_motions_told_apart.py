@@ -23,6 +23,7 @@ def blocks(between: float) -> Mechanism:
     )
 
 
+@pytest.mark.slow
 def test_orbits_of_one_period_are_told_apart_by_which_block_goes_first() -> None:
     """From rest both blocks are in step for ever; others come to left before right, or right before left."""
     response = respond(blocks(0.1), starts=5)

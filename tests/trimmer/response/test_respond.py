@@ -54,6 +54,7 @@ def test_at_another_speed_the_symmetry_is_lost() -> None:
     assert motion.harmonics["stroke"][1] > 1e-6
 
 
+@pytest.mark.slow
 def test_without_friction_it_is_chaotic() -> None:
     response = respond(twin(0.0, 2e-4), most_periods=200)
     exponent = response.motion.lyapunov

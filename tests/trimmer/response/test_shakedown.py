@@ -11,7 +11,7 @@ from tests.quick import quick
 from trimmer import respond
 
 
-@pytest.mark.parametrize(("seed", "share"), quick([(1069, 0.22), (1125, 0.72)], 0))
+@pytest.mark.parametrize(("seed", "share"), quick([(1069, 0.22), (1125, 0.72)]))
 def test_where_slips_die_away_the_motion_is_neutral_whenever_the_clock_begins(
     seed: int, share: float
 ) -> None:

@@ -234,6 +234,7 @@ def test_slow_approach_with_impacts_is_decided() -> None:
     np.testing.assert_allclose(late, orbit.instant.state, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_an_approach_that_is_too_slow_to_wait_for_is_no_torus() -> None:
     """The distance to the orbit halves in as many drive periods as is told."""
     mechanism = loosely_held(2e-5, 1e-5)

@@ -105,6 +105,7 @@ def test_exponents_of_chaos_add_up_to_the_divergence_of_the_flow(chaos: Response
     assert "Chaos over 572 drive periods may still be a transient" in chaos.message
 
 
+@pytest.mark.slow
 def test_chaos_is_scaled_with_forces_and_gaps(chaos: Response) -> None:
     """By powers of two, which round nothing."""
     scaled, first = bouncing(4.0).with_value("stops.wall.gap", 0.4), chaos.motion

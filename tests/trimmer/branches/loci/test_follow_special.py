@@ -176,6 +176,7 @@ def test_a_doubling_at_which_a_branch_joins_is_followed_as_one_of_the_single_mot
     assert locus.values[-1] == pytest.approx(single.values[-1], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_grazing_locus_around_a_peak_of_the_amplitude_closes() -> None:
     """Two forces of 50 N, one of them later by a phase, which both the drive and the phase bring down.
 
@@ -219,6 +220,7 @@ def test_a_locus_ends_at_most_points_and_says_where(near: FollowedBranch) -> Non
     assert (locus.kind, locus.parts, locus.name) == (SpecialKind.GRAZING, ("stop",), "grazing, stop")
 
 
+@pytest.mark.slow
 def test_without_ranges_a_locus_stays_within_the_branch_and_goes_to_stop(near: FollowedBranch) -> None:
     locus = follow_special(near, of_kind(near, SpecialKind.GRAZING), GAP, "9.8 m", settings=LONG)
     assert locus.reason is LocusEnd.LEFT
