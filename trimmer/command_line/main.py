@@ -15,10 +15,10 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 
 import trimmer
-from trimmer.command_line import completion, derive, parameters, simulate
+from trimmer.command_line import completion, derive, linear, parameters, simulate
 from trimmer.command_line.command import Command
 from trimmer.command_line.help_text import EXIT_CODES, HelpText, epilog
-from trimmer.command_line.loops import identify, limit_cycles, linear, orbits
+from trimmer.command_line.loops import identify, limit_cycles, orbits
 from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample, sweep
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell

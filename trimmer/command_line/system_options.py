@@ -70,7 +70,7 @@ def refuse_loop_options(arguments: Namespace, but: tuple[str, ...] = ()) -> None
         OptionError: if one of them is given.
     """
     given = [name for name in OF_LOOPS if is_given(arguments, name) and name not in but]
-    given += ["friction"] if arguments.friction else []
+    given += ["friction"] if getattr(arguments, "friction", []) else []
     if given:
         raise OptionError(
             f"{as_option(given[0])} is for the loops of the thesis; a mechanism says it in its file: set the "

@@ -15,7 +15,6 @@ from .found_motion import MotionSignals as MotionSignals
 from .hand_arm import HandArm as HandArm
 from .hand_arm import hand_arm_weighting as hand_arm_weighting
 from .kept_map import DesignMap as DesignMap
-from .linear import Contacts as Contacts
 from .linear import LinearMode as LinearMode
 from .linear import LinearState as LinearState
 from .linear import TransferFunction as TransferFunction

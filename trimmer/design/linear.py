@@ -5,17 +5,16 @@ Dry friction is left out; its viscous share is a damper. A closed contact is a l
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from enum import Enum
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.mechanism.coordinates import Inertia
-from trimmer.mechanism.matrices import LinearMatrices, displacement_rows, linear_matrices
+from trimmer.mechanism.linear_outputs import Contacts, output_rows, with_contacts
+from trimmer.mechanism.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Contact, Link
 
 POINTS = 2000
 """Frequencies of a transfer function."""
@@ -23,13 +22,6 @@ BELOW, ABOVE = 20.0, 3.0
 """Ends of a transfer function: how far below the lowest frequency of interest, and above the highest."""
 RIGID = 1e-6
 """Modulus of an eigenvalue, relative to the largest, below which it counts as zero."""
-
-
-class Contacts(Enum):
-    """Whether plays and stops are taken as closed or as open."""
-
-    CLOSED = "closed"
-    OPEN = "open"
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,12 +65,13 @@ class LinearState:
     """The linear mechanism with its contacts in one state.
 
     Attributes:
-        contacts: That state.
+        contacts: That state; closed if some are.
         bodies: Names, in the order of the shapes.
         modes: By rising frequency.
         rigid: Number of motions that no spring resists.
         decaying: Number of motions that only decay.
         transfer: Of each drive to each output.
+        open: Names of the contacts that are open.
     """
 
     contacts: Contacts
@@ -87,23 +80,45 @@ class LinearState:
     rigid: int
     decaying: int
     transfer: tuple[TransferFunction, ...]
+    open: tuple[str, ...] = ()
 
 
-def linear_states(mechanism: Mechanism) -> tuple[LinearState, ...]:
-    """Return the linear mechanism with its contacts closed, then open; once if it has none."""
-    contacts: dict[str, Contact] = {**mechanism.plays, **mechanism.stops}
-    if not any(each.stiffness or each.damping for each in contacts.values()):
-        return (_state(mechanism, Contacts.CLOSED),)
-    links = {f"closed {name}": _link(each) for name, each in contacts.items()}
-    closed = replace(mechanism, links={**mechanism.links, **links}, plays={}, stops={})
-    return _state(closed, Contacts.CLOSED), _state(mechanism, Contacts.OPEN)
+def linear_states(
+    mechanism: Mechanism, drives: Sequence[tuple[str, str, int]] | None = None
+) -> tuple[LinearState, ...]:
+    """Return the linear mechanism with its contacts closed, then open; once if it has none.
+
+    Args:
+        mechanism: The mechanism.
+        drives: Name, SI unit and order of the pins and forces whose responses are wanted; those that vibrate
+            if not given.
+    """
+    contacts = (*mechanism.plays.values(), *mechanism.stops.values())
+    any_pushes = any(each.stiffness or each.damping for each in contacts)
+    states = (Contacts.CLOSED, Contacts.OPEN) if any_pushes else (Contacts.CLOSED,)
+    return tuple(linear_state(mechanism, each, drives) for each in states)
 
 
-def _link(contact: Contact) -> Link:
-    return Link(contact.between, contact.stiffness, contact.damping)
+def linear_state(
+    mechanism: Mechanism,
+    contacts: Contacts | str | Mapping[str, Contacts | str],
+    drives: Sequence[tuple[str, str, int]] | None = None,
+) -> LinearState:
+    """Return the linear mechanism with its contacts in one state, as ``Mechanism.state_space`` takes them."""
+    taken = with_contacts(mechanism, contacts)
+    left = (*taken.plays, *taken.stops)
+    all_open = bool(left) and len(left) == len(mechanism.plays) + len(mechanism.stops)
+    return _state(
+        taken,
+        Contacts.OPEN if all_open else Contacts.CLOSED,
+        left,
+        driving(mechanism) if drives is None else drives,
+    )
 
 
-def _state(mechanism: Mechanism, contacts: Contacts) -> LinearState:
+def _state(
+    mechanism: Mechanism, contacts: Contacts, left: tuple[str, ...], drives: Sequence[tuple[str, str, int]]
+) -> LinearState:
     matrices = linear_matrices(mechanism, viscous=True)
     values, vectors = np.linalg.eig(_state_matrix(matrices))
     size = abs(values).max()
@@ -119,7 +134,8 @@ def _state(mechanism: Mechanism, contacts: Contacts) -> LinearState:
         tuple(modes),
         int(rigid.sum() + 1) // 2,
         int(len(values) - rigid.sum() - 2 * len(swinging)),
-        tuple(_transfer(mechanism, matrices, [mode.frequency for mode in modes])),
+        tuple(_transfer(mechanism, matrices, [mode.frequency for mode in modes], drives)),
+        left,
     )
 
 
@@ -141,19 +157,31 @@ def _mode(value: complex, vector: Complexes) -> LinearMode:
 
 
 def _transfer(
-    mechanism: Mechanism, matrices: LinearMatrices, modes: list[float]
+    mechanism: Mechanism,
+    matrices: LinearMatrices,
+    modes: list[float],
+    drives: Sequence[tuple[str, str, int]],
 ) -> Iterator[TransferFunction]:
     marks = [*modes, *([mechanism.frequency] if mechanism.frequency else [])]
     if not marks:
         return
     frequency = np.geomspace(min(marks) / BELOW, max(marks) * ABOVE, POINTS)
-    for drive, unit, order in driving(mechanism):
+    for drive, unit, order in drives:
         response = _responses(mechanism, matrices, drive, frequency)
         own = None if mechanism.frequency is None else np.array([order * mechanism.frequency])
         there = {} if own is None else _responses(mechanism, matrices, drive, own)
         for name, values in response.items():
             at_drive = complex(there[name][0]) if there else None
             yield TransferFunction(drive, unit, name, frequency, values, at_drive)
+
+
+def all_drives(mechanism: Mechanism) -> list[tuple[str, str, int]]:
+    """Return name, SI unit and order of all pins and forces."""
+    forces = {name: each for name, each in mechanism.forces.items() if name not in mechanism.pins}
+    return [
+        *((name, "m", pin.order) for name, pin in mechanism.pins.items()),
+        *((name, "N", force.order) for name, force in forces.items()),
+    ]
 
 
 def driving(mechanism: Mechanism) -> list[tuple[str, str, int]]:
@@ -171,20 +199,21 @@ def _responses(
     mechanism: Mechanism, matrices: LinearMatrices, drive: str, frequency: Reals
 ) -> dict[str, Complexes]:
     """Return what each output does for a unit of a drive, m per unit, (n,)."""
-    rows, bodies = displacement_rows(mechanism), len(mechanism.coordinates)
+    bodies = len(mechanism.coordinates)
     s = 2j * np.pi * frequency
     dynamic = s[:, None, None] ** 2 * matrices.mass + s[:, None, None] * matrices.damping + matrices.stiffness
+    own = np.zeros(len(mechanism.pins))
     if drive in mechanism.pins:
         column = list(mechanism.pins).index(drive)
+        own[column] = 1.0
         push = matrices.pin_displacement[:, column] + s[:, None] * matrices.pin_velocity[:, column]
     else:
         column = list(mechanism.forces).index(drive)
         push = np.broadcast_to(matrices.forces[:, column], (len(s), bodies)).astype(complex)
     moved = np.linalg.solve(dynamic, push[:, :, None])[:, :, 0]
-    found = {}
-    for name, output in mechanism.outputs.items():
-        weights = np.sum([weight * rows[of] for of, weight in output.weights.items()], axis=0)
-        found[name] = moved @ weights[:bodies]
-        if drive in mechanism.pins:
-            found[name] = found[name] + weights[bodies + column]
-    return found
+    moved = np.concatenate([moved, np.broadcast_to(own, (len(s), len(own)))], axis=1)
+    rates = s[:, None] ** np.arange(3)
+    return {
+        name: np.einsum("fi,fk,ki->f", moved, rates, factors, optimize=True)
+        for name, factors in output_rows(mechanism).items()
+    }

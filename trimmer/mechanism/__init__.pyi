@@ -1,5 +1,6 @@
 """The public names of this room, each imported on first use."""
 
+from .linear_outputs import Contacts as Contacts
 from .matrices import LinearMatrices as LinearMatrices
 from .matrices import linear_matrices as linear_matrices
 from .mechanism import Mechanism as Mechanism

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
@@ -18,6 +18,9 @@ from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTIT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 from trimmer.showing.shown import Shown, counted
+
+if TYPE_CHECKING:
+    import control
 
 SINGULAR = {"bodies": "body"}
 
@@ -156,6 +159,31 @@ class Mechanism(Shown):
         from trimmer.mechanism.places import with_value_at
 
         return with_value_at(self, place, value)
+
+    def state_space(
+        self,
+        contacts: str | Mapping[str, str] = "closed",
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+    ) -> control.StateSpace:
+        """Return the linear mechanism as a state space of python-control, in SI units, with signal names.
+
+        Dry friction is left out; its viscous share is a damper. A closed contact is a spring and a damper
+        at its middle, a curve its slope at rest.
+
+        Args:
+            contacts: ``closed`` or ``open``, all of them or by name; those not named are closed.
+            inputs: Names of pins, by their displacements, and of forces, N; all of them if not given.
+            outputs: Names of outputs, or of coordinates; all outputs if not given, all coordinates if there
+                are none.
+
+        Raises:
+            MechanismError: if there is no such contact, input or output, or an output takes the rate of a
+                pin's displacement.
+        """
+        from trimmer.mechanism.state_space import state_space_of
+
+        return state_space_of(self, contacts, inputs, outputs)
 
 
 def changed(mechanism: Mechanism, field_name: str, content: object) -> Mechanism:

@@ -13,9 +13,10 @@ from report.design.quantities import Scale, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 from trimmer.design.found_motion import FoundMotion, Spans
-from trimmer.design.linear import Contacts, LinearState
+from trimmer.design.linear import LinearState
 from trimmer.design.spectrum import LineKind, OutputSpectrum
 from trimmer.drawing.look import plain_label
+from trimmer.mechanism.linear_outputs import Contacts
 
 OUTPUT_HEIGHT, FORCE_HEIGHT, BAR_HEIGHT = 2.2, 1.7, 0.28
 BARS = {"contact": "#0072b2", "stick": "#d55e00"}

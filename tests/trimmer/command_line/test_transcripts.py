@@ -22,6 +22,7 @@ from trimmer.command_line.parser import WRONG_USE
 WITH_JSON = {
     **{name: f"trimmer {name}" for name in ("linear", "limit-cycles", "identify", "orbits", "spectrum")},
     **{name: f"trimmer {name}" for name in ("overlay", "respond", "follow", "sweep", "map", "fit")},
+    "linear-mechanisms": "trimmer linear, of a mechanism",
     "simulate-loops": "trimmer simulate",
     "simulate": "trimmer simulate, of a mechanism",
 }

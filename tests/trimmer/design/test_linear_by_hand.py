@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from trimmer import Mechanism
-from trimmer.design.linear import Contacts, driving, linear_states
+from trimmer.design.linear import driving, linear_states
+from trimmer.mechanism.linear_outputs import Contacts
 from trimmer.mechanism.parts import ContactLaw
 
 THREE = Mechanism.from_toml_text("""

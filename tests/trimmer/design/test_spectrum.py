@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.design.made import motion, output
-from trimmer.design.linear import Contacts, LinearMode, LinearState
+from trimmer.design.linear import LinearMode, LinearState
 from trimmer.design.spectrum import LineKind, OutputSpectrum, spectra
+from trimmer.mechanism.linear_outputs import Contacts
 
 
 def state(contacts: Contacts, *modes: tuple[float, float]) -> LinearState:

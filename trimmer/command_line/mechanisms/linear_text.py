@@ -1,0 +1,148 @@
+"""Modes and frequency responses of a mechanism, as text for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from trimmer.command_line.json_values import document, finite, pair
+from trimmer.command_line.parser import OptionError
+from trimmer.command_line.table import table
+from trimmer.messages import listed
+from trimmer.showing.shown import counted
+
+if TYPE_CHECKING:
+    from trimmer.design.linear import LinearState, TransferFunction
+    from trimmer.mechanism.mechanism import Mechanism
+
+TURNED = 10.0
+"""Degrees by which a share of a mode may be out of phase and yet be shown with a sign alone."""
+STILL = 5e-4
+"""Share of the largest displacement of a mode that is shown as 0."""
+
+
+def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearState, ...]:
+    """Return the linear mechanism in the states of its contacts that the options name.
+
+    Args:
+        mechanism: The mechanism.
+        texts: Such as ``closed``, ``open`` and ``bridge=open``.
+
+    Raises:
+        OptionError: if a text names no contact, or no state.
+    """
+    from trimmer.design.linear import all_drives, linear_state, linear_states
+
+    drives = all_drives(mechanism)
+    whole: list[str | Mapping[str, str]] = [text for text in texts if "=" not in text]
+    named = dict(text.rsplit("=", 1) for text in texts if "=" in text)
+    named = {name.strip().strip("\"'"): state.strip() for name, state in named.items()}
+    if not texts:
+        return linear_states(mechanism, drives)
+    try:
+        return tuple(linear_state(mechanism, each, drives) for each in [*whole, *([named] if named else [])])
+    except ValueError as error:
+        raise OptionError(f"--contacts {' '.join(texts)}: {error}") from error
+
+
+def as_text(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
+    """Return tables of the modes and of the frequency responses in each state of the contacts."""
+    parts = (_state(mechanism, state) for state in states)
+    friction = ["Dry friction is left out."] if mechanism.frictions else []
+    return "\n".join(["\n\n".join("\n".join(lines) for lines in parts), *friction])
+
+
+def as_json(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
+    """Return the same as JSON: full precision, SI units, complex numbers as [real, imaginary]."""
+    return document(
+        {
+            "coordinates": list(mechanism.coordinates),
+            "states": [
+                {
+                    "contacts": state.contacts.value,
+                    "open": list(state.open),
+                    "modes": [
+                        {
+                            "frequency": mode.frequency,
+                            "damping_ratio": mode.damping_ratio,
+                            "shape": [pair(entry) for entry in mode.shape.tolist()],
+                        }
+                        for mode in state.modes
+                    ],
+                    "rigid": state.rigid,
+                    "decaying": state.decaying,
+                    "responses": [_response(each) for each in state.transfer],
+                }
+                for state in states
+            ],
+        }
+    )
+
+
+def _response(function: TransferFunction) -> dict[str, Any]:
+    return {
+        "input": function.drive,
+        "output": function.output,
+        "at_drive": None if function.at_drive is None else pair(function.at_drive),
+        "frequencies": function.frequency.tolist(),
+        "magnitudes": [finite(each) for each in abs(function.response).tolist()],
+        "phases": [finite(cmath.phase(each)) for each in function.response.tolist()],
+    }
+
+
+def contacts_of(mechanism: Mechanism, state: LinearState) -> str:
+    """Return in which state the contacts are, in words."""
+    count = len(mechanism.plays) + len(mechanism.stops)
+    if not count:
+        return "No contacts"
+    some = 0 < len(state.open) < count
+    return f"{listed(state.open)} open, other contacts closed" if some else f"Contacts {state.contacts.value}"
+
+
+def _state(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
+    others = [counted(number, kind) for number, kind in _others(state) if number]
+    yield f"{contacts_of(mechanism, state)}: {counted(len(state.modes), 'mode')}" + "".join(
+        f", {each}" for each in others
+    )
+    heads = ("Hz", "damping ratio", *state.bodies)
+    yield from table(
+        heads, [_mode(mode.frequency, mode.damping_ratio, mode.shape.tolist()) for mode in state.modes]
+    )
+    if state.transfer:
+        heads = ("from", "to", "at the drive", "phase", "largest", "at Hz")
+        yield from table(heads, [_peak(each) for each in state.transfer])
+
+
+def _others(state: LinearState) -> tuple[tuple[int, str], ...]:
+    return (state.rigid, "motion that no spring resists"), (state.decaying, "motion that only decays")
+
+
+def _mode(frequency: float, damping_ratio: float, shape: Sequence[complex]) -> tuple[str, ...]:
+    ratio = f"{damping_ratio:.4g}" if abs(damping_ratio) > 1e-12 else "0"
+    return f"{frequency:.6g}", ratio, *map(_share, shape)
+
+
+def _share(entry: complex) -> str:
+    """Return a share of a mode: with a sign, or with its phase where it is out of phase."""
+    if abs(entry) < STILL:
+        return "0"
+    degrees = math.degrees(cmath.phase(entry))
+    if min(abs(degrees), 180.0 - abs(degrees)) <= TURNED:
+        return f"{math.copysign(abs(entry), entry.real):.3g}"
+    return f"{abs(entry):.3g} at {degrees:.0f}°"
+
+
+def _peak(function: TransferFunction) -> tuple[str, ...]:
+    sizes = abs(function.response)
+    at = int(sizes.argmax())
+    there = function.at_drive
+    if not sizes[at]:
+        return function.drive, function.output, "0", "-", "0", "-"
+    own = (
+        ("-", "-")
+        if there is None
+        else (f"{abs(there):.5g}", f"{round(math.degrees(cmath.phase(there)), 1) + 0.0:.1f}°")
+    )
+    return function.drive, function.output, *own, f"{sizes[at]:.5g}", f"{function.frequency[at]:.6g}"

@@ -1,0 +1,78 @@
+"""The linear mechanism with its contacts closed or open, and its outputs as functionals of what moves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from trimmer.arguments import shown
+from trimmer.arrays import Reals
+from trimmer.choices import Choice
+from trimmer.errors import MechanismError, WrongTypeError
+from trimmer.mechanism.matrices import displacement_rows
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Contact, Link
+from trimmer.messages import listed, near_match
+
+
+class Contacts(Choice):
+    """Whether a play or a stop is taken as closed, so that it is a link, or as open."""
+
+    CLOSED = "closed"
+    OPEN = "open"
+
+
+def with_contacts(mechanism: Mechanism, contacts: Contacts | str | Mapping[str, Contacts | str]) -> Mechanism:
+    """Return a mechanism in which closed contacts are links.
+
+    Args:
+        mechanism: The mechanism.
+        contacts: What all plays and stops are, or by name what some are; the others are closed.
+
+    Raises:
+        MechanismError: if there is no such contact.
+        ChoiceError: if a word is neither ``closed`` nor ``open``.
+        WrongTypeError: if what is given is of another type.
+    """
+    known: dict[str, Contact] = {**mechanism.plays, **mechanism.stops}
+    if not isinstance(contacts, Mapping | str | Contacts):
+        raise WrongTypeError(f"contacts must be 'closed', 'open' or a mapping by name, not {shown(contacts)}")
+    given = contacts if isinstance(contacts, Mapping) else dict.fromkeys(known, contacts)
+    for name in given:
+        if name not in known:
+            there = near_match(name, known) or (f"there are {listed(known)}" if known else "there is none")
+            raise MechanismError(f"no play or stop is called {name!r}; {there}")
+    chosen = {name: Contacts.chosen(given.get(name, Contacts.CLOSED), "contacts") for name in known}
+    if not isinstance(contacts, Mapping):
+        Contacts.chosen(contacts, "contacts")
+    closed = [name for name, each in chosen.items() if each is Contacts.CLOSED]
+    links = {
+        f"closed {name}" if name in mechanism.links else name: Link(
+            known[name].between, known[name].stiffness, known[name].damping
+        )
+        for name in closed
+    }
+    return replace(
+        mechanism,
+        links={**mechanism.links, **links},
+        plays={name: each for name, each in mechanism.plays.items() if name not in closed},
+        stops={name: each for name, each in mechanism.stops.items() if name not in closed},
+    )
+
+
+def output_rows(mechanism: Mechanism) -> Mapping[str, Reals]:
+    """Return each output as factors of displacements, velocities and accelerations.
+
+    Returns:
+        By name, the factors (3, coordinates + pins) of what ``displacement_rows`` has, of its rate, and of
+        the rate of that. Dry friction and open contacts have no part in it.
+    """
+    rows = displacement_rows(mechanism)
+    found = {}
+    for name, output in mechanism.outputs.items():
+        factors = np.zeros((3, len(rows["ground"])))
+        factors[0] = sum(weight * rows[of] for of, weight in output.weights.items())
+        found[name] = factors
+    return found
