@@ -13,7 +13,7 @@ from trimmer.choices import Choice
 from trimmer.errors import MechanismError, WrongTypeError
 from trimmer.mechanism.matrices import displacement_rows
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Contact, Link
+from trimmer.mechanism.parts import GROUND, Contact, Link
 from trimmer.messages import listed, near_match
 
 
@@ -72,7 +72,22 @@ def output_rows(mechanism: Mechanism) -> Mapping[str, Reals]:
     rows = displacement_rows(mechanism)
     found = {}
     for name, output in mechanism.outputs.items():
-        factors = np.zeros((3, len(rows["ground"])))
-        factors[0] = sum(weight * rows[of] for of, weight in output.weights.items())
+        factors = np.zeros((3, len(rows[GROUND])))
+        if output.part is None:
+            assert output.kind.value is not None
+            factors[output.kind.value] = sum(weight * rows[of] for of, weight in output.weights.items())
+        else:
+            (start, end), *slopes = _force(mechanism, output.part)
+            factors[:2] = np.outer(slopes, rows[end] - rows[start])
         found[name] = factors
     return found
+
+
+def _force(mechanism: Mechanism, part: str) -> tuple[tuple[str, str], float, float]:
+    """Return between which ends a part acts, its stiffness, N/m, and its damping, N s/m."""
+    if part in mechanism.links:
+        link = mechanism.links[part]
+        return link.between, link.stiffness_at_rest, link.damping
+    if part in mechanism.frictions:
+        return mechanism.frictions[part].between, 0.0, mechanism.frictions[part].viscous
+    return (GROUND, GROUND), 0.0, 0.0

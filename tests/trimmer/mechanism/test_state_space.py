@@ -2,14 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import control
 import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from trimmer import Body, Force, Friction, Link, Mechanism, Output, Pin, Play, Stop, TrimmerError, simulate
+from trimmer import (
+    Body,
+    Force,
+    Friction,
+    Link,
+    Mechanism,
+    MechanismError,
+    Output,
+    Pin,
+    Play,
+    Stop,
+    TrimmerError,
+    simulate,
+)
 from trimmer.design.linear import all_drives, linear_state, linear_states
-from trimmer.mechanism import linear_matrices
+from trimmer.mechanism import OutputKind, linear_matrices
 
 MACHINE = Mechanism(
     frequency=7.0,
@@ -61,6 +76,29 @@ def test_its_response_and_its_poles_are_those_of_the_matrices(contacts: str | di
 
 def _is_open(contacts: str | dict[str, str], name: str) -> bool:
     return (contacts if isinstance(contacts, str) else contacts.get(name)) == "open"
+
+
+def test_outputs_of_every_kind_have_the_response_of_their_kind() -> None:
+    kinds = {
+        "speed": Output({"tool": 1.0}, OutputKind.VELOCITY),
+        "acceleration": Output({"tool": 1.0}, OutputKind.ACCELERATION),
+        "rod": Output(kind=OutputKind.FORCE, part="rod"),
+        "slot": Output(kind=OutputKind.FORCE, part="slot"),
+        "guide": Output(kind=OutputKind.FORCE, part="guide"),
+    }
+    machine = replace(
+        MACHINE, outputs={"tool": Output({"tool": 1.0}), "frame": Output({"frame": 1.0}), **kinds}
+    )
+    s = 2j * np.pi * np.array([0.5, 3.0, 40.0, 900.0])
+    for contacts, slot in (("closed", 5e3 + 4.0 * s), ("open", 0.0 * s)):
+        tool, frame, *found = np.squeeze(machine.state_space(contacts, inputs=["load"])(s))
+        between = tool - frame
+        expected = (s * tool, s**2 * tool, (2e4 + 25.0 * s) * between, slot * between, 3.0 * s * between)
+        for each, value in zip(found, expected, strict=True):
+            np.testing.assert_allclose(each, value, rtol=1e-10, atol=1e-12)
+    with pytest.raises(MechanismError, match="takes the velocity of pin 'eccentric'"):
+        machine.state_space(outputs=["rod"])
+    assert machine.state_space(inputs=["load"]).output_labels == list(machine.outputs)
 
 
 def test_undamped_modes_are_those_of_scipy() -> None:
