@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.mechanism import Mechanism, elongation
+from derivations.mechanism import Mechanism, elongation, position
 
 
 def virtual_work(mechanism: Mechanism, displacements: tuple[sympy.Expr, ...]) -> sympy.Expr:
     """Return the work, J, of contacts, dry frictions and given forces over displacements of the bodies, m.
 
     A contact with the tension T does the work −T δs as its ends move apart by δs, a dry friction −f δs; a
-    given force P does P δq on its body. Pins do not move in a virtual displacement.
+    given force P does P δq at its place. Pins do not move in a virtual displacement.
     """
     moved = dict(zip((body.coordinate for body in mechanism.bodies), displacements, strict=True))
     works = (
         *(-contact.tension * _variation(elongation(contact), moved) for contact in mechanism.contacts),
         *(-friction.force * _variation(elongation(friction), moved) for friction in mechanism.frictions),
-        *(force.value * moved[force.body.coordinate] for force in mechanism.forces),
+        *(force.value * _variation(position(force.on), moved) for force in mechanism.forces),
     )
     return sympy.Add(*works)
 

@@ -21,6 +21,7 @@ from derivations.parts import (
     Joint,
     Output,
     Pin,
+    Point,
     RigidBody,
     Spring,
     Tensioned,
@@ -30,7 +31,7 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies on one line, and what holds, pushes and rubs them.
+    """Bodies on one line, or turning, and what holds, pushes and rubs them.
 
     Attributes:
         bodies: In the order of their coordinates.
@@ -41,6 +42,7 @@ class Mechanism:
         frictions: All frictions.
         forces: All given forces.
         outputs: What is asked for.
+        points: All points on levers and behind gears.
     """
 
     bodies: tuple[RigidBody, ...]
@@ -51,6 +53,7 @@ class Mechanism:
     frictions: tuple[Friction, ...] = ()
     forces: tuple[Force, ...] = ()
     outputs: tuple[Output, ...] = ()
+    points: tuple[Point, ...] = ()
 
     @property
     def resistances(self) -> tuple[Damper, ...]:
@@ -75,6 +78,8 @@ def position(end: End) -> sympy.Expr:
             return sympy.S.Zero
         case RigidBody():
             return end.coordinate
+        case Point():
+            return sympy.Add(*(weight * body.coordinate for body, weight in end.weights))
         case Pin():
             return position(end.carrier) + end.displacement
 

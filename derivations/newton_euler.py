@@ -1,7 +1,8 @@
 """Equations of motion from forces alone: the independent check on the energy method.
 
 Each spring, damper, contact and friction acts on its two ends with equal and opposite forces; a force on a
-pin acts on the body that carries it. No energy is used.
+pin acts on what carries it, and one on a point on each of its bodies as the lever or gear there passes it on:
+in proportion to its weight. No energy is used.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import sympy
 from derivations.algebra.identity import require_equal
 from derivations.equations_of_motion import accelerations
 from derivations.mechanism import Mechanism, elongation, elongation_rate
-from derivations.parts import End, Joint, Pin, RigidBody
+from derivations.parts import End, Joint, Pin, Point, RigidBody
 
 
 def newton_accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
@@ -33,12 +34,9 @@ def require_newton_euler(mechanism: Mechanism) -> None:
 
 
 def _force_on(body: RigidBody, mechanism: Mechanism) -> sympy.Expr:
-    force = sympy.Add(*(given.value for given in mechanism.forces if given.body == body))
+    force = sympy.Add(*(given.value * _passed(given.on, body) for given in mechanism.forces))
     for joint, tension in _tensions(mechanism):
-        if _loaded_body(joint.start) == body:
-            force += tension
-        if _loaded_body(joint.end) == body:
-            force -= tension
+        force += tension * _passed(joint.start, body) - tension * _passed(joint.end, body)
     return force
 
 
@@ -54,11 +52,14 @@ def _tensions(mechanism: Mechanism) -> Iterator[tuple[Joint, sympy.Expr]]:
         yield friction, friction.force
 
 
-def _loaded_body(end: End) -> RigidBody | None:
+def _passed(end: End, body: RigidBody) -> sympy.Expr:
+    """Return how much of a force on an end acts on a body."""
     match end:
         case Pin():
-            return _loaded_body(end.carrier)
+            return _passed(end.carrier, body)
+        case Point():
+            return sympy.Add(*(weight for each, weight in end.weights if each == body))
         case RigidBody():
-            return end
+            return sympy.Integer(end == body)
         case _:
-            return None
+            return sympy.S.Zero

@@ -1,4 +1,7 @@
-"""The parts of a mechanism that moves along one line, in symbols."""
+"""The parts of a mechanism that moves along one line, in symbols.
+
+Units are those of translations; a rotation has rad in place of m, N m of N, kg m² of kg, and so on.
+"""
 
 from __future__ import annotations
 
@@ -15,35 +18,50 @@ class Ground:
 
 @dataclass(frozen=True)
 class RigidBody:
-    """A rigid body that moves along one line.
+    """A rigid body that moves along one line, or turns.
 
     Attributes:
         name: What it is, in words.
-        mass: Mass, kg.
-        coordinate: Displacement in the fixed frame, m, a function of time.
+        mass: Mass, kg, or moment of inertia, kg m².
+        coordinate: Displacement in the fixed frame, m, or angle, rad, a function of time.
+        turns: Whether it is an angle.
     """
 
     name: str
     mass: sympy.Expr
     coordinate: sympy.Expr
+    turns: bool = False
+
+
+@dataclass(frozen=True)
+class Point:
+    """A massless point whose displacement is a weighted sum of coordinates, as on a lever or behind a gear.
+
+    Attributes:
+        displacement: m, or rad, a function of time.
+        weights: Each body with its factor: a ratio, or the arm, m, of one that turns.
+    """
+
+    displacement: sympy.Expr
+    weights: tuple[tuple[RigidBody, sympy.Expr], ...]
 
 
 @dataclass(frozen=True)
 class Pin:
-    """A massless point whose displacement relative to a body or to the ground is given.
+    """A massless point whose displacement relative to a body, a point or the ground is given.
 
     Attributes:
-        carrier: The body, or the ground for a moved base.
+        carrier: The body or point, or the ground for a moved base.
         displacement: Displacement relative to it, m, a function of time.
         law: The same written out over time; None where it is left open.
     """
 
-    carrier: RigidBody | Ground
+    carrier: RigidBody | Point | Ground
     displacement: sympy.Expr
     law: sympy.Expr | None = None
 
 
-End = Ground | RigidBody | Pin
+End = Ground | RigidBody | Point | Pin
 
 
 @dataclass(frozen=True)
@@ -205,32 +223,32 @@ class Friction:
 
 @dataclass(frozen=True)
 class Force:
-    """A given force on a body.
+    """A given force on a body or a point.
 
     Attributes:
-        body: The body.
+        on: The body or point.
         value: The force, N, a function of time.
         law: The same written out over time; None where it is left open.
     """
 
-    body: RigidBody
+    on: RigidBody | Point
     value: sympy.Expr
     law: sympy.Expr | None = None
 
 
 @dataclass(frozen=True)
 class Output:
-    """What is asked for: a weighted sum of motions of bodies and pins, or a force.
+    """What is asked for: a weighted sum of motions of bodies, points and pins, or a force.
 
     Attributes:
         value: A function of time.
-        weights: Each body or pin with its factor; none of a force.
+        weights: Each body, point or pin with its factor; none of a force.
         order: How often displacements are differentiated.
         force: The force, N; None of a motion.
     """
 
     value: sympy.Expr
-    weights: tuple[tuple[RigidBody | Pin, sympy.Expr], ...]
+    weights: tuple[tuple[RigidBody | Point | Pin, sympy.Expr], ...]
     order: int = 0
     force: sympy.Expr | None = None
 

@@ -11,7 +11,7 @@ import sympy
 
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import accelerations
-from derivations.mechanism import Mechanism, elongation, elongation_rate
+from derivations.mechanism import Mechanism, elongation, elongation_rate, position
 from derivations.parts import Friction, Pin, Tensioned
 from derivations.symbols import t
 
@@ -50,7 +50,7 @@ def power_balance(mechanism: Mechanism) -> PowerBalance:
     potential, dissipation = potential_energy(mechanism), rayleigh_function(mechanism)
     inputs = (
         *(pin.displacement.diff(t) * _pin_force(pin, mechanism) for pin in mechanism.pins),
-        *(force.value * force.body.coordinate.diff(t) for force in mechanism.forces),
+        *(force.value * position(force.on).diff(t) for force in mechanism.forces),
     )
     input_power = sympy.Add(*inputs)
     motion = dict(

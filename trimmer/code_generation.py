@@ -27,9 +27,11 @@ from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.mechanism import Mechanism as SymbolicMechanism
 from derivations.mechanism import elongation, elongation_rate, trimmer
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import (
+    WEIGHT,
     Place,
     PrintedSymbol,
     natural_order,
@@ -39,7 +41,7 @@ from trimmer.mechanism.printed_symbols import (
 )
 
 UNITS = {unit.text: unit for unit in vars(symbols).values() if isinstance(unit, Unit)}
-ARGUMENTS = ("mass", "stiffness", "damping", "viscous", "gap", "side")
+ARGUMENTS = ("mass", "inertia", WEIGHT, "stiffness", "damping", "viscous", "gap", "side")
 """What functions of a module take, in this order."""
 
 
@@ -127,7 +129,9 @@ class _Translation:
 
     def mechanism(self) -> SymbolicMechanism:
         bodies = {name: self._body(name) for name in self.data.bodies}
-        carriers: dict[str, parts.RigidBody | parts.Ground] = {GROUND: parts.Ground(), **bodies}
+        points = {name: self._point(name, bodies) for name in self.data.points}
+        moved: dict[str, parts.RigidBody | parts.Point] = {**bodies, **points}
+        carriers: dict[str, parts.RigidBody | parts.Point | parts.Ground] = {GROUND: parts.Ground(), **moved}
         pins = {name: self._pin(name, pin, carriers[pin.on]) for name, pin in self.data.pins.items()}
         ends: dict[str, parts.End] = {**carriers, **pins}
         return SymbolicMechanism(
@@ -155,15 +159,31 @@ class _Translation:
                 for name, friction in self.data.frictions.items()
                 if friction.static_force != 0
             ),
-            forces=tuple(self._force(name, force, bodies) for name, force in self.data.forces.items()),
+            forces=tuple(self._force(name, force, moved) for name, force in self.data.forces.items()),
             outputs=tuple(self._output(name, output, ends) for name, output in self.data.outputs.items()),
+            points=tuple(points.values()),
         )
 
     def _body(self, name: str) -> parts.RigidBody:
-        mass = self._number("bodies", name, "mass", self.data.bodies[name].mass)
-        return parts.RigidBody(name, mass, self._function("bodies", name, "coordinate"))
+        turns = self.data.kinds[name] is Kind.ROTATION
+        mass = self.data.bodies[name].generalised_mass
+        symbol = self._number("bodies", name, "inertia" if turns else "mass", mass)
+        return parts.RigidBody(name, symbol, self._function("bodies", name, "coordinate"), turns)
 
-    def _pin(self, name: str, pin: Pin, carrier: parts.RigidBody | parts.Ground) -> parts.Pin:
+    def _point(self, name: str, bodies: Mapping[str, parts.RigidBody]) -> parts.Point:
+        weights = tuple(
+            (bodies[of], self._weight(name, of, weight))
+            for of, weight in self.data.points[name].weights.items()
+            if weight != 0
+        )
+        return parts.Point(self._function("points", name, "displacement"), weights)
+
+    def _weight(self, name: str, of: str, weight: float) -> sympy.Expr:
+        if ("points", name, f"{WEIGHT}{of}") not in self.printed:
+            return sympy.Integer(int(weight))
+        return self._number("points", name, f"{WEIGHT}{of}", weight)
+
+    def _pin(self, name: str, pin: Pin, carrier: parts.RigidBody | parts.Point | parts.Ground) -> parts.Pin:
         offset = self._number("pins", name, "offset", pin.offset)
         velocity = self._number("pins", name, "velocity", pin.velocity)
         amplitude = self._number("pins", name, "amplitude", pin.amplitude)
@@ -171,14 +191,16 @@ class _Translation:
         law = total(offset, product(velocity, t) if velocity != 0 else 0, wave if amplitude != 0 else 0)
         return parts.Pin(carrier, self._function("pins", name, "displacement"), law)
 
-    def _force(self, name: str, force: Force, bodies: Mapping[str, parts.RigidBody]) -> parts.Force:
+    def _force(
+        self, name: str, force: Force, moved: Mapping[str, parts.RigidBody | parts.Point]
+    ) -> parts.Force:
         constant = self._number("forces", name, "constant", force.constant)
         amplitude = self._number("forces", name, "amplitude", force.amplitude)
         unbalance = self._number("forces", name, "unbalance", force.unbalance)
         height = total(amplitude, unbalance * (force.order * symbols.omega) ** 2)
         wave = product(height, self._wave("forces", name, force))
         law = total(constant, wave if height != 0 else 0)
-        return parts.Force(bodies[force.on], self._function("forces", name, "value"), law)
+        return parts.Force(moved[force.on], self._function("forces", name, "value"), law)
 
     def _output(self, name: str, output: Output, ends: Mapping[str, Any]) -> parts.Output:
         weights = tuple(
@@ -268,7 +290,11 @@ class _Translation:
         """Return the symbol of a number, or zero; assumed is no more than the kind of number says."""
         if value == 0:
             return sympy.S.Zero
-        assumed = {"mass": {"positive": True}, "stiffness": {"nonnegative": True}}
+        assumed = {
+            "mass": {"positive": True},
+            "inertia": {"positive": True},
+            "stiffness": {"nonnegative": True},
+        }
         assumed |= {"damping": {"nonnegative": True}, "viscous": {"nonnegative": True}}
         return sympy.Symbol(self.printed[section, name, of].symbol, **assumed.get(of, {"real": True}))
 
@@ -298,9 +324,10 @@ def _occurring(mechanism: SymbolicMechanism) -> set[sympy.Basic]:
     """Return the symbols and functions of time that the parts of a mechanism hold."""
     listed = (each for kind in vars(mechanism).values() for each in kind)
     values = (value for part in listed for value in vars(part).values() if isinstance(value, sympy.Basic))
+    weights = (weight for point in mechanism.points for _, weight in point.weights)
     slots = (each for each in mechanism.contacts if isinstance(each, parts.Contact))
     unused = {each.stretch for each in slots if not contact_statement(each).has_stretch}
-    return set().union(*(value.atoms(sympy.Symbol, AppliedUndef) for value in values)) - unused
+    return set().union(*(value.atoms(sympy.Symbol, AppliedUndef) for value in (*values, *weights))) - unused
 
 
 def _quantities(
@@ -329,12 +356,16 @@ def _arguments(printed: Mapping[Place, PrintedSymbol], occurring: set[sympy.Basi
     by_name = {_name(symbol): symbol for symbol in occurring}
     found: dict[sympy.Expr, str] = {}
     for kind in (*ARGUMENTS, "coordinate"):
-        listed = (each.symbol for (_, _, of), each in printed.items() if of == kind)
+        listed = (each.symbol for (_, _, of), each in printed.items() if _is_kind(of, kind))
         for name in sorted(set(listed) & by_name.keys(), key=natural_order):
             plain, taken = plain_name(name), set(found.values())
             others = (f"{plain}_{number}" for number in count(2))
             found[by_name[name]] = next(each for each in chain((plain,), others) if each not in taken)
     return found
+
+
+def _is_kind(of: str, kind: str) -> bool:
+    return of.startswith(WEIGHT) if kind == WEIGHT else of == kind
 
 
 def _name(symbol: sympy.Basic) -> str:

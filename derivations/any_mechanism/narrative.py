@@ -33,6 +33,12 @@ ENDING = {
 }
 
 
+POINTS = (
+    "A point moves by a weighted sum of these: as the end of a lever by its arm times the angle, or behind a "
+    "gear by its ratio. What it is pushed with acts on each body with the same weight. "
+)
+
+
 def mechanism_narrative(derivation: MechanismDerivation) -> tuple[NarrativeStep, ...]:
     """Return the steps of a derivation, from the parts to the laws of contact and friction."""
     mechanism = derivation.mechanism
@@ -54,7 +60,11 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[NarrativeStep,
 
 def _parts(derivation: MechanismDerivation) -> NarrativeStep:
     mechanism = derivation.mechanism
-    bodies = (f"{escaped(body.name)} (${latex(body.coordinate)}$)" for body in mechanism.bodies)
+    bodies = (
+        f"{escaped(body.name)} (${latex(body.coordinate)}${', an angle' if body.turns else ''})"
+        for body in mechanism.bodies
+    )
+    points = (Formula(latex_equation(point.displacement, position(point))) for point in mechanism.points)
     pins = (
         Formula(latex_equation(pin.displacement, pin.law)) for pin in mechanism.pins if pin.law is not None
     )
@@ -74,14 +84,15 @@ def _parts(derivation: MechanismDerivation) -> NarrativeStep:
             *((each.spring.distance, each.distance) for each in derivation.curves),
         )
     )
+    intermediate = POINTS if mechanism.points else ""
     return NarrativeStep(
         "parts",
         "Bodies and what joins them",
         f"Bodies that move along one line, with their displacements in the fixed frame: {', '.join(bodies)}. "
-        "A pin moves as prescribed, relative to what carries it. Below stand these motions and the given "
-        "forces, the elongation $e$ of each spring, of each damper that is not beside one, and the distance "
-        "$s$ of the two ends of each contact: the position of one end less that of the other.",
-        (*pins, *forces, *elongations(mechanism), *rates, *distances),
+        f"{intermediate}A pin moves as prescribed, relative to what carries it. Below stand these motions "
+        "and the given forces, the elongation $e$ of each spring, of each damper that is not beside one, and "
+        "the distance $s$ of the two ends of each contact: the position of one end less that of the other.",
+        (*points, *pins, *forces, *elongations(mechanism), *rates, *distances),
     )
 
 

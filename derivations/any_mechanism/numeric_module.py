@@ -52,9 +52,10 @@ def _functions(
     motion, mechanism = derivation.motion, derivation.mechanism
     matrices, bodies = motion.matrices, len(mechanism.bodies)
     names = _coordinate_names(mechanism, arguments)
-    yield _matrix("mass_matrix", "M", "kg", matrices.mass)
-    yield _matrix("damping_matrix", "C", "N s/m", matrices.damping)
-    yield _matrix("stiffness_matrix", "K", "N/m", matrices.stiffness)
+    units = _units(mechanism)
+    yield _matrix("mass_matrix", "M", units[0], matrices.mass)
+    yield _matrix("damping_matrix", "C", units[1], matrices.damping)
+    yield _matrix("stiffness_matrix", "K", units[2], matrices.stiffness)
     yield _state_matrix("state_matrix", motion, names)
     yield from _input_matrix("input_matrix", motion)
     only_pin = mechanism.is_linear and not mechanism.forces and len(mechanism.pins) == 1
@@ -63,6 +64,13 @@ def _functions(
     yield from _directions(matrices)
     if derivation.closed is not motion:
         yield from _closed(derivation.closed, names)
+
+
+def _units(mechanism: Mechanism) -> tuple[str, str, str]:
+    """Return the units of mass, damping and stiffness matrix; where some bodies turn they differ by entry."""
+    if any(body.turns for body in mechanism.bodies):
+        return "SI units", "SI units", "SI units"
+    return "kg", "N s/m", "N/m"
 
 
 def _coordinate_names(mechanism: Mechanism, arguments: Mapping[sympy.Expr, str]) -> str:
@@ -125,9 +133,9 @@ def _directions(matrices: MotionMatrices) -> Iterator[NumericFunction]:
 
 
 def _closed(motion: SymbolicMotion, names: str) -> Iterator[NumericFunction]:
-    matrices = motion.matrices
-    yield _matrix("closed_damping_matrix", "C of closed contact", "N s/m", matrices.damping)
-    yield _matrix("closed_stiffness_matrix", "K of closed contact", "N/m", matrices.stiffness)
+    matrices, units = motion.matrices, _units(motion.mechanism)
+    yield _matrix("closed_damping_matrix", "C of closed contact", units[1], matrices.damping)
+    yield _matrix("closed_stiffness_matrix", "K of closed contact", units[2], matrices.stiffness)
     yield _state_matrix("closed_state_matrix", motion, names)
     yield from _input_matrix("closed_input_matrix", motion)
 

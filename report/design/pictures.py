@@ -20,6 +20,7 @@ from trimmer.design.paths import NumberPath
 from trimmer.design.spectrum import OutputLine
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
+from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -46,12 +47,16 @@ def _diagram(design: Design) -> Figure:
     mechanism = design.file.mechanism
     joints = [f"{joint.name} between {joint.ends[0]} and {joint.ends[1]}" for joint in joints_of(mechanism)]
     joined = f" {'; '.join(joints)}." if joints else ""
+    round_ones = Kind.ROTATION in mechanism.kinds.values()
+    turning = "round ones turn; " if round_ones else ""
+    turning += "a bar is a point that the bodies joined to it move; " if mechanism.points else ""
     return drawn(
         "diagram",
         "The mechanism",
-        "Drawn from the file: boxes are bodies, which all move to the left and right alone; zigzags are "
-        "springs, pots are dampers; a bar in a slot is a play, two plates that meet a stop, two that rub a "
-        "dry friction; a circle is a pin that moves on its body as prescribed. Nothing is to scale.",
+        f"Drawn from the file: boxes are bodies, which all move to the left and right alone; {turning}"
+        "zigzags are springs, pots are dampers; a bar in a slot is a play, two plates that meet a stop, two "
+        "that rub a dry friction; a circle is a pin that moves on its body as prescribed. Nothing is to "
+        "scale.",
         f"Bodies: {', '.join(mechanism.bodies)}.{joined}",
         partial(mechanism_diagram, mechanism),
     )

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from trimmer.mechanism.place_text import parse_place
 
 PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
-LARGE_TOO = ("N", "N/m", "Hz", "W", "J")
+LARGE_TOO = ("N", "N/m", "Hz", "W", "J", "N m", "N m/rad")
 """Units that take a prefix for large numbers too; a stroke of 2000 m is not one of 2 km."""
-PREFIXED = (*LARGE_TOO, "m", "s", "kg")
+PREFIXED = (*LARGE_TOO, "m", "s", "kg", "rad", "kg m²")
 FITS = 0.9995
 """A prefix fits if the number is at least so many of it, so that 999.9 µm is written as 1 mm."""
 ROUND = ("N", "W", "J")
@@ -24,6 +24,10 @@ class Scale:
 
     factor: float
     unit: str
+
+
+INERTIAS = (Scale(1.0, "kg m²"), Scale(1e-6, "kg mm²"), Scale(1e-9, "g mm²"))
+"""Units of moments of inertia; each is taken from a tenth of it on."""
 
 
 def scale_for(values: Iterable[float], unit: str) -> Scale:
@@ -39,6 +43,8 @@ def scale_for(values: Iterable[float], unit: str) -> Scale:
         return Scale(1.0, "" if unit == "1" else unit)
     if unit == "kg":
         return Scale(1.0, "kg") if largest >= FITS else Scale(1e-3, "g")
+    if unit == "kg m²":
+        return next((each for each in INERTIAS if largest >= 0.1 * each.factor), INERTIAS[-1])
     allowed = [each for each in PREFIXES if each[0] <= 1 or unit in LARGE_TOO]
     if unit == "Hz" or (unit in ROUND and largest >= 0.1 * FITS):
         allowed = [each for each in allowed if each[0] >= 1]

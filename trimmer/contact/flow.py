@@ -45,14 +45,16 @@ from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.coordinates import inertia_of
 from trimmer.mechanism.curves import is_odd
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Force, Pin
+from trimmer.mechanism.parts import COUPLINGS, Force, Pin
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import Part
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import Readout, Signal
 from trimmer.motion.subject import Subject
+from trimmer.motion.units import Units
 from trimmer.sides import DIFFERENT
 
 NEGLIGIBLE = 1e-9
@@ -266,7 +268,23 @@ class MechanismFlow(Flow):
     @property
     def axis_units(self) -> Mapping[str, tuple[str, ...]]:
         """Units of displacement and velocity of each body."""
-        return dict.fromkeys(self.axes, (self.units.length, self.units.speed))
+        units = {name: self.units_of_body(name) for name in self.axes}
+        return {name: (each.length, each.speed) for name, each in units.items()}
+
+    @property
+    def units(self) -> Units:
+        """Units of translations, or of rotations where nothing else moves."""
+        rotates = all(self.mechanism.kinds[name] is Kind.ROTATION for name in self.axes)
+        return Units("rad" if rotates else "m")
+
+    def units_of_body(self, body: str) -> Units:
+        """Return the units of a body by its name."""
+        return Units(self.mechanism.kinds[body].unit("m"))
+
+    def units_of_part(self, part: str) -> Units:
+        """Return the units of a part between two ends by its name."""
+        section = next(each for each in COUPLINGS if part in getattr(self.mechanism, each))
+        return Units(self.mechanism.kind_of(section, part).unit("m"))
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
@@ -280,7 +298,7 @@ class MechanismFlow(Flow):
 
     @cached_property
     def accelerations(self) -> Mapping[str, Signal]:
-        """Acceleration of each body, m/s²."""
+        """Acceleration of each body, m/s² or rad/s²."""
         bodies = self.modes.system.layout.coordinates
         return {name: acceleration(self.modes, body) for body, name in enumerate(bodies)}
 

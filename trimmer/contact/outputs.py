@@ -35,7 +35,11 @@ def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str,
     ever while nothing leans on it: that is its speed.
     """
     return {
-        name: Readout(_signal(mechanism, modes, each), UNITS[each.kind], _speed(modes.system.layout, each))
+        name: Readout(
+            _signal(mechanism, modes, each),
+            mechanism.kind_of("outputs", name).unit(UNITS[each.kind]),
+            _speed(modes.system.layout, each),
+        )
         for name, each in mechanism.outputs.items()
     }
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
+from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Pin
 
 SHARE_OF_STROKE = 0.1
 """Largest gap that is assumed, as a share of the largest stroke of a pin."""
@@ -22,7 +22,9 @@ def assumed_range(mechanism: Mechanism, place: tuple[str, ...]) -> tuple[float, 
     one. Masses, stiffnesses and all else are not guessed.
     """
     section, name, key = place if len(place) == 3 else ("", "", "")
-    stroke = max((abs(pin.amplitude) for pin in mechanism.pins.values()), default=0.0)
+    kind = mechanism.kind_of(section, name) if section else Kind.TRANSLATION
+    alike = (pin for each, pin in mechanism.pins.items() if mechanism.kinds[each] is kind)
+    stroke = max((abs(pin.amplitude) for pin in alike), default=0.0)
     highest = 0.0
     if key == "gap":
         highest = SHARE_OF_STROKE * 2 * stroke
@@ -38,8 +40,7 @@ def assumed_range(mechanism: Mechanism, place: tuple[str, ...]) -> tuple[float, 
 
 
 def _masses(mechanism: Mechanism, between: tuple[str, str]) -> list[float]:
-    """Return the masses of the bodies at two ends, kg; the ground has none."""
-    pins: Mapping[str, Pin] = mechanism.pins
-    bodies: Mapping[str, Body] = mechanism.bodies
-    carriers = [pins[end].on if end in pins else end for end in between]
-    return [bodies[carrier].mass for carrier in carriers if carrier != GROUND]
+    """Return what a force on each of two ends moves, kg, or kg m² of rotations; the ground is not moved."""
+    weights, inertia = weights_of_ends(mechanism), inertia_of(mechanism)
+    moved = (weights[end] @ inertia.accelerations(weights[end]) for end in between)
+    return [1 / float(each) for each in moved if each > 0]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 from trimmer.design.found_motion import FoundMotion
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 
@@ -73,12 +74,17 @@ def questions(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[Questio
 
 
 def _is_of_hand(mechanism: Mechanism) -> bool:
-    masses = sorted(body.mass for body in mechanism.bodies.values())
-    return masses[(len(masses) - 1) // 2] < HAND
+    masses = sorted(_masses(mechanism).values())
+    return bool(masses) and masses[(len(masses) - 1) // 2] < HAND
+
+
+def _masses(mechanism: Mechanism) -> dict[str, float]:
+    """Return the masses of what does not turn, kg."""
+    return {name: body.mass for name, body in mechanism.bodies.items() if body.mass is not None}
 
 
 def _bodies(mechanism: Mechanism) -> Iterator[Question]:
-    masses = {name: body.mass for name, body in mechanism.bodies.items()}
+    masses = _masses(mechanism)
     if len(masses) < 3:
         return
     middle = sorted(masses.values())[len(masses) // 2]
@@ -88,11 +94,11 @@ def _bodies(mechanism: Mechanism) -> Iterator[Question]:
 
 
 def _sizes(mechanism: Mechanism) -> Iterator[Question]:
-    for name, body in mechanism.bodies.items():
-        if body.mass > HAND:
-            yield Question(Oddity.HEAVY_FOR_HAND, ("bodies", name, "mass"), body.mass, HAND)
+    for name, mass in _masses(mechanism).items():
+        if mass > HAND:
+            yield Question(Oddity.HEAVY_FOR_HAND, ("bodies", name, "mass"), mass, HAND)
     for name, pin in mechanism.pins.items():
-        if abs(pin.amplitude) > LONG / 2:
+        if mechanism.kinds[name] is Kind.TRANSLATION and abs(pin.amplitude) > LONG / 2:
             yield Question(Oddity.LONG_STROKE, ("pins", name, "amplitude"), pin.amplitude, LONG / 2)
     if mechanism.frequency is not None and not DRIVES[0] <= mechanism.frequency <= DRIVES[1]:
         near = DRIVES[0] if mechanism.frequency < DRIVES[0] else DRIVES[1]
@@ -100,22 +106,30 @@ def _sizes(mechanism: Mechanism) -> Iterator[Question]:
 
 
 def _gaps(mechanism: Mechanism) -> Iterator[Question]:
-    stroke = 2 * max((abs(pin.amplitude) for pin in mechanism.pins.values()), default=0.0)
     for name, play in mechanism.plays.items():
+        kind = mechanism.kind_of("plays", name)
+        alike = [pin for each, pin in mechanism.pins.items() if mechanism.kinds[each] is kind]
+        stroke = 2 * max((abs(pin.amplitude) for pin in alike), default=0.0)
         if 0 < stroke <= play.gap:
             yield Question(Oddity.GAP_ABOVE_STROKE, ("plays", name, "gap"), play.gap, stroke)
 
 
 def _contacts(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:
-    stroke = max((each.peak_to_peak for each in motion.outputs.values()), default=0.0)
     for section in ("plays", "stops"):
         for name, part in getattr(mechanism, section).items():
+            stroke = largest_stroke(mechanism, motion, mechanism.kind_of(section, name))
             found = motion.contacts.get(name)
             if found is None or part.stiffness == 0:
                 continue
             depth = found.largest_force / part.stiffness
             if depth > PENETRATION * stroke > 0:
                 yield Question(Oddity.SOFT_CONTACT, (section, name, "stiffness"), depth, stroke)
+
+
+def largest_stroke(mechanism: Mechanism, motion: FoundMotion, kind: Kind) -> float:
+    """Return the largest peak to peak of the outputs of a kind, m or rad."""
+    alike = (each for name, each in motion.outputs.items() if mechanism.kind_of("outputs", name) is kind)
+    return max((each.peak_to_peak for each in alike), default=0.0)
 
 
 def _held(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:

@@ -6,7 +6,10 @@ from matplotlib.axis import Axis
 from matplotlib.ticker import FuncFormatter
 
 PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
-PREFIXED = ("m", "s", "N", "Hz", "m/s", "m/s²", "N/m", "N s/m", "W", "J")
+PREFIXED = (
+    *("m", "s", "N", "Hz", "m/s", "m/s²", "N/m", "N s/m", "W", "J"),
+    *("rad", "rad/s", "rad/s²", "N m", "N m/rad", "N m s/rad"),
+)
 """Units that take a prefix."""
 FITS = 0.8
 """A prefix fits if the largest number of the axis is at least so many of it."""

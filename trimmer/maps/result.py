@@ -131,13 +131,17 @@ class MotionMap(Tabular, Drawn):
         """Units of what is measured beside the outputs."""
         return self._flow.units
 
+    def acceleration_unit(self, body: str) -> str:
+        """Return the unit of the acceleration of a body, by its name."""
+        return self._flow.units_of_body(body).acceleration
+
     @cached_property
     def _flow(self) -> Flow:
         return flow_of(self.inputs.subject)
 
     @cached_property
     def rms_acceleration(self) -> Mapping[str, Reals]:
-        """Of each body, m/s², (n2, n1)."""
+        """Of each body, m/s² or rad/s², (n2, n1)."""
         return {name: self._measure("rms_acceleration", name) for name in self._flow.accelerations}
 
     @cached_property
@@ -250,7 +254,7 @@ def _cells(result: MotionMap) -> Iterator[Column]:
         yield Column(name, unit, np.ravel(values).__getitem__)
     for section, measure, unit_of_part, by_name in (
         ("outputs", "peak_to_peak", result.outputs.__getitem__, result.peak_to_peak),
-        ("bodies", "rms_acceleration", lambda _: "m/s²", result.rms_acceleration),
+        ("bodies", "rms_acceleration", result.acceleration_unit, result.rms_acceleration),
         ("frictions", "wear_power", lambda _: result.measured_in.power, result.wear_power),
     ):
         for part, values in by_name.items():

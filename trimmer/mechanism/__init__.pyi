@@ -14,4 +14,5 @@ from .parts import Output as Output
 from .parts import OutputKind as OutputKind
 from .parts import Pin as Pin
 from .parts import Play as Play
+from .parts import Point as Point
 from .parts import Stop as Stop

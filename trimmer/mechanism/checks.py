@@ -11,18 +11,11 @@ from dataclasses import fields
 
 from trimmer.choices import ChoiceError
 from trimmer.mechanism import curves
+from trimmer.mechanism.kinds import Kind, kind_of_part, kinds_of, numbers_of_part, numbers_of_start
 from trimmer.mechanism.outputs import problems_of_kind
-from trimmer.mechanism.parts import ContactLaw, Output
+from trimmer.mechanism.parts import ContactLaw, Output, Point
 from trimmer.mechanism.problems import NOTHING, Problem
-from trimmer.mechanism.quantities import (
-    DISPLACEMENT,
-    FREQUENCY,
-    PARTS,
-    QUANTITIES,
-    VELOCITY,
-    WEIGHT,
-    NumberField,
-)
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT, NumberField
 
 LONGEST_NAME = 300
 """Characters of a name; each is repeated in every table and message."""
@@ -37,13 +30,14 @@ _SYMBOL = re.compile(rf"[{_LETTER}]+[0-9]*(?:_[{_LETTER}0-9]+|_\{{[{_LETTER}0-9]
 Content = Mapping[str, object]
 """Fields of a mechanism, by name."""
 
-OPTIONAL_NUMBERS = {"static", "force"}
+OPTIONAL_NUMBERS = {"static", "force", "mass", "inertia"}
 """Numbers that may be None, for what the docstring of the part says."""
 
 
 def problems_of_types(content: Content) -> Iterator[Problem]:
     """Find fields that are not what they should be: sections, parts, numbers, words."""
     yield from _heading(content)
+    kinds = kinds_of(content)
     for section, kind in PARTS.items():
         parts = content[section]
         if not isinstance(parts, Mapping):
@@ -54,11 +48,12 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
         for name, part in parts.items():
             yield from _name((section,), name)
             if type(part) is kind:
-                yield from _fields((section, str(name)), part)
+                yield from _fields((section, str(name)), part, kinds)
             else:
                 yield Problem((section, str(name)), f"give a trimmer.mechanism.{kind.__name__}", part)
-    yield from _outputs(content["outputs"])
-    yield from _start(content["start"])
+    yield from _sums("points", Point, content["points"])
+    yield from _sums("outputs", Output, content["outputs"])
+    yield from _start(content["start"], kinds)
 
 
 def _heading(content: Content) -> Iterator[Problem]:
@@ -81,15 +76,18 @@ def _name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
         yield Problem(place, f"a name of {len(name)} characters is too long; use at most {LONGEST_NAME}")
 
 
-def _fields(place: tuple[str, ...], part: object) -> Iterator[Problem]:
-    quantities = QUANTITIES[type(part)]
+def _fields(place: tuple[str, str], part: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
+    quantities, numbers = QUANTITIES[type(part)], numbers_of_part(kinds, *place, part)
     for each in fields(part):  # type: ignore[arg-type]
         value, there = getattr(part, each.name), (*place, each.name)
         if each.name == "force" and value is None and getattr(part, "curve", ()) is None:
             yield Problem(there, "missing; add force = 0.5")
         elif each.name in quantities:
             if value is not None or each.name not in OPTIONAL_NUMBERS:
-                yield from _number(there, value, quantities[each.name])
+                yield from _number(there, value, numbers.get(each.name, quantities[each.name]))
+        elif each.name == "curve" and value is not None:
+            form = curves.FORMS[type(part)].of(kind_of_part(kinds, *place, part))
+            yield from curves.problems_of_types(there, value, form)
         else:
             yield from _word(there, value)
 
@@ -101,9 +99,6 @@ def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:
                 yield Problem(place, _SYMBOL_RULE, value)
         case "law":
             yield from _law(place, value)
-        case "curve":
-            if value is not None:
-                yield from curves.problems_of_types(place, value, curves.FORMS[PARTS[place[0]]])
         case "on":
             if not isinstance(value, str):
                 yield Problem(place, "name a body", value)
@@ -124,33 +119,42 @@ def _law(place: tuple[str, ...], value: object) -> Iterator[Problem]:
         yield Problem(place, str(error).split(": ", 1)[-1], value)
 
 
-def _outputs(outputs: object) -> Iterator[Problem]:
-    if not isinstance(outputs, Mapping):
-        yield Problem(("outputs",), "must map names to instances of trimmer.mechanism.Output", outputs)
+def _sums(section: str, kind: type[Output | Point], sums: object) -> Iterator[Problem]:
+    """Find points or outputs that are no weights by name."""
+    if not isinstance(sums, Mapping):
+        yield Problem((section,), f"must map names to instances of trimmer.mechanism.{kind.__name__}", sums)
         return
-    for name, output in outputs.items():
-        yield from _name(("outputs",), name)
-        place = ("outputs", str(name))
-        if not isinstance(output, Output) or not isinstance(output.weights, Mapping):
-            yield Problem(place, "give a trimmer.mechanism.Output with a mapping of weights", output)
+    for name, each in sums.items():
+        yield from _name((section,), name)
+        place = (section, str(name))
+        if not isinstance(each, kind) or type(each) is not kind or not isinstance(each.weights, Mapping):
+            reason = f"give a trimmer.mechanism.{kind.__name__} with a mapping of weights"
+            yield Problem(place, reason, each)
             continue
-        yield from problems_of_kind(place, output)
-        for body, weight in output.weights.items():
+        if isinstance(each, Output):
+            yield from problems_of_kind(place, each)
+        by_length: object = getattr(each, "by_length", False)
+        if not isinstance(by_length, bool):
+            yield Problem((*place, "by_length"), "must be True or False", by_length)
+        for body, weight in each.weights.items():
             yield from _name(place, body)
             yield from _number((*place, str(body)), weight, WEIGHT)
 
 
-def _start(start: object) -> Iterator[Problem]:
+def _start(start: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
     if not isinstance(start, Mapping):
         yield Problem(("start",), "must map bodies to [displacement in m, velocity in m/s]", start)
         return
     for body, state in start.items():
         yield from _name(("start",), body)
         place = ("start", str(body))
+        numbers = numbers_of_start(kinds, body)
         if not _is_pair(state):
-            yield Problem(place, "give two numbers: [displacement in m, velocity in m/s]", state)
+            units = [each.unit for each in numbers]
+            reason = "give two numbers: [displacement in {}, velocity in {}]".format(*units)
+            yield Problem(place, reason, state)
             continue
-        for value, quantity in zip(state, (DISPLACEMENT, VELOCITY), strict=True):
+        for value, quantity in zip(state, numbers, strict=True):
             if reason := quantity.reason_against(value):
                 yield Problem(place, f"{value!r} {reason}" if reason.startswith("must") else reason, state)
 

@@ -20,20 +20,24 @@ from trimmer.mechanism.parts import GROUND
 def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:
     """Return by name what weighs the coordinates in the displacement of each end, (coordinates,).
 
-    Ends are the ground, the coordinates and the pins; a pin has the weights of what carries it. Whatever else
-    may stand as an end takes its weights here, and nowhere else.
+    Ends are the ground, the coordinates, the points and the pins; a pin has the weights of what carries it.
+    Whatever else may stand as an end takes its weights here, and nowhere else.
     """
     coordinates = mechanism.coordinates
     weights = {
         GROUND: np.zeros(len(coordinates)),
         **dict(zip(coordinates, np.eye(len(coordinates)), strict=True)),
     }
+    weights |= {
+        name: np.array([point.weights.get(each, 0.0) for each in coordinates])
+        for name, point in mechanism.points.items()
+    }
     return weights | {name: weights[pin.on] for name, pin in mechanism.pins.items()}
 
 
 def inertia_of(mechanism: Mechanism) -> Inertia:
     """Return the mass matrix of the coordinates."""
-    return Inertia(np.diag([body.mass for body in mechanism.bodies.values()]))
+    return Inertia(np.diag([body.generalised_mass for body in mechanism.bodies.values()]))
 
 
 @dataclass(frozen=True, eq=False)

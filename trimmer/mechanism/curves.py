@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
 
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import Curve, Friction, Link
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, VELOCITY, NumberField, Range
@@ -30,6 +31,11 @@ class CurveForm:
     numbers: tuple[NumberField, NumberField]
     fewest: int
     example: str
+
+    def of(self, kind: Kind) -> CurveForm:
+        """Return the form of the same curve of a kind."""
+        abscissa, ordinate = map(kind.field, self.numbers)
+        return replace(self, numbers=(abscissa, ordinate))
 
 
 FORMS: Mapping[type, CurveForm] = MappingProxyType(
@@ -100,7 +106,7 @@ def read(
     ]
 
 
-def quantities(part: object) -> Mapping[tuple[str, ...], NumberField]:
+def quantities(part: object, kind: Kind) -> Mapping[tuple[str, ...], NumberField]:
     """Return the numbers of the curve of a part, if it has one, by the end of their places."""
     form, curve = FORMS.get(type(part)), getattr(part, "curve", None)
     if form is None or curve is None:
@@ -108,7 +114,7 @@ def quantities(part: object) -> Mapping[tuple[str, ...], NumberField]:
     return {
         ("curve", str(number), key): of
         for number in range(1, len(curve) + 1)
-        for key, of in zip(form.keys, form.numbers, strict=True)
+        for key, of in zip(form.keys, form.of(kind).numbers, strict=True)
     }
 
 

@@ -11,10 +11,11 @@ from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism import curves
 from trimmer.mechanism.checks import problems_of_types
+from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import taken
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Point, Stop
 from trimmer.mechanism.problems import Problem, as_message
-from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY
+from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 from trimmer.showing.shown import Shown, counted
@@ -27,7 +28,7 @@ SINGULAR = {"bodies": "body"}
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Mechanism(Shown):
-    """Bodies on one line, with links, plays, stops, frictions and forces between them, by name.
+    """Bodies that move along one line or turn, and what holds, pushes and rubs them, by name.
 
     Mappings are copied into read-only ones. Two mechanisms are equal if they have the same parts in the same
     order, because the order of the parts is that of the states.
@@ -37,6 +38,7 @@ class Mechanism(Shown):
         frequency: That of the drive, Hz; None for a mechanism that moves by itself.
         title: What it is.
         start: Displacement, m, and velocity, m/s, of bodies at t = 0; the others are at rest at 0.
+        points: Weighted sums of displacements, which stand wherever a body may.
 
     Raises:
         MechanismError: if a part cannot be used or the parts do not go together; every problem is named.
@@ -53,6 +55,7 @@ class Mechanism(Shown):
     outputs: Mapping[str, Output] = field(default_factory=dict)
     start: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     title: str = ""
+    points: Mapping[str, Point] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if problems := problems_with(vars(self)):
@@ -61,11 +64,13 @@ class Mechanism(Shown):
             parts = {name: _taken(part) for name, part in getattr(self, section).items()}
             object.__setattr__(self, section, ReadOnly(parts))
         outputs = {name: taken(output) for name, output in self.outputs.items()}
+        points = {name: self._taken_point(point) for name, point in self.points.items()}
         start = {
             name: (DISPLACEMENT.taken(displacement), VELOCITY.taken(velocity))
             for name, (displacement, velocity) in self.start.items()
         }
         object.__setattr__(self, "outputs", ReadOnly(outputs))
+        object.__setattr__(self, "points", ReadOnly(points))
         object.__setattr__(self, "start", ReadOnly(start))
         if self.frequency is not None:
             object.__setattr__(self, "frequency", FREQUENCY.taken(self.frequency))
@@ -75,8 +80,28 @@ class Mechanism(Shown):
         """Names of what it moves by, in the order of all states: the bodies."""
         return tuple(self.bodies)
 
+    def _taken_point(self, point: Point) -> Point:
+        turning = any(self.kinds.get(name) is Kind.ROTATION for name in point.weights)
+        weights = {name: WEIGHT.taken(weight) for name, weight in point.weights.items()}
+        return Point(ReadOnly(weights), turning and kind_of_point(self.kinds, point) is Kind.TRANSLATION)
+
+    @property
+    def kinds(self) -> Mapping[str, Kind]:
+        """Whether each body, point and pin is a translation or a rotation, by name."""
+        if "_kinds" not in vars(self):
+            object.__setattr__(self, "_kinds", ReadOnly(kinds_of(vars(self))))
+        kinds: Mapping[str, Kind] = vars(self)["_kinds"]
+        return kinds
+
+    def kind_of(self, section: str, name: str) -> Kind:
+        """Return the kind of a part or of an output, which its units follow: see ``Kind.unit``."""
+        part = getattr(self, section)[name]
+        if section == "outputs":
+            return kind_of_output(vars(self), self.kinds, part)
+        return kind_of_part(self.kinds, section, name, part)
+
     def _told(self) -> str:
-        sections = ((name, len(getattr(self, name))) for name in PARTS)
+        sections = ((name, len(getattr(self, name))) for name in (*PARTS, "points"))
         parts = ", ".join(counted(count, SINGULAR.get(name, name[:-1])) for name, count in sections if count)
         return f"{self.title}, {parts}" if self.title else parts
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from trimmer.mechanism.kinds import kinds_of, numbers_of_part
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, Range
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, NumberField, Range
 from trimmer.mechanism.units import UnitError, quantity
 
 UNKNOWN = "unknown"
@@ -74,9 +75,10 @@ def open_values(content: Mapping[str, Any]) -> Iterator[OpenValue]:
     """
     if _is_open(content.get("frequency")):
         yield OpenValue(("frequency",), content["frequency"], FREQUENCY)
-    for section, kind in PARTS.items():
+    kinds = kinds_of(content)
+    for section in PARTS:
         for name, entries in _tables(content.get(section)):
-            for key, wanted in QUANTITIES[kind].items():
+            for key, wanted in numbers_of_part(kinds, section, name, entries).items():
                 if wanted.range is not Range.WHOLE and _is_open(entries.get(key)):
                     yield OpenValue((section, name, key), entries[key], wanted)
 

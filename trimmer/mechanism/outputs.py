@@ -7,8 +7,10 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.choices import ChoiceError
+from trimmer.mechanism.kinds import Kind, kind_of_point, number_of_weight
 from trimmer.mechanism.parts import GROUND, Output, OutputKind
 from trimmer.mechanism.place_text import Place
+from trimmer.mechanism.points import ends_in
 from trimmer.mechanism.problems import Problem, no_such
 from trimmer.mechanism.quantities import WEIGHT, NumberField
 from trimmer.mechanism.read_only import ReadOnly
@@ -36,11 +38,11 @@ _EXAMPLE = "{ cutter = 1, guard = -1 }"
 
 
 def problems_of_form(place: Place, entries: object) -> Iterator[Problem]:
-    """Find what should be a table in an output of a file and is none."""
+    """Find what should be a table in a point or an output of a file and is none."""
     if not isinstance(entries, dict):
         yield Problem(place, f"give weights, as in {_EXAMPLE}", entries)
         return
-    key = _kind_key(entries)
+    key = _kind_key(entries) if place[0] == "outputs" else None
     if key == CONTROL:
         yield Problem(place, "there are no controllers whose output could be asked for; leave it out")
     elif key in OF_ENDS and not isinstance(entries[key], dict):
@@ -50,7 +52,10 @@ def problems_of_form(place: Place, entries: object) -> Iterator[Problem]:
 
 
 def output_of(
-    place: Place, entries: Mapping[str, Any], number: Callable[[Place, object, NumberField], Any]
+    place: Place,
+    entries: Mapping[str, Any],
+    number: Callable[[Place, object, NumberField], Any],
+    kinds: Mapping[str, Kind],
 ) -> Output:
     """Return an output of a file.
 
@@ -58,6 +63,7 @@ def output_of(
         place: Names that lead to it.
         entries: What stands there, in good form.
         number: Returns the number of a text at a place.
+        kinds: Of what may have a weight, by name.
     """
     key = _kind_key(entries)
     if key == FORCE:
@@ -65,7 +71,11 @@ def output_of(
     kind, inner = OutputKind.DISPLACEMENT, place
     if key is not None:
         kind, inner, entries = OF_ENDS[key], (*place, key), entries[key]
-    return Output({name: number((*inner, name), each, WEIGHT) for name, each in entries.items()}, kind)
+    moves = kind_of_point(kinds, entries)
+    weights = {
+        of: number((*inner, of), each, number_of_weight(kinds, moves, of)) for of, each in entries.items()
+    }
+    return Output(weights, kind)
 
 
 def _kind_key(entries: Mapping[str, Any]) -> str | None:
@@ -87,11 +97,6 @@ def weight_place(name: str, kind: OutputKind, of: str) -> Place:
     """Return the place of a weight, such as ``outputs.speed.velocity.cutter``."""
     inner = () if kind is OutputKind.DISPLACEMENT else (kind.word,)
     return ("outputs", name, *inner, of)
-
-
-def with_weight(output: Output, of: str, weight: float) -> Output:
-    """Return an output with another weight."""
-    return Output(ReadOnly({**output.weights, of: weight}), output.kind, output.part)
 
 
 def problems_of_kind(place: Place, output: Output) -> Iterator[Problem]:
@@ -136,7 +141,7 @@ def problems_of_outputs(content: Mapping[str, Any], known: list[str]) -> Iterato
             if of == GROUND:
                 yield Problem(there, "the ground does not move; leave it out", weight)
             elif of not in known:
-                yield Problem(there, no_such("body or pin", of, known), weight)
+                yield Problem(there, no_such(ends_in(content), of, known), weight)
     yield from _of_names(content, known)
 
 
@@ -156,5 +161,5 @@ def _of_names(content: Mapping[str, Any], known: list[str]) -> Iterator[Problem]
         return
     for name in known:
         if name in KEYS:
-            section = "pins" if name in content["pins"] else "bodies"
+            section = next(each for each in ("bodies", "pins", "points") if name in content[each])
             yield Problem((section, name), "this name says of which kind an output is; choose another one")

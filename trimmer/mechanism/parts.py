@@ -1,4 +1,8 @@
-"""The parts of a mechanism that moves along one line. SI units; ``between`` is (start, end)."""
+"""The parts of a mechanism that moves along one line. SI units; ``between`` is (start, end).
+
+Units are those of translations. A rotation has rad in place of m, N m of N, N m/rad of N/m, N m s/rad of
+N s/m, kg m² of kg, and also of kg m, for its unbalance is one of moments.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +15,8 @@ GROUND = "ground"
 """The name of the fixed frame, where an end or a carrier is asked for."""
 Curve = tuple[tuple[float, float], ...]
 """Points of a curve: abscissa and force."""
+COUPLINGS = ("links", "plays", "stops", "frictions")
+"""Sections whose parts stand between two ends."""
 
 
 class ContactLaw(Choice):
@@ -28,15 +34,39 @@ class ContactLaw(Choice):
 
 @dataclass(frozen=True)
 class Body:
-    """A rigid body.
+    """A rigid body, which moves along the line or turns: it has a mass or an inertia.
 
     Attributes:
-        mass: Mass, kg.
-        symbol: Symbol of the mass in printed equations, such as ``m_1``.
+        mass: Mass, kg, of a translation.
+        symbol: Symbol of the mass or inertia in printed equations, such as ``m_1``.
+        inertia: Moment of inertia, kg m², of a rotation.
     """
 
-    mass: float
+    mass: float | None = None
     symbol: str | None = None
+    inertia: float | None = None
+
+    @property
+    def generalised_mass(self) -> float:
+        """The mass, kg, or the inertia, kg m²."""
+        return self.mass or self.inertia or 0.0
+
+
+@dataclass(frozen=True)
+class Point:
+    """A weighted sum of coordinates, which stands wherever a body may: a lever, a gear ratio.
+
+    A force on it acts on each coordinate in proportion to its weight. It is a rotation where all its
+    coordinates are, and else a translation; then weights of rotations are lengths, m.
+
+    Attributes:
+        weights: Factor of each coordinate.
+        by_length: Whether weights of rotations are lengths. It need be said only where all coordinates are
+            rotations and the point is a translation, as a rack on a gear: ``Point({"gear": 0.02}, True)``.
+    """
+
+    weights: Mapping[str, float]
+    by_length: bool = False
 
 
 @dataclass(frozen=True)
@@ -44,7 +74,7 @@ class Pin:
     """A massless point at q_on + offset + velocity t + amplitude sin(2 pi order frequency t + phase).
 
     Attributes:
-        on: The body that carries it, or ``ground``.
+        on: The body or point that carries it, or ``ground``.
         amplitude: m.
         phase: rad.
         offset: m.
@@ -177,7 +207,7 @@ class Force:
     """constant + amplitude sin(2 pi order frequency t + phase) on a body.
 
     Attributes:
-        on: The body.
+        on: The body or point.
         constant: N.
         amplitude: N.
         phase: rad.
@@ -209,7 +239,8 @@ class Output:
     """What is asked for: a sum of displacements, velocities or accelerations, or the force of a part.
 
     Attributes:
-        weights: Factor of each body's and pin's displacement, velocity or acceleration; none of a force.
+        weights: Factor of each body's, point's and pin's displacement, velocity or acceleration; none of a
+            force. If some are rotations and others translations, those of the rotations are lengths, m.
         kind: What it is.
         part: Of a force: the link, play, stop or friction; positive where it pulls its ends together.
     """

@@ -2,50 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism import curves
+from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
-from trimmer.mechanism.outputs import weight_place, with_weight
+from trimmer.mechanism.outputs import weight_place
 from trimmer.mechanism.parts import Friction
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
-from trimmer.mechanism.quantities import (
-    DISPLACEMENT,
-    FREQUENCY,
-    PARTS,
-    QUANTITIES,
-    VELOCITY,
-    WEIGHT,
-    NumberField,
-)
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, NumberField
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 
-STATE: Mapping[str, NumberField] = {"displacement": DISPLACEMENT, "velocity": VELOCITY}
+STATE = ("displacement", "velocity")
 """What a start gives of a body, in the order of the file."""
 
 
 def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
     """Return all numbers that may be set, with what they measure."""
     found: dict[Place, NumberField] = {("frequency",): FREQUENCY}
-    for section, kind in PARTS.items():
-        for name, part in getattr(mechanism, section).items():
-            found |= {
-                (section, name, key): each
-                for key, each in QUANTITIES[kind].items()
-                if not (key == "force" and part.curve)
-            }
-            found |= {(section, name, *end): each for end, each in curves.quantities(part).items()}
+    for section in PARTS:
+        for name in getattr(mechanism, section):
+            found |= {(section, name, *end): each for end, each in _of_part(mechanism, section, name).items()}
+    for name, point in mechanism.points.items():
+        found |= {("points", name, of): _weight(mechanism, "points", name, of) for of in point.weights}
     for name, output in mechanism.outputs.items():
-        found |= {weight_place(name, output.kind, of): WEIGHT for of in output.weights}
+        for of in output.weights:
+            found[weight_place(name, output.kind, of)] = _weight(mechanism, "outputs", name, of)
     for name in mechanism.bodies:
-        found |= {("start", name, key): each for key, each in STATE.items()}
+        state = zip(STATE, numbers_of_start(mechanism.kinds, name), strict=True)
+        found |= {("start", name, key): each for key, each in state}
     return found
+
+
+def _of_part(mechanism: Mechanism, section: str, name: str) -> dict[Place, NumberField]:
+    """Return the numbers of a part by the ends of their places."""
+    part = getattr(mechanism, section)[name]
+    numbers = numbers_of_part(mechanism.kinds, section, name, part)
+    found: dict[Place, NumberField] = {(key,): each for key, each in numbers.items()}
+    if isinstance(part, Friction) and part.curve:
+        del found["force",]
+    return {**found, **curves.quantities(part, mechanism.kind_of(section, name))}
+
+
+def _weight(mechanism: Mechanism, section: str, name: str, of: str) -> NumberField:
+    return number_of_weight(mechanism.kinds, mechanism.kind_of(section, name), of)
 
 
 def value_at(mechanism: Mechanism, place: str) -> float:
@@ -60,10 +65,10 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             if mechanism.frequency is None:
                 raise MechanismError("frequency: the mechanism has none; it moves by itself")
             return mechanism.frequency
-        case ("outputs", name, *_, body):
-            return mechanism.outputs[name].weights[body]
+        case ("outputs" | "points", name, *_, body):
+            return getattr(mechanism, names[0])[name].weights[body]  # type: ignore[no-any-return]
         case ("start", name, key):
-            return mechanism.start.get(name, (0.0, 0.0))[list(STATE).index(key)]
+            return mechanism.start.get(name, (0.0, 0.0))[STATE.index(key)]
         case (section, name, "curve", point, key):
             return curves.value_at(getattr(mechanism, section)[name], point, key)
     section, name, key = names
@@ -89,12 +94,13 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
     match names:
         case ("frequency",):
             return changed(mechanism, "frequency", number)
-        case ("outputs", name, *_, body):
-            output = with_weight(mechanism.outputs[name], body, number)
-            return _with_entry(mechanism, "outputs", name, output)
+        case ("outputs" | "points", name, *_, body):
+            part = getattr(mechanism, names[0])[name]
+            weights = ReadOnly({**part.weights, body: number})
+            return _with_entry(mechanism, names[0], name, replace(part, weights=weights))
         case ("start", name, key):
             state = list(mechanism.start.get(name, (0.0, 0.0)))
-            state[list(STATE).index(key)] = number
+            state[STATE.index(key)] = number
             return _with_entry(mechanism, "start", name, tuple(state))
         case (section, name, "curve", point, key):
             part = getattr(mechanism, section)[name]
@@ -161,18 +167,17 @@ def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
     match names:
         case ("frequency",):
             return FREQUENCY
+        case ("points", name, body):
+            there = name in mechanism.points and body in mechanism.points[name].weights
+            return _weight(mechanism, "points", name, body) if there else None
         case ("outputs", name, *_, body):
             output = mechanism.outputs.get(name)
             if output is None or body not in output.weights:
                 return None
-            return WEIGHT if names == weight_place(name, output.kind, body) else None
-        case ("start", name, key):
-            return STATE.get(key) if name in mechanism.bodies else None
+            there = names == weight_place(name, output.kind, body)
+            return _weight(mechanism, "outputs", name, body) if there else None
+        case ("start", name, key) if key in STATE and name in mechanism.bodies:
+            return numbers_of_start(mechanism.kinds, name)[STATE.index(key)]
         case (section, name, *end) if section in PARTS and name in getattr(mechanism, section):
-            part = getattr(mechanism, section)[name]
-            if end == ["force"] and part.curve:
-                return None
-            if len(end) == 1:
-                return QUANTITIES[PARTS[section]].get(end[0])
-            return curves.quantities(part).get(tuple(end))
+            return _of_part(mechanism, section, name).get(tuple(end))
     return None

@@ -7,16 +7,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from keyword import iskeyword
 from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
+from trimmer.mechanism.kinds import Kind, number_of_weight
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import UNITS
-from trimmer.mechanism.parts import Link, Output
+from trimmer.mechanism.parts import Link
 from trimmer.mechanism.place_text import place_text
 
 Place = tuple[str, str, str]
@@ -116,10 +117,19 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("phase", r"\psi", "phase of %s", "rad"),
             Stem("unbalance", "epsilon", "unbalance of %s", "kg m"),
         ),
+        "points": (Stem("displacement", "p", "displacement of %s", "m"),),
         "outputs": (Stem("value", "y", "output %s", "m"),),
     }
 )
 """What has a symbol of its own, by section; the first is what the symbol that a part carries stands for."""
+WEIGHT = "weight of "
+"""Before the name of a coordinate it is what a point weighs that one with."""
+_TURNING = (
+    Stem("inertia", "J", "moment of inertia of %s", "kg m²"),
+    Stem("coordinate", "theta", "angle of %s", "rad"),
+)
+_WORDS = (("displacement", "angle"), ("distance", "angle"), ("force", "moment"), ("tension", "moment"))
+"""What is said of a rotation in place of what is said of a translation."""
 
 _SYMBOL = re.compile(r"(?P<letters>[^\W\d_]+)(?P<digits>[0-9]*)(?:_\{?(?P<index>[^{}]+)\}?)?")
 
@@ -136,7 +146,7 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
     carried = _carried_symbols(mechanism)
     found = dict(carried)
     for section, name, part in _parts(mechanism):
-        first, *others = STEMS[section]
+        first, *others = stems_of(mechanism, section, name)
         letters, index = (first.form, None) if (own := _symbol(part)) is None else _split(own)
         parts = list(getattr(mechanism, section))
         alone = section in ("pins", "forces", "outputs") and len(parts) == 1
@@ -148,11 +158,9 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
             indices = _indices(preferred, name, 1 + parts.index(name))
             found[section, name, stem.of] = _first_free(form, indices, {*TAKEN, *found.values()})
     return {
-        (section, name, stem.of): PrintedSymbol(
-            found[section, name, stem.of], stem.meaning % name, _unit(part, stem)
-        )
-        for section, name, part in _parts(mechanism)
-        for stem in STEMS[section]
+        (section, name, stem.of): PrintedSymbol(found[section, name, stem.of], stem.meaning % name, stem.unit)
+        for section, name, _ in _parts(mechanism)
+        for stem in stems_of(mechanism, section, name)
         if (section, name, stem.of) in found
     }
 
@@ -162,8 +170,31 @@ def _occurs(part: Any, stem: Stem) -> bool:
     return not (isinstance(part, Link) and stem.of in ("elongation", "tension")) or part.curve is not None
 
 
-def _unit(part: Any, stem: Stem) -> str:
-    return UNITS[part.kind] if isinstance(part, Output) else stem.unit
+def stems_of(mechanism: Mechanism, section: str, name: str) -> tuple[Stem, ...]:
+    """Return what has a symbol of its own of a part, in the words and units of its kind."""
+    kind = mechanism.kind_of(section, name)
+    stems = STEMS[section]
+    if section == "outputs":
+        stems = tuple(replace(each, unit=UNITS[mechanism.outputs[name].kind]) for each in stems)
+    if kind is Kind.ROTATION:
+        stems = _TURNING if section == "bodies" else tuple(map(_turned, stems))
+    return (*stems, *(_weights(mechanism, name) if section == "points" else ()))
+
+
+def _turned(stem: Stem) -> Stem:
+    meaning = stem.meaning
+    for word, turned in _WORDS:
+        meaning = meaning.replace(f"{word} ", f"{turned} ")
+    return replace(stem, meaning=meaning, unit=Kind.ROTATION.unit(stem.unit))
+
+
+def _weights(mechanism: Mechanism, name: str) -> Iterator[Stem]:
+    """Yield the weights of a point that are no plain sign, each as an arm or a ratio."""
+    for of, weight in mechanism.points[name].weights.items():
+        unit = number_of_weight(mechanism.kinds, mechanism.kind_of("points", name), of).unit
+        if weight != 0 and (abs(weight) != 1.0 or unit == "m"):
+            letter, word = ("r", "arm") if unit == "m" else ("n", "ratio")
+            yield Stem(f"{WEIGHT}{of}", letter, f"{word} of {of.replace('%', '%%')} at %s", unit)
 
 
 def plain_name(symbol: str) -> str:
@@ -187,7 +218,7 @@ def value_of(mechanism: Mechanism, place: Place) -> float | None:
     part = getattr(mechanism, section)[name]
     if of == "static":
         return float(part.static_force)
-    value = getattr(part, of, None)
+    value = part.weights[of.removeprefix(WEIGHT)] if of.startswith(WEIGHT) else getattr(part, of, None)
     return None if value is None else float(value)
 
 
@@ -204,7 +235,7 @@ def _carried_symbols(mechanism: Mechanism) -> dict[Place, str]:
             )
         if printed in found.values():
             raise MechanismError(f"{where}: several parts carry this symbol; give each its own")
-        found[section, name, STEMS[section][0].of] = printed
+        found[section, name, stems_of(mechanism, section, name)[0].of] = printed
     return found
 
 

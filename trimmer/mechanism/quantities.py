@@ -85,6 +85,7 @@ DISPLACEMENT = NumberField("m", "40 um")
 VELOCITY = NumberField("m/s", "20 mm/s")
 WEIGHT = NumberField("1", "1")
 _MASS = NumberField("kg", "35 g", Range.POSITIVE)
+_INERTIA = NumberField("kg m²", "2e-6 kg m^2", Range.POSITIVE)
 _STIFFNESS = NumberField("N/m", "200 N/mm", Range.NOT_NEGATIVE)
 _DAMPING = NumberField("N s/m", "3.5 N s/m", Range.NOT_NEGATIVE)
 _CLEARANCE = NumberField("m", "40 um", Range.NOT_NEGATIVE)
@@ -95,7 +96,7 @@ _ORDER = NumberField("1", "2", Range.WHOLE)
 
 QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
     {
-        Body: {"mass": _MASS},
+        Body: {"mass": _MASS, "inertia": _INERTIA},
         Pin: {
             **{"amplitude": DISPLACEMENT, "phase": _PHASE, "offset": DISPLACEMENT, "velocity": VELOCITY},
             "order": _ORDER,
@@ -110,7 +111,7 @@ QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
         },
     }
 )
-"""The numbers of each kind of part, by field."""
+"""The numbers of each kind of part, by field, in units of translations; see ``kinds``."""
 
 PARTS: Mapping[str, type] = MappingProxyType(
     {

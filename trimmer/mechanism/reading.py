@@ -10,26 +10,32 @@ from typing import Any
 
 from trimmer.errors import MechanismError
 from trimmer.mechanism import curves
+from trimmer.mechanism.kinds import (
+    Kind,
+    is_length,
+    kind_of_part,
+    kind_of_point,
+    kinds_of,
+    number_of_weight,
+    numbers_of_part,
+    numbers_of_start,
+    problems_of_kinds,
+)
 from trimmer.mechanism.mechanism import Mechanism, problems_with
 from trimmer.mechanism.open_values import open_values, replaced
 from trimmer.mechanism.outputs import output_of, problems_of_form
+from trimmer.mechanism.parts import Body, Link, Point
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.points import problems_of_weights
 from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
-from trimmer.mechanism.quantities import (
-    DISPLACEMENT,
-    FREQUENCY,
-    PARTS,
-    QUANTITIES,
-    VELOCITY,
-    NumberField,
-    is_number,
-)
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, is_number
+from trimmer.mechanism.sense import NO_MASS
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
 from trimmer.toml_files import decoded, is_parameter_file, parsed, read_bytes_of_text
 
-SECTIONS = (*PARTS, "outputs", "start")
+SECTIONS = (*PARTS, "points", "outputs", "start")
 FOR_OTHERS = ("author", "held", "targets", "uncertainty")
 """Keys that are no part of the mechanism: ``trimmer design`` and ``trimmer sample`` read them."""
 KEYS = ("title", "frequency", *SECTIONS, *FOR_OTHERS)
@@ -88,6 +94,9 @@ def mechanism_of_text(text: str, name: str, values: Mapping[str, float | str] = 
     content = replaced(content, given)
     problems = list(_problems_of_form(content))
     if not problems:
+        kinds = kinds_of(content)
+        problems = [*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds)]
+    if not problems:
         arguments = _arguments(content, problems)
         problems = problems or problems_with(arguments)
         if not problems:
@@ -121,7 +130,7 @@ def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
         elif key in PARTS:
             for name, entries in value.items():
                 yield from _problems_of_part((key, name), entries)
-        elif key == "outputs":
+        elif key in ("points", "outputs"):
             for name, entries in value.items():
                 yield from problems_of_form((key, name), entries)
     if "bodies" not in content:
@@ -140,6 +149,8 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
         yield Problem((*place, key), reason, _if_plain(entries[key]))
     if unknown:  # what is missing is there perhaps, but misspelt
         return
+    if kind is Body and not {"mass", "inertia"} & entries.keys():
+        yield Problem((*place, "mass"), NO_MASS)
     for each in fields(kind):
         if each.default is MISSING and each.name not in entries:
             yield Problem((*place, each.name), f"missing; add {_example(kind, each.name)}")
@@ -147,26 +158,31 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
 
 def _arguments(content: Mapping[str, Any], problems: list[Problem]) -> dict[str, Any]:
     """Return the fields of the mechanism; texts that are no quantities are added to the problems."""
-    convert = _Converter(problems)
+    convert, kinds = _Converter(problems), kinds_of(content)
     arguments: dict[str, Any] = {each.name: {} for each in fields(Mechanism)}
     arguments["title"] = content.get("title", "")
     arguments["frequency"] = convert.number(("frequency",), content.get("frequency"), FREQUENCY)
     for section, kind in PARTS.items():
         for name, entries in content.get(section, {}).items():
+            numbers = {**QUANTITIES[kind], **numbers_of_part(kinds, section, name, entries)}
+            form = curves.FORMS.get(kind, curves.FORMS[Link]).of(kind_of_part(kinds, section, name, entries))
             arguments[section][name] = kind(
                 **{
-                    key: convert.number((section, name, key), value, QUANTITIES[kind][key])
-                    if key in QUANTITIES[kind]
-                    else curves.read((section, name, key), value, curves.FORMS[kind], convert.number)
+                    key: convert.number((section, name, key), value, numbers[key])
+                    if key in numbers
+                    else curves.read((section, name, key), value, form, convert.number)
                     if key == "curve"
                     else value
                     for key, value in entries.items()
                 }
             )
+    for name, weights in content.get("points", {}).items():
+        by_length = any(map(is_length, weights.values()))
+        arguments["points"][name] = Point(convert.weights(("points", name), weights, kinds), by_length)
     for name, entries in content.get("outputs", {}).items():
-        arguments["outputs"][name] = output_of(("outputs", name), entries, convert.number)
+        arguments["outputs"][name] = output_of(("outputs", name), entries, convert.number, kinds)
     for name, state in content.get("start", {}).items():
-        arguments["start"][name] = convert.state(("start", name), state)
+        arguments["start"][name] = convert.state(("start", name), state, numbers_of_start(kinds, name))
     return arguments
 
 
@@ -190,13 +206,21 @@ class _Converter:
             self._problems.append(Problem(place, f'{error}; "{wanted.example}" would do', value))
             return None
 
-    def state(self, place: tuple[str, ...], value: object) -> object:
+    def weights(
+        self, place: tuple[str, ...], weights: Mapping[str, object], kinds: Mapping[str, Kind]
+    ) -> dict[str, Any]:
+        """Return the weights of a sum, each of which may be text."""
+        kind = kind_of_point(kinds, weights)
+        return {
+            of: self.number((*place, of), weight, number_of_weight(kinds, kind, of))
+            for of, weight in weights.items()
+        }
+
+    def state(self, place: tuple[str, ...], value: object, wanted: tuple[NumberField, NumberField]) -> object:
         """Return displacement and velocity, each of which may be text."""
         if not isinstance(value, list) or len(value) != 2:
             return value
-        return [
-            self.number(place, each, of) for each, of in zip(value, (DISPLACEMENT, VELOCITY), strict=True)
-        ]
+        return [self.number(place, each, of) for each, of in zip(value, wanted, strict=True)]
 
 
 def _unknown(key: str, known: tuple[str, ...] | list[str], where: str) -> str:
@@ -209,5 +233,5 @@ def _if_plain(value: object) -> object:
 
 def _example(kind: type, key: str | None = None) -> str:
     examples = {"on": 'on = "motor"', "between": 'between = ["ground", "motor"]', "mass": "mass = 0.035"}
-    required = [each.name for each in fields(kind) if each.default is MISSING]
+    required = ["mass"] if kind is Body else [each.name for each in fields(kind) if each.default is MISSING]
     return ", ".join(examples.get(name, f"{name} = 0.5") for name in ([key] if key else required))

@@ -9,9 +9,11 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from trimmer.mechanism.curves import problems_of_points
+from trimmer.mechanism.curves import problems_of_points as problems_of_curves
+from trimmer.mechanism.kinds import kind_of_part, kinds_of, problems_of_kinds
 from trimmer.mechanism.outputs import problems_of_outputs
 from trimmer.mechanism.parts import (
+    COUPLINGS,
     GROUND,
     Body,
     Contact,
@@ -19,12 +21,19 @@ from trimmer.mechanism.parts import (
     Force,
     Friction,
     Link,
-    Pin,
+)
+from trimmer.mechanism.points import (
+    coordinates_of,
+    ends_in,
+    is_on_point,
+    problems_of_ends,
+    problems_of_moving,
+    problems_of_points,
+    problems_of_weights,
 )
 from trimmer.mechanism.problems import Problem, no_such
 
-COUPLINGS = ("links", "plays", "stops", "frictions")
-"""Sections whose parts stand between two ends."""
+NO_MASS = 'missing; add mass = 0.035, or for a body that turns inertia = "2e-6 kg m^2"'
 
 
 def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -32,7 +41,7 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     if not content["bodies"]:
         yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
         return
-    if clashes := list(_names(content["bodies"], content["pins"])):
+    if clashes := [*_names(content), *_masses(content["bodies"]), *problems_of_points(content)]:
         yield from clashes
         return
     problems = list(_problems_of_parts(content))
@@ -43,11 +52,12 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
 def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find numbers that do not go together; whether each can stand in its place is not asked."""
     yield from _contacts(content)
-    yield from _frictions(content["frictions"])
+    yield from _frictions(content)
     for section in ("links", "frictions"):
         for name, part in content[section].items():
-            yield from problems_of_points((section, name), part)
+            yield from problems_of_curves((section, name), part)
     yield from _drive(content)
+    yield from problems_of_moving(content)
 
 
 def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -55,25 +65,41 @@ def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
     for section in COUPLINGS:
         for name, part in content[section].items():
             yield from _ends((section, name, "between"), part.between, content)
+    kinds = kinds_of(content)
+    yield from (*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds))
     yield from problems_of_numbers(content)
-    yield from problems_of_outputs(content, [*content["bodies"], *content["pins"]])
+    yield from problems_of_outputs(content, [*content["bodies"], *content["pins"], *content["points"]])
     yield from _start(content)
     yield from _symbols(content)
 
 
-def _names(bodies: Mapping[str, Body], pins: Mapping[str, Pin]) -> Iterator[Problem]:
-    for section, names in (("bodies", bodies), ("pins", pins)):
-        if GROUND in names:
+def _names(content: Mapping[str, Any]) -> Iterator[Problem]:
+    taken: dict[str, str] = {}
+    for section, kind in (("bodies", "body"), ("pins", "pin"), ("points", "point")):
+        if GROUND in content[section]:
             yield Problem((section, GROUND), "this name stands for the fixed frame; choose another one")
-    for name in pins:
-        if name in bodies:
-            yield Problem(
-                ("pins", name), "a body has this name already; names are unique over bodies and pins"
-            )
+        for name in content[section]:
+            if name in taken:
+                reason = (
+                    f"a {taken[name]} has this name already; names are unique over bodies, pins and points"
+                )
+                yield Problem((section, name), reason)
+            taken.setdefault(name, kind)
+
+
+def _masses(bodies: Mapping[str, Body]) -> Iterator[Problem]:
+    for name, body in bodies.items():
+        if body.mass is None and body.inertia is None:
+            yield Problem(("bodies", name, "mass"), NO_MASS)
+        elif body.mass is not None and body.inertia is not None:
+            reason = "a body has a mass or, if it turns, an inertia; leave one out, or write two bodies"
+            yield Problem(("bodies", name, "inertia"), reason, body.inertia)
 
 
 def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
-    bodies, pins = content["bodies"], content["pins"]
+    pins, points = content["pins"], content["points"]
+    bodies = [*content["bodies"], *points]
+    body = "body or point" if points else "body"
     for name, pin in pins.items():
         place = ("pins", name, "on")
         if pin.on in pins:
@@ -81,7 +107,7 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
                 place, "a pin sits on a body or on the ground, not on a pin (no loops of pins)", pin.on
             )
         elif pin.on not in bodies and pin.on != GROUND:
-            yield Problem(place, no_such("body", pin.on, [*bodies, GROUND]), pin.on)
+            yield Problem(place, no_such(body, pin.on, [*bodies, GROUND]), pin.on)
     for name, force in content["forces"].items():
         place = ("forces", name, "on")
         if force.on in pins:
@@ -89,25 +115,16 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
         elif force.on == GROUND:
             yield Problem(place, "a force on the ground moves nothing; name a body", force.on)
         elif force.on not in bodies:
-            yield Problem(place, no_such("body", force.on, bodies), force.on)
+            yield Problem(place, no_such(body, force.on, bodies), force.on)
 
 
 def _ends(place: tuple[str, ...], between: tuple[str, str], content: Mapping[str, Any]) -> Iterator[Problem]:
-    bodies, pins = content["bodies"], content["pins"]
-    unknown = [end for end in between if end not in bodies and end not in pins and end != GROUND]
-    if unknown:
-        for end in dict.fromkeys(unknown):
-            yield Problem(place, no_such("body or pin", end, [*bodies, *pins, GROUND]), list(between))
-        return
-    first, second = (pins[end].on if end in pins else end for end in between)
-    if between[0] == between[1]:
-        yield Problem(place, "both ends are the same; name two different ones", list(between))
-    elif first == second == GROUND:
-        reason = "both ends move as prescribed, so there is nothing to act on; one end must be a body"
-        yield Problem(place, reason, list(between))
-    elif first == second:
-        reason = f"both ends are on {first!r}, so that nothing between them can move it; name another body"
-        yield Problem(place, reason, list(between))
+    known = [*content["bodies"], *content["pins"], *content["points"]]
+    unknown = [end for end in dict.fromkeys(between) if end not in known and end != GROUND]
+    for end in unknown:
+        yield Problem(place, no_such(ends_in(content), end, [*known, GROUND]), list(between))
+    if not unknown and not any(is_on_point(content, end) for end in between):
+        yield from problems_of_ends(place, between, content)
 
 
 def _contacts(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -124,14 +141,16 @@ def _contacts(content: Mapping[str, Any]) -> Iterator[Problem]:
                 )
 
 
-def _frictions(frictions: Mapping[str, Friction]) -> Iterator[Problem]:
+def _frictions(content: Mapping[str, Any]) -> Iterator[Problem]:
+    frictions: Mapping[str, Friction] = content["frictions"]
     for name, friction in frictions.items():
         if friction.force is not None and friction.curve is not None:
             reason = "the curve gives the kinetic force at the speed 0; leave this out, or the curve"
             yield Problem(("frictions", name, "force"), reason, friction.force)
         elif friction.static is not None and friction.static < friction.kinetic_force:
-            kinetic = friction.kinetic_force
-            reason = f"the static force is less than the kinetic one, {kinetic!r} N; it is never less"
+            unit = kind_of_part(kinds_of(content), "frictions", name, friction).unit("N")
+            kinetic = f"{friction.kinetic_force!r} {unit}"
+            reason = f"the static force is less than the kinetic one, {kinetic}; it is never less"
             yield Problem(("frictions", name, "static"), reason, friction.static)
 
 
@@ -156,15 +175,17 @@ def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
         if name in content["pins"]:
             reason = "a pin starts where its motion puts it; only bodies have a start"
             yield Problem(("start", name), reason, state)
+        elif name in content["points"]:
+            reason = "a point starts where its coordinates put it; only bodies have a start"
+            yield Problem(("start", name), reason, state)
         elif name not in content["bodies"]:
             yield Problem(("start", name), no_such("body", name, content["bodies"]), state)
 
 
 def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:
-    pins = content["pins"]
     ends = [end for section in COUPLINGS for part in content[section].values() for end in part.between]
-    touched = {pins[end].on if end in pins else end for end in ends}
-    touched |= {force.on for force in content["forces"].values()}
+    ends += [force.on for force in content["forces"].values()]
+    touched = {body for end in ends for body in coordinates_of(content, end)}
     for name in content["bodies"]:
         if name not in touched:
             reason = (

@@ -62,6 +62,7 @@ _PREFIXES = {
 """The micro sign and the Greek letter look the same; keyboards have either."""
 
 _ONE = MeasurementUnit(Fraction(1), (0, 0, 0, 0))
+_TURNS_A_MINUTE = MeasurementUnit(Fraction(1, 30), (0, 0, -1, 1), 1)
 _PREFIXED = {
     "g": (MeasurementUnit(Fraction(1, 1000), (1, 0, 0, 0)), "numk"),
     "m": (MeasurementUnit(Fraction(1), (0, 1, 0, 0)), "numck"),
@@ -126,10 +127,28 @@ def quantity(text: str, si_unit: str) -> float:
         raise UnitError(
             f"has no unit: write the number in {si_unit} without quotation marks, or add the unit"
         )
-    given = unit(found["unit"] or "1")
+    given = _given(found["unit"] or "1", wanted)
     if given.dimension != wanted.dimension:
         raise UnitError(f"{found['unit']!r} does not measure what {si_unit} does")
     return float(Fraction(found["number"]) * given.scale / wanted.scale) * math.pi**given.half_turns
+
+
+def dimension_of(text: str) -> tuple[int, int, int, int]:
+    """Return what the unit of a quantity measures: powers of kilogram, metre, second and radian.
+
+    Raises:
+        UnitError: if the text is no number with a unit.
+    """
+    found = _NUMBER_AND_UNIT.fullmatch(text)
+    if found is None:
+        raise UnitError("is no number with a unit; text is not evaluated")
+    return _given(found["unit"] or "1", _TURNS_A_MINUTE).dimension
+
+
+def _given(text: str, wanted: MeasurementUnit) -> MeasurementUnit:
+    """Return the unit of a text; rpm are a frequency, or an angular velocity where one is wanted."""
+    turns = text == "rpm" and wanted.dimension == _TURNS_A_MINUTE.dimension
+    return _TURNS_A_MINUTE if turns else unit(text)
 
 
 def _factor(text: str, whole: str) -> MeasurementUnit:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import MISSING, fields
 from typing import Any
 
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import entries_of
 from trimmer.mechanism.parts import ContactLaw
@@ -30,6 +31,9 @@ def _paragraphs(mechanism: Mechanism) -> Iterator[str]:
     for section in PARTS:
         if parts := getattr(mechanism, section):
             yield _section(section, {name: _inline(_entries(part)) for name, part in parts.items()})
+    if mechanism.points:
+        points = {name: _inline(_weights(mechanism, name)) for name in mechanism.points}
+        yield _section("points", points)
     if mechanism.outputs:
         outputs = {name: _inline(entries_of(output)) for name, output in mechanism.outputs.items()}
         yield _section("outputs", outputs)
@@ -48,6 +52,14 @@ def _entries(part: Any) -> dict[str, object]:
     return {
         name: value for name, value in held.items() if defaults[name] is MISSING or value != defaults[name]
     }
+
+
+def _weights(mechanism: Mechanism, name: str) -> dict[str, object]:
+    """Return the weights of a point; lengths with their unit where nothing else tells that they are."""
+    point = mechanism.points[name]
+    if point.by_length and all(mechanism.kinds[of] is Kind.ROTATION for of in point.weights):
+        return {of: f"{weight!r} m" for of, weight in point.weights.items()}
+    return dict(point.weights)
 
 
 def _inline(entries: dict[str, object]) -> str:

@@ -68,14 +68,22 @@ class Flow(ABC):
         """Units of what is measured."""
         return Units("m")
 
+    def units_of_body(self, body: str) -> Units:
+        """Return the units of a body, or of what else has an acceleration, by its name."""
+        return self.units
+
+    def units_of_part(self, part: str) -> Units:
+        """Return the units of what is measured of a contact or friction, by its name."""
+        return self.units
+
     def force_unit(self, part: str) -> str:
         """Return the unit of what a part gives, as ``forces`` has it; empty for a number."""
-        return self.units.force
+        return self.units_of_part(part).force
 
     @property
     @abstractmethod
     def accelerations(self) -> Mapping[str, Signal]:
-        """Acceleration of each body, m/s²; none where there are no bodies."""
+        """Acceleration of each body, m/s² or rad/s²; none where there are no bodies."""
 
     @property
     @abstractmethod
@@ -293,4 +301,7 @@ def signals_of(flow: Flow) -> Mapping[str, Readout]:
     if flow.outputs:
         return flow.outputs
     size = flow.modes.system.layout.size
-    return {name: Readout(Steady(np.eye(1, size, places[0])[0]), "m") for name, places in flow.axes.items()}
+    return {
+        name: Readout(Steady(np.eye(1, size, places[0])[0]), flow.axis_units[name][0])
+        for name, places in flow.axes.items()
+    }

@@ -10,7 +10,7 @@ class Units:
     """Units of what is measured of a motion: those of SI, or none if it moves by plain numbers.
 
     Attributes:
-        length: Of displacements: m, or empty for a number.
+        length: Of displacements: m, of rotations rad, or empty for a number.
     """
 
     length: str
@@ -21,9 +21,14 @@ class Units:
         return f"{self.length or 1}/s"
 
     @property
+    def acceleration(self) -> str:
+        """Of the rate of a rate."""
+        return f"{self.length or 1}/s²"
+
+    @property
     def force(self) -> str:
-        """Of a force; empty for a number."""
-        return "N" if self.length else ""
+        """Of a force, or a moment; empty for a number."""
+        return {"m": "N", "rad": "N m"}.get(self.length, "")
 
     @property
     def work(self) -> str:

@@ -54,13 +54,14 @@ def _moving(flow: Flow, name: str, pair: Any) -> tuple[float, float]:
     if name not in bodies:
         there = near_match(name, bodies) or f"there are {listed(bodies)}"
         raise MechanismError(f"the start names {name!r}, which is no body; {there}")
+    length, speed = flow.axis_units[name]
     try:
         displacement, velocity = tuple(pair)
     except (TypeError, ValueError):
-        raise WrongTypeError(f"the start of {name} must be (m, m/s), not {shown(pair)}") from None
+        raise WrongTypeError(f"the start of {name} must be ({length}, {speed}), not {shown(pair)}") from None
     return (
-        finite_number(f"displacement of {name}", displacement, "m"),
-        finite_number(f"velocity of {name}", velocity, "m/s"),
+        finite_number(f"displacement of {name}", displacement, length),
+        finite_number(f"velocity of {name}", velocity, speed),
     )
 
 

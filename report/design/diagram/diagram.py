@@ -16,7 +16,9 @@ from report.design.quantities import shown
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
 from trimmer.drawing.look import plain_label
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import place_text
 
 WIDTH = 6.5
 WALL = 0.16
@@ -124,11 +126,23 @@ class _Drawing:
         left, right = self.geometry.edges[number + 1]
         bottom, top = self.ends(name)
         words = plain_label("\n".join(textwrap.wrap(name, 9, max_lines=4, placeholder="…")))
-        mass = shown(self.mechanism.bodies[name].mass, "kg")
+        if name in self.mechanism.points:
+            self.point(words, (left + right) / 2, bottom, top)
+            return
+        data, kind = self.mechanism.bodies[name], self.mechanism.kinds[name]
+        mass = shown(data.generalised_mass, kind.unit("kg"))
         fill = COLOURS[number % len(COLOURS)]
-        body(self.axes, (left, bottom), (right - left, top - bottom), "", fill)
+        if kind is Kind.ROTATION:
+            symbols.disc(self.axes, (left, bottom), (right - left, top - bottom), fill)
+        else:
+            body(self.axes, (left, bottom), (right - left, top - bottom), "", fill)
         self.axes.text((left + right) / 2, (bottom + top) / 2, f"{words}\n{mass}", ha="center", va="center",
                        fontsize=8, zorder=3)  # fmt: skip
+
+    def point(self, words: str, x: float, bottom: float, top: float) -> None:
+        """Draw a point: a bar without mass."""
+        self.axes.plot([x, x], [bottom, top], **LINE, zorder=2)
+        self.axes.text(x, top + 0.02, words, ha="center", va="bottom", fontsize=8, zorder=3)
 
     def ends(self, name: str) -> tuple[float, float]:
         """Return the lower and the upper edge of a body."""
@@ -147,7 +161,7 @@ class _Drawing:
     def run(self, run: Run) -> None:
         """Draw a part along its lane, with pins where its ends are such."""
         y = self.geometry.level(run.lane)
-        left, right = self.geometry.edges[run.left][1], self.geometry.edges[run.right][0]
+        left, right = self.edge(run.left, 1), self.edge(run.right, 0)
         first, second = run.joint.ends[::-1] if run.turned else run.joint.ends
         start = self.port(first, left, y, 1)
         end = self.port(second, right, y, -1)
@@ -159,6 +173,13 @@ class _Drawing:
             self.axes.plot([x, towards], [y, y], **LINE, zorder=1)
         self.symbol(run, middle - half, middle + half, y)
         self.name(run, middle, y)
+
+    def edge(self, column: int, side: int) -> float:
+        """Return an edge of a column: of a point its middle."""
+        edges = self.geometry.edges[column]
+        inside = 0 < column <= len(self.layout.bodies)
+        is_point = inside and self.layout.bodies[column - 1] in self.mechanism.points
+        return 0.5 * sum(edges) if is_point else edges[side]
 
     def port(self, end: str, edge: float, y: float, sign: int) -> float:
         """Return where a part begins: at a pin, which is drawn, or at the edge."""
@@ -175,6 +196,8 @@ class _Drawing:
     def symbol(self, run: Run, left: float, right: float, y: float) -> None:
         part = getattr(self.mechanism, run.joint.section)[run.joint.name]
         match run.joint.section:
+            case "points":
+                self.axes.plot([left, right], [y, y], **LINE, zorder=1)
             case "links":
                 symbols.spring_and_damper(self.axes, left, right, y, part)
             case "plays":
@@ -190,24 +213,37 @@ class _Drawing:
 
     def name(self, run: Run, x: float, y: float) -> None:
         """Write name and main number of a part above and below it."""
+        if run.joint.section == "points":
+            self.weight(run, x, y)
+            return
         part = getattr(self.mechanism, run.joint.section)[run.joint.name]
+        unit = self.mechanism.kind_of(run.joint.section, run.joint.name).unit
         number = {
             "links": lambda: (
                 "curve"
                 if part.curve
-                else shown(part.stiffness, "N/m")
+                else shown(part.stiffness, unit("N/m"))
                 if part.stiffness
-                else shown(part.damping, "N s/m")
+                else shown(part.damping, unit("N s/m"))
             ),
-            "plays": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
-            "stops": lambda: f"gap {shown(part.gap, 'm')}" if part.gap else "no gap",
+            "plays": lambda: f"gap {shown(part.gap, unit('m'))}" if part.gap else "no gap",
+            "stops": lambda: f"gap {shown(part.gap, unit('m'))}" if part.gap else "no gap",
             "frictions": lambda: (
-                shown(part.kinetic_force, "N") if part.kinetic_force else shown(part.viscous, "N s/m")
+                shown(part.kinetic_force, unit("N"))
+                if part.kinetic_force
+                else shown(part.viscous, unit("N s/m"))
             ),
         }[run.joint.section]()
         name = plain_label("\n".join(textwrap.wrap(run.joint.name, 16, max_lines=2, placeholder="…")))
         self.axes.text(x, y + 0.24, name, ha="center", va="bottom", fontsize=SMALL, linespacing=0.9)
         self.axes.text(x, y - 0.25, number, ha="center", va="top", fontsize=SMALL)
+
+    def weight(self, run: Run, x: float, y: float) -> None:
+        """Write below a lever or gear what it weighs its body with."""
+        place = place_text(("points", run.joint.name, run.joint.ends[1]))
+        value, unit = self.mechanism.value(place), self.mechanism.places[place]
+        words = f"× {shown(value)}" if unit == "1" else f"arm {shown(value, unit)}"
+        self.axes.text(x, y - 0.06, words, ha="center", va="top", fontsize=SMALL)
 
     def force(self, name: str, on: str) -> None:
         """Draw a force above its body."""

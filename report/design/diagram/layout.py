@@ -25,13 +25,13 @@ CROSSING = 100
 
 @dataclass(frozen=True)
 class Joint:
-    """A part that joins two ends.
+    """A part that joins two ends; a lever or gear that moves a point is one too, from the point to a body.
 
     Attributes:
         section: Such as ``links``.
         name: Its name.
-        ends: The two ends: bodies, pins, or the ground.
-        carriers: The bodies of the ends, or the ground.
+        ends: The two ends: bodies, points, pins, or the ground.
+        carriers: The bodies or points of the ends, or the ground.
     """
 
     section: str
@@ -65,7 +65,7 @@ class DiagramLayout:
     """Places of all parts.
 
     Attributes:
-        bodies: Names of the bodies from left to right.
+        bodies: Names of the bodies and points from left to right.
         runs: The parts between them.
         spans: Lowest and highest lane of each body.
     """
@@ -102,6 +102,10 @@ def joints_of(mechanism: Mechanism) -> Iterator[Joint]:
             if any(getattr(part, size) for size in sizes):
                 first, second = (_carrier(mechanism, end) for end in part.between)
                 yield Joint(section, name, part.between, (first, second))
+    for name, point in mechanism.points.items():
+        for of, weight in point.weights.items():
+            if weight != 0:
+                yield Joint("points", name, (name, of), (name, of))
 
 
 def _carrier(mechanism: Mechanism, end: str) -> str:
@@ -109,7 +113,7 @@ def _carrier(mechanism: Mechanism, end: str) -> str:
 
 
 def _orders(mechanism: Mechanism, joints: Sequence[Joint]) -> Iterable[tuple[str, ...]]:
-    bodies = tuple(mechanism.bodies)
+    bodies = (*mechanism.bodies, *mechanism.points)
     return permutations(bodies) if len(bodies) <= MOST_ORDERS else (_from_ground(bodies, joints),)
 
 

@@ -13,6 +13,8 @@ HEIGHT = 0.13
 """Half of the height of a slot."""
 LEVEL = 0.11
 """Distance of a spring and the damper beside it from the middle of their lane."""
+ROUND = 0.22
+"""Radius of the corners of a body that turns."""
 CONTACT = {**LINE, "color": LINES[1]["color"], "linewidth": 1.4}
 FRICTION = {**LINE, "color": LINES[2]["color"], "linewidth": 1.8}
 
@@ -87,3 +89,14 @@ def pin(axes: Axes, edge: float, y: float, sign: int, length: float) -> float:
     arrow(axes, (ends[0], y), (ends[1], y), shrinkA=0, shrinkB=0, mutation_scale=6, arrowstyle="<|-|>")
     axes.plot([at], [y], "o", color=BLACK, markerfacecolor="#bbbbbb", markersize=7, zorder=4)
     return at
+
+
+def disc(axes: Axes, corner: tuple[float, float], size: tuple[float, float], fill: str) -> None:
+    """Draw a body that turns, from its lower left corner: round where a body that moves has corners."""
+    from matplotlib.patches import FancyBboxPatch
+
+    style = f"round,pad=0,rounding_size={min(ROUND, *(0.5 * each for each in size))}"
+    patch = FancyBboxPatch(
+        corner, *size, boxstyle=style, facecolor=fill, edgecolor=BLACK, linewidth=1.1, zorder=2
+    )
+    axes.add_patch(patch)

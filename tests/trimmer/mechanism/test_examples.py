@@ -10,6 +10,7 @@ import pytest
 
 from trimmer import ContactLaw, Mechanism, TrimmerParameters
 from trimmer.mechanism import Friction, Link, Play, linear_matrices
+from trimmer.mechanism.kinds import Kind
 
 FOLDER = Path(__file__).parents[3]
 EXAMPLES = sorted((FOLDER / "examples").glob("*.toml"))
@@ -105,8 +106,9 @@ def document() -> str:
 
 def test_files_in_the_document_are_read(document: str) -> None:
     blocks = re.findall(r"```toml\n(.*?)```", document, flags=re.DOTALL)
-    trimmer, block = map(Mechanism.from_toml_text, blocks)
+    trimmer, block, motor = map(Mechanism.from_toml_text, blocks)
     assert trimmer.value("plays.bridge.gap") == 40e-6
+    assert motor.kinds["gear"] is Kind.ROTATION and motor.kinds["rack"] is Kind.TRANSLATION
     assert block.start == {"block": (0.01, 0.5)}
     assert block.links["spring"].damping_symbol == "c"
 

@@ -69,7 +69,10 @@ def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
         *((f"{name}, peak to peak", each, units[name]) for name, each in result.peak_to_peak.items()),
         ("impacts per drive period", result.impacts, ""),
         ("largest impact speed", result.impact_speed, result.measured_in.speed),
-        *((f"{name}, rms acceleration", each, "m/s²") for name, each in result.rms_acceleration.items()),
+        *(
+            (f"{name}, rms acceleration", each, result.acceleration_unit(name))
+            for name, each in result.rms_acceleration.items()
+        ),
         *((f"{name}, wear power", each, power) for name, each in result.wear_power.items()),
     ]
     return [_range(name, values, unit) for name, values, unit in measures if np.isfinite(values).any()]

@@ -16,7 +16,6 @@ from trimmer.showing.rounding import or_rounding
 if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.motion.measures import Measures
-    from trimmer.motion.units import Units
     from trimmer.response.estimate import Estimate
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
@@ -82,11 +81,12 @@ def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
         for name, rms in motion.rms.items()
     ]
     yield from table(heads, rows)
-    accelerations = [(name, _number(each)) for name, each in motion.rms_acceleration.items()]
+    accelerations = {name: _number(each) for name, each in motion.rms_acceleration.items()}
     if accelerations:
-        yield from table(("body", "rms acceleration, m/s²"), accelerations)
+        bodies = {name: flow.units_of_body(name).acceleration for name in accelerations}
+        yield from _valued("body", "rms acceleration", accelerations, bodies)
     if motion.orbit is not None:
-        yield from _parts(motion.orbit.measures, flow.units)
+        yield from _parts(motion.orbit.measures, flow)
 
 
 def _common(units: Iterable[str]) -> str:
@@ -122,16 +122,24 @@ def _rest(rest: Rest) -> Iterator[str]:
     flow = rest.flow
     bodies = isinstance(flow.subject, Mechanism)
     where, force = (("body", "displacement"), "force") if bodies else (("signal", "value"), "output")
-    units = {name: flow.units.length if bodies else flow.outputs[name].unit for name in rest.positions}
-    yield from _valued(*where, rest.positions, units)
+    units = {
+        name: flow.units_of_body(name).length if bodies else flow.outputs[name].unit
+        for name in rest.positions
+    }
+    yield from _valued(*where, _written(rest.positions), units)
     head = f"mean {force} over a drive period" if rest.forces_change else force
-    yield from _valued("part", head, rest.forces, {name: flow.force_unit(name) for name in rest.forces})
+    forces = {name: flow.force_unit(name) for name in rest.forces}
+    yield from _valued("part", head, _written(rest.forces), forces)
 
 
-def _valued(what: str, head: str, values: Mapping[str, float], units: Mapping[str, str]) -> Iterator[str]:
+def _written(values: Mapping[str, float]) -> dict[str, str]:
+    return {name: f"{each:.9g}" for name, each in values.items()}
+
+
+def _valued(what: str, head: str, values: Mapping[str, str], units: Mapping[str, str]) -> Iterator[str]:
     """Return a table of values by name, the unit at its head if it is that of all."""
     unit = _common(units.values())
-    rows = [(name if unit else with_unit(name, units[name]), f"{each:.9g}") for name, each in values.items()]
+    rows = [(name if unit else with_unit(name, units[name]), each) for name, each in values.items()]
     yield from table((what, with_unit(head, unit)), rows)
 
 
@@ -158,26 +166,34 @@ def _ratio(p: int, k: int) -> str:
     return f"{p // k}" if p % k == 0 else f"{p}/{k}"
 
 
-def _parts(measures: Measures, units: Units) -> Iterator[str]:
+def _headed(head: str, units: Mapping[str, str]) -> tuple[str, Mapping[str, str]]:
+    """Return a heading with the unit of all, or what follows each value where they differ."""
+    unit = _common(units.values())
+    return with_unit(head, unit), {name: "" if unit else f" {each}".rstrip() for name, each in units.items()}
+
+
+def _parts(measures: Measures, flow: Flow) -> Iterator[str]:
     if measures.contacts:
         forces = any(each.largest_force is not None for each in measures.contacts.values())
-        force = (with_unit("largest force", units.force),) if forces else ()
-        speed = with_unit("largest speed", units.speed)
+        units = {name: flow.units_of_part(name) for name in measures.contacts}
+        force, newton = _headed("largest force", {name: each.force for name, each in units.items()})
+        speed, per_second = _headed("largest speed", {name: each.speed for name, each in units.items()})
         yield from table(
-            ("contact", "impacts per period", speed, *force, "time in contact"),
+            ("contact", "impacts per period", speed, *([force] if forces else []), "time in contact"),
             [
                 (
                     name,
                     f"{each.impacts:g}",
-                    f"{each.impact_speed:.6g}",
-                    *([] if each.largest_force is None else [f"{each.largest_force:.6g}"]),
+                    f"{each.impact_speed:.6g}{per_second[name]}",
+                    *([] if each.largest_force is None else [f"{each.largest_force:.6g}{newton[name]}"]),
                     f"{each.share:.2%}",
                 )
                 for name, each in measures.contacts.items()
             ],
         )
     if measures.frictions:
-        work, power = with_unit("work per period", units.work), with_unit("power", units.power)
+        work = with_unit("work per period", flow.units.work)
+        power = with_unit("power", flow.units.power)
         yield from table(
             ("friction", work, power, "time in stick"),
             [
