@@ -19,6 +19,10 @@ COUPLINGS = ("links", "plays", "stops", "frictions")
 """Sections whose parts stand between two ends."""
 
 
+Row = tuple[float, ...]
+"""A row of a list of numbers, such as order, amplitude and phase."""
+
+
 class ContactLaw(Choice):
     """What a contact does when its force would have to pull.
 
@@ -81,6 +85,9 @@ class Pin:
         velocity: m/s.
         order: Multiple of the drive's frequency.
         symbol: Symbol of its displacement in printed equations.
+        harmonics: Order, amplitude, m, and phase, rad, of further waves.
+        waveform: Displacement beside these, m, at even phases of a period of the drive from 0 on.
+        orders: Highest order of the waveform; None for 20, or fewer if there are not so many.
     """
 
     on: str
@@ -90,6 +97,9 @@ class Pin:
     velocity: float = 0.0
     order: int = 1
     symbol: str | None = None
+    harmonics: tuple[Row, ...] | None = None
+    waveform: tuple[float, ...] | None = None
+    orders: int | None = None
 
 
 class _Damped:
@@ -214,6 +224,9 @@ class Force:
         order: Multiple of the drive's frequency.
         unbalance: kg m; it adds unbalance (2 pi order frequency)² to the amplitude.
         symbol: Symbol of the force in printed equations.
+        harmonics: Order, amplitude, N, and phase, rad, of further waves.
+        waveform: Force beside these, N, at even phases of a period of the drive from 0 on.
+        orders: Highest order of the waveform; None for 20, or fewer if there are not so many.
     """
 
     on: str
@@ -223,6 +236,9 @@ class Force:
     order: int = 1
     unbalance: float = 0.0
     symbol: str | None = None
+    harmonics: tuple[Row, ...] | None = None
+    waveform: tuple[float, ...] | None = None
+    orders: int | None = None
 
 
 class OutputKind(Choice):

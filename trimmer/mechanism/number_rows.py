@@ -1,0 +1,121 @@
+"""Lists of rows of numbers in a part: ``harmonics`` of a pin or a force, the ``profile`` of a force."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from types import MappingProxyType
+from typing import Any
+
+from trimmer.mechanism.parts import Force, Pin, Row
+from trimmer.mechanism.problems import Problem
+from trimmer.mechanism.quantities import DISPLACEMENT, NumberField, Range
+
+FORCE = NumberField("N", "500 mN")
+TIME = NumberField("s", "10 ms")
+_ORDER = NumberField("1", "2", Range.WHOLE)
+_PHASE = NumberField("rad", "90 deg")
+
+
+@dataclass(frozen=True)
+class RowForm:
+    """What a row holds.
+
+    Attributes:
+        numbers: What each number measures, by its name in dotted places.
+        example: How such a list is written.
+    """
+
+    numbers: Mapping[str, NumberField]
+    example: str
+
+
+def _harmonics(amplitude: NumberField, example: str) -> RowForm:
+    return RowForm({"order": _ORDER, "amplitude": amplitude, "phase": _PHASE}, example)
+
+
+FORMS: Mapping[type, Mapping[str, RowForm]] = MappingProxyType(
+    {
+        Pin: {"harmonics": _harmonics(DISPLACEMENT, "[[2, 0.4e-3, 0.9]]")},
+        Force: {
+            "harmonics": _harmonics(FORCE, "[[2, 0.5, 0.3]]"),
+            "profile": RowForm({"time": TIME, "force": FORCE}, "[[0.01, 0.0], [0.012, 1.5]]"),
+        },
+    }
+)
+"""The lists that parts may have, by their kind and key."""
+KEYS = ("harmonics", "profile")
+
+
+def forms_of(part: object) -> Mapping[str, RowForm]:
+    """Return the lists that a part, or parts of a kind, may have, by key."""
+    return FORMS.get(part if isinstance(part, type) else type(part), {})
+
+
+def problems_of_types(place: tuple[str, ...], rows: object, form: RowForm) -> Iterator[Problem]:
+    """Find what makes a value no list of rows, and times that do not rise."""
+    listed = rows if isinstance(rows, list | tuple) else ()
+    if not listed or not all(_is_row(row, form) for row in listed):
+        what = ", ".join(f"{key} in {of.unit}" if of.unit != "1" else key for key, of in form.numbers.items())
+        yield Problem(place, f"give at least one row [{what}], as in {form.example}", rows)
+        return
+    wrong = False
+    for number, row in enumerate(listed, start=1):
+        for (key, of), value in zip(form.numbers.items(), row, strict=True):
+            if reason := of.reason_against(value):
+                wrong = True
+                yield Problem((*place, str(number), key), reason, value)
+    times = [row[0] for row in listed] if "time" in form.numbers and not wrong else []
+    for number, (before, after) in enumerate(pairwise(times), start=2):
+        if not before < after:
+            reason = f"the time must rise from point to point, and that before is {float(before)!r} s"
+            yield Problem((*place, str(number), "time"), reason, after)
+
+
+def _is_row(row: object, form: RowForm) -> bool:
+    return isinstance(row, list | tuple) and len(row) == len(form.numbers)
+
+
+def taken(rows: Any, form: RowForm) -> tuple[Row, ...]:
+    """Return rows as tuples of numbers."""
+    fields = form.numbers.values()
+    return tuple(tuple(of.taken(each) for of, each in zip(fields, row, strict=True)) for row in rows)
+
+
+def read(
+    place: tuple[str, ...],
+    value: object,
+    form: RowForm,
+    number: Callable[[tuple[str, ...], object, NumberField], Any],
+) -> object:
+    """Return rows of a file with numbers for its texts; what is no list of rows stays as it is."""
+    if not isinstance(value, list) or not all(_is_row(row, form) for row in value):
+        return value
+    named = list(form.numbers.items())
+    return [
+        [number((*place, str(count), key), each, of) for (key, of), each in zip(named, row, strict=True)]
+        for count, row in enumerate(value, start=1)
+    ]
+
+
+def quantities(part: object) -> Mapping[tuple[str, ...], NumberField]:
+    """Return the numbers of the lists that a part has, by the end of their places."""
+    return {
+        (key, str(number), name): of
+        for key, form in forms_of(part).items()
+        for number in range(1, len(getattr(part, key) or ()) + 1)
+        for name, of in form.numbers.items()
+    }
+
+
+def value_at(part: object, key: str, row: str, name: str) -> float:
+    """Return a number of a list, its rows counted from 1."""
+    return float(getattr(part, key)[int(row) - 1][list(forms_of(part)[key].numbers).index(name)])
+
+
+def with_value_at(part: object, key: str, row: str, name: str, value: float) -> tuple[Row, ...]:
+    """Return a list with another number, its rows counted from 1."""
+    form, rows = forms_of(part)[key], [list(each) for each in getattr(part, key)]
+    rows[int(row) - 1][list(form.numbers).index(name)] = value
+    return taken(rows, form)
