@@ -8,7 +8,7 @@ shows up as a readable difference.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain, count
 from typing import Any
@@ -29,6 +29,7 @@ from derivations.mechanism import elongation, elongation_rate, trimmer
 from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.number_rows import value_at
 from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop
 from trimmer.mechanism.printed_symbols import (
     WEIGHT,
@@ -188,7 +189,10 @@ class _Translation:
         velocity = self._number("pins", name, "velocity", pin.velocity)
         amplitude = self._number("pins", name, "amplitude", pin.amplitude)
         wave = product(amplitude, self._wave("pins", name, pin))
-        law = total(offset, product(velocity, t) if velocity != 0 else 0, wave if amplitude != 0 else 0)
+        law = total(
+            *(offset, product(velocity, t) if velocity != 0 else 0, wave if amplitude != 0 else 0),
+            *self._further("pins", name, pin),
+        )
         return parts.Pin(carrier, self._function("pins", name, "displacement"), law)
 
     def _force(
@@ -199,7 +203,7 @@ class _Translation:
         unbalance = self._number("forces", name, "unbalance", force.unbalance)
         height = total(amplitude, unbalance * (force.order * symbols.omega) ** 2)
         wave = product(height, self._wave("forces", name, force))
-        law = total(constant, wave if height != 0 else 0)
+        law = total(constant, wave if height != 0 else 0, *self._further("forces", name, force))
         return parts.Force(moved[force.on], self._function("forces", name, "value"), law)
 
     def _output(self, name: str, output: Output, ends: Mapping[str, Any]) -> parts.Output:
@@ -232,6 +236,20 @@ class _Translation:
     def _wave(self, section: str, name: str, part: Pin | Force) -> sympy.Expr:
         phase = self._number(section, name, "phase", part.phase)
         return sympy.sin(total(part.order * symbols.omega * t, phase))
+
+    def _further(self, section: str, name: str, part: Pin | Force) -> Iterator[sympy.Expr]:
+        """Yield the harmonics of a part, and its waveform."""
+        for number, (order, *_) in enumerate(part.harmonics or (), start=1):
+            amplitude, phase = (
+                self._number(
+                    section, name, f"harmonics.{number}.{of}", value_at(part, "harmonics", str(number), of)
+                )
+                for of in ("amplitude", "phase")
+            )
+            if amplitude != 0:
+                yield product(amplitude, sympy.sin(total(int(order) * symbols.omega * t, phase)))
+        if part.waveform:
+            yield self._function(section, name, "waveform")
 
     def _springs(self, ends: Mapping[str, parts.End]) -> tuple[parts.Spring, ...]:
         return tuple(

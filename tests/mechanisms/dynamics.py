@@ -12,6 +12,7 @@ import numpy as np
 from tests.mechanisms.parts import Contact, ContactMode, Curved, DryFriction
 from tests.mechanisms.rows import Rows
 from tests.mechanisms.sticking import Sticking, stick_together
+from tests.mechanisms.waves import constant
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link
 
@@ -111,9 +112,7 @@ class System:
             stretch, rate = self.rows.distance(link.between), self.rows.rate(link.between)
             self._pull(force, link.between, link.stiffness * stretch + link.damping * rate)
         for given in self.mechanism.forces.values():
-            omega = given.order * self.rows.omega
-            amplitude = given.amplitude + given.unbalance * omega**2
-            row = self.rows.constant(given.constant) + self.rows.sine(amplitude, given.order, given.phase)
+            row = self.rows.constant(constant(given)) + self.rows.waves(given)
             force[self.rows.carrier(given.on)] += row
         return force
 

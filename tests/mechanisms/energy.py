@@ -8,6 +8,7 @@ import numpy as np
 
 from tests.mechanisms.brute_force import BruteMotion, Piece, extend
 from tests.mechanisms.measures import integral
+from tests.mechanisms.waves import constant
 
 
 @dataclass(frozen=True)
@@ -117,9 +118,7 @@ def _supplied(motion: BruteMotion) -> float:
     def power(times, y, piece):
         total = np.zeros(len(times))
         for force in system.mechanism.forces.values():
-            omega = force.order * rows.omega
-            wave = rows.sine(force.amplitude + force.unbalance * omega**2, force.order, force.phase)
-            given = rows.constant(force.constant) + wave
+            given = rows.constant(constant(force)) + rows.waves(force)
             total += (given @ y) * y[count + rows.carrier(force.on)]
         for between, tension in _tensions(motion, piece):
             start, end = (rows.prescribed(name) @ clock for name in between)

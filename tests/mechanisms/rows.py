@@ -16,8 +16,9 @@ from functools import cached_property
 
 import numpy as np
 
+from tests.mechanisms.waves import constant, waves
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, ContactLaw
+from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Pin
 
 
 @dataclass
@@ -36,9 +37,8 @@ class Rows:
         self.relaxing = tuple(
             name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
         )
-        moving = [pin.order for pin in mechanism.pins.values() if pin.amplitude]
-        driven = [force.order for force in mechanism.forces.values() if force.amplitude or force.unbalance]
-        self.orders = tuple(sorted({*moving, *driven}))
+        parts = (*mechanism.pins.values(), *mechanism.forces.values())
+        self.orders = tuple(sorted({order for part in parts for order, *_ in waves(part, self.omega)}))
 
     @cached_property
     def omega(self) -> float:
@@ -71,6 +71,10 @@ class Rows:
             place = self.state_size + 2 + 2 * self.orders.index(order)
             row[place : place + 2] = amplitude * math.cos(phase), amplitude * math.sin(phase)
         return row
+
+    def waves(self, part: Pin | Force) -> np.ndarray:
+        found = (self.sine(size, order, phase) for order, size, phase in waves(part, self.omega))
+        return sum(found, np.zeros(self.size))
 
     def clock(self) -> np.ndarray:
         """D for the functions of time: their rates, the rest zero."""
@@ -106,7 +110,7 @@ class Rows:
         if end not in self.mechanism.pins:
             return np.zeros(self.size)
         pin = self.mechanism.pins[end]
-        row = self.constant(pin.offset) + self.sine(pin.amplitude, pin.order, pin.phase)
+        row = self.constant(constant(pin)) + self.waves(pin)
         row[self.state_size + 1] += pin.velocity
         return row
 

@@ -47,7 +47,8 @@ from trimmer.mechanism.coordinates import inertia_of
 from trimmer.mechanism.curves import is_odd
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import COUPLINGS, Force, Pin
+from trimmer.mechanism.parts import COUPLINGS
+from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import Part
@@ -382,10 +383,9 @@ class MechanismFlow(Flow):
         velocities of pins, and even orders.
         """
         mechanism = self.mechanism
-        moving: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
-        odd = all(part.order % 2 == 1 for part in moving)
-        centred = all(pin.offset == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
-        pushed = any(force.constant != 0 for force in mechanism.forces.values()) or not all(
+        odd = all(order % 2 == 1 for order in self.modes.system.layout.orders)
+        centred = all(mean_of(pin) == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
+        pushed = any(mean_of(force) != 0 for force in mechanism.forces.values()) or not all(
             is_odd(link.curve or ()) for link in mechanism.links.values()
         )
         return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops

@@ -18,6 +18,7 @@ from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
+from trimmer.mechanism.waves import mean_of, waves_of
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
@@ -188,7 +189,7 @@ def layout_of(
     frame = frame_of(mechanism).fixed() if frame is None else frame
     omega = 2 * np.pi * (mechanism.frequency or 0.0)
     moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
-    orders = sorted({part.order for part in moved if moves(part)})
+    orders = sorted({wave.order for part in moved for wave in waves_of(part, omega)})
     speeds = {name: float(each @ frame.velocities) for name, each in weights_of_ends(mechanism).items()}
     for name, pin in mechanism.pins.items():
         speeds[name] += pin.velocity
@@ -224,11 +225,6 @@ def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:
     return tuple((section, name) for section, parts in found for name, part in parts.items() if part.curve)
 
 
-def moves(part: Pin | Force) -> bool:
-    """Return whether a pin moves relative to what carries it, or a force changes."""
-    return part.amplitude != 0 or getattr(part, "unbalance", 0.0) != 0
-
-
 @dataclass(frozen=True, eq=False)
 class Rows:
     """Displacements and velocities of ends as functionals of the extended state, and what forces on them do.
@@ -260,11 +256,11 @@ class Rows:
             row[-2] += weights @ self.layout.frame.velocities
         if end in self.mechanism.pins:
             pin = self.mechanism.pins[end]
-            row[-1] += pin.offset
+            row[-1] += mean_of(pin)
             if self.layout.ramp:
                 row[-2] += pin.velocity
-            if pin.amplitude:
-                self._add_wave(row, pin.order, pin.amplitude, pin.phase)
+            for wave in waves_of(pin, self.layout.omega):
+                self._add_wave(row, *wave)
         return row
 
     def velocity(self, end: str) -> Reals:
@@ -274,9 +270,9 @@ class Rows:
         if end in self.mechanism.pins:
             pin = self.mechanism.pins[end]
             row[-1] += pin.velocity
-            if pin.amplitude:
-                rate = pin.order * self.layout.omega * pin.amplitude
-                self._add_wave(row, pin.order, rate, pin.phase + np.pi / 2)
+            for order, amplitude, phase in waves_of(pin, self.layout.omega):
+                rate = order * self.layout.omega * amplitude
+                self._add_wave(row, order, rate, phase + np.pi / 2)
         return row
 
     def _add_wave(self, row: Reals, order: int, amplitude: float, phase: float) -> None:
@@ -285,10 +281,12 @@ class Rows:
         row[sine] += amplitude * np.cos(phase)
         row[sine + 1] += amplitude * np.sin(phase)
 
-    def wave(self, order: int, amplitude: float, phase: float) -> Reals:
-        """Return amplitude sin(order w t + phase), (N,)."""
+    def given(self, force: Force) -> Reals:
+        """Return a given force, N, (N,)."""
         row = np.zeros(self.layout.size)
-        self._add_wave(row, order, amplitude, phase)
+        row[-1] += mean_of(force)
+        for wave in waves_of(force, self.layout.omega):
+            self._add_wave(row, *wave)
         return row
 
     def push(self, start: str, end: str) -> Reals:

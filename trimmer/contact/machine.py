@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.contact.curve_arrays import curve_arrays
 from trimmer.contact.frame import Frame
-from trimmer.contact.layout import Layout, Rows, layout_of, moves
+from trimmer.contact.layout import Layout, Rows, layout_of
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
 from trimmer.mechanism.mechanism import Mechanism
@@ -112,10 +112,7 @@ def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
         base[count : 2 * count] -= np.outer(rows.push(start, end), drag)
     for force_on in mechanism.forces.values():
         push = rows.push(GROUND, force_on.on)
-        base[count : 2 * count, -1] += push * force_on.constant
-        if moves(force_on):
-            amplitude = force_on.amplitude + force_on.unbalance * (force_on.order * layout.omega) ** 2
-            base[count : 2 * count] += np.outer(push, rows.wave(force_on.order, amplitude, force_on.phase))
+        base[count : 2 * count] += np.outer(push, rows.given(force_on))
     for order in layout.orders:
         sine = layout.sine(order)
         base[sine, sine + 1] = order * layout.omega

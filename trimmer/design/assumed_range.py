@@ -7,6 +7,7 @@ import math
 from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.waves import reach_of
 
 SHARE_OF_STROKE = 0.1
 """Largest gap that is assumed, as a share of the largest stroke of a pin."""
@@ -24,7 +25,7 @@ def assumed_range(mechanism: Mechanism, place: tuple[str, ...]) -> tuple[float, 
     section, name, key = place if len(place) == 3 else ("", "", "")
     kind = mechanism.kind_of(section, name) if section else Kind.TRANSLATION
     alike = (pin for each, pin in mechanism.pins.items() if mechanism.kinds[each] is kind)
-    stroke = max((abs(pin.amplitude) for pin in alike), default=0.0)
+    stroke = max((reach_of(pin) for pin in alike), default=0.0)
     highest = 0.0
     if key == "gap":
         highest = SHARE_OF_STROKE * 2 * stroke

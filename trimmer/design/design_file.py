@@ -85,15 +85,15 @@ def read_design_file(path: Path | str) -> DesignFile:
             line, key and value, and what to do.
     """
     path = file_path("path", path)
-    return _design_file(bytes_of_file(path), str(path))
+    return _design_file(bytes_of_file(path), str(path), path.parent)
 
 
-def design_file_of_text(text: str, name: str) -> DesignFile:
-    """Read the text of a design's file; see ``read_design_file``."""
-    return _design_file(text.encode(), name)
+def design_file_of_text(text: str, name: str, folder: Path = Path()) -> DesignFile:
+    """Read the text of a design's file, which names files in a folder; see ``read_design_file``."""
+    return _design_file(text.encode(), name, folder)
 
 
-def _design_file(raw: bytes, name: str) -> DesignFile:
+def _design_file(raw: bytes, name: str, folder: Path) -> DesignFile:
     text = decoded(raw)
     content = content_of_text(text, name)
     lines = lines_of_keys(text)
@@ -102,7 +102,7 @@ def _design_file(raw: bytes, name: str) -> DesignFile:
     ends = dict(_given(left_open, problems))
     _stop_at(problems, name, content, lines)
     values = {place_text(each.place): _first(each, ends) for each in left_open}
-    mechanism = mechanism_of_text(text, name, values)
+    mechanism = mechanism_of_text(text, name, values, folder)
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)

@@ -15,6 +15,7 @@ from trimmer.mechanism.coordinates import Inertia
 from trimmer.mechanism.linear_outputs import Contacts, output_rows, with_contacts
 from trimmer.mechanism.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.waves import waves_of
 
 POINTS = 2000
 """Frequencies of a transfer function."""
@@ -186,13 +187,12 @@ def all_drives(mechanism: Mechanism) -> list[tuple[str, str, int]]:
 
 def driving(mechanism: Mechanism) -> list[tuple[str, str, int]]:
     """Return name, SI unit and order of the pins and forces that vibrate."""
-    pins = [(name, "m", pin.order) for name, pin in mechanism.pins.items() if pin.amplitude]
-    forces = [
-        (name, "N", force.order)
-        for name, force in mechanism.forces.items()
-        if force.amplitude or force.unbalance
+    omega = 2 * np.pi * (mechanism.frequency or 0.0)
+    waves = [
+        *((name, "m", waves_of(pin, omega)) for name, pin in mechanism.pins.items()),
+        *((name, "N", waves_of(force, omega)) for name, force in mechanism.forces.items()),
     ]
-    return pins + forces
+    return [(name, unit, found[0].order) for name, unit, found in waves if found]
 
 
 def _responses(

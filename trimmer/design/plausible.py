@@ -10,6 +10,7 @@ from trimmer.design.found_motion import FoundMotion
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.waves import reach_of
 
 HEAVY = 50.0
 """Mass of a body, as a multiple of the middle one of all, from which it is asked about."""
@@ -109,7 +110,7 @@ def _gaps(mechanism: Mechanism) -> Iterator[Question]:
     for name, play in mechanism.plays.items():
         kind = mechanism.kind_of("plays", name)
         alike = [pin for each, pin in mechanism.pins.items() if mechanism.kinds[each] is kind]
-        stroke = 2 * max((abs(pin.amplitude) for pin in alike), default=0.0)
+        stroke = 2 * max((reach_of(pin) for pin in alike), default=0.0)
         if 0 < stroke <= play.gap:
             yield Question(Oddity.GAP_ABOVE_STROKE, ("plays", name, "gap"), play.gap, stroke)
 

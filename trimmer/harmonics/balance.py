@@ -20,6 +20,7 @@ from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link, Play, Stop
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.waves import mean_of, waves_of
 
 MOST_ITERATIONS = 30
 MOST_HALVINGS = 8
@@ -149,8 +150,9 @@ class _Equations:
         """Coefficients of the pins relative to their carriers, (pins, count)."""
         waves = np.zeros((len(self.mechanism.pins), self.count), dtype=complex)
         for row, pin in zip(waves, self.mechanism.pins.values(), strict=True):
-            row[0] = pin.offset
-            self._add_sine(row, pin.order, pin.amplitude, pin.phase)
+            row[0] = mean_of(pin)
+            for wave in waves_of(pin, self.omega * self.periods):
+                self._add_sine(row, *wave)
         return waves
 
     def _add_sine(self, row: Complexes, order: int, amplitude: float, phase: float) -> None:
@@ -164,9 +166,9 @@ class _Equations:
         matrices, mechanism = linear_matrices(self.mechanism, viscous=True), self.mechanism
         forces = np.zeros((len(mechanism.forces), self.count), dtype=complex)
         for row, force in zip(forces, mechanism.forces.values(), strict=True):
-            row[0] = force.constant
-            rate = force.order * self.omega * self.periods
-            self._add_sine(row, force.order, force.amplitude + force.unbalance * rate**2, force.phase)
+            row[0] = mean_of(force)
+            for wave in waves_of(force, self.omega * self.periods):
+                self._add_sine(row, *wave)
         speeds = np.array([pin.velocity for pin in mechanism.pins.values()])
         driving = matrices.forces @ forces + matrices.pin_displacement @ self.pins
         driving = driving + matrices.pin_velocity @ (self.pins * self.turning)

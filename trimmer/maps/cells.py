@@ -16,6 +16,7 @@ from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.waves import reach_of
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
@@ -163,7 +164,7 @@ def start_scales(flow: Flow) -> Reals:
         return np.asarray(FIRST_SCALE * sizes_of(flow.course(flow.rest(), WINDOW)))
     mechanism = flow.subject
     lengths = [
-        *(abs(pin.amplitude) for pin in mechanism.pins.values()),
+        *(reach_of(pin) for pin in mechanism.pins.values()),
         *(play.gap for play in mechanism.plays.values()),
         *(abs(stop.gap) for stop in mechanism.stops.values()),
     ]

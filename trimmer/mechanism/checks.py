@@ -10,12 +10,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
 from trimmer.choices import ChoiceError
-from trimmer.mechanism import curves
+from trimmer.mechanism import curves, number_rows
 from trimmer.mechanism.kinds import Kind, kind_of_part, kinds_of, numbers_of_part, numbers_of_start
 from trimmer.mechanism.outputs import problems_of_kind
-from trimmer.mechanism.parts import ContactLaw, Output, Point
+from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT, NumberField
+from trimmer.mechanism.waves import problems_of_waveform
 
 LONGEST_NAME = 300
 """Characters of a name; each is repeated in every table and message."""
@@ -77,6 +78,7 @@ def _name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
 
 
 def _fields(place: tuple[str, str], part: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
+    rows = number_rows.forms_of(part)
     quantities, numbers = QUANTITIES[type(part)], numbers_of_part(kinds, *place, part)
     for each in fields(part):  # type: ignore[arg-type]
         value, there = getattr(part, each.name), (*place, each.name)
@@ -88,8 +90,14 @@ def _fields(place: tuple[str, str], part: object, kinds: Mapping[str, Kind]) -> 
         elif each.name == "curve" and value is not None:
             form = curves.FORMS[type(part)].of(kind_of_part(kinds, *place, part))
             yield from curves.problems_of_types(there, value, form)
-        else:
+        elif each.name not in rows:
             yield from _word(there, value)
+        elif value is not None:
+            yield from number_rows.problems_of_types(
+                there, value, rows[each.name].of(kind_of_part(kinds, *place, part))
+            )
+    if isinstance(part, Pin | Force):
+        yield from problems_of_waveform(place, part)
 
 
 def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import curves
+from trimmer.mechanism import curves, number_rows
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import taken
@@ -247,6 +247,11 @@ def _taken(part: Any) -> Any:
         others["between"] = tuple(part.between)
     if getattr(part, "curve", None) is not None:
         others["curve"] = curves.taken(part.curve, curves.FORMS[type(part)])
+    for key, form in number_rows.forms_of(part).items():
+        if getattr(part, key) is not None:
+            others[key] = number_rows.taken(getattr(part, key), form)
+    if getattr(part, "waveform", None) is not None:
+        others["waveform"] = tuple(map(float, part.waveform))
     if hasattr(part, "law"):
         others["law"] = ContactLaw.chosen(part.law, "law")
     return replace(part, **numbers, **others)

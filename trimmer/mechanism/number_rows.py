@@ -1,19 +1,18 @@
-"""Lists of rows of numbers in a part: ``harmonics`` of a pin or a force, the ``profile`` of a force."""
+"""Lists of rows of numbers in a part, as the ``harmonics`` of a pin or a force."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
-from itertools import pairwise
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import Force, Pin, Row
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, NumberField, Range
 
 FORCE = NumberField("N", "500 mN")
-TIME = NumberField("s", "10 ms")
 _ORDER = NumberField("1", "2", Range.WHOLE)
 _PHASE = NumberField("rad", "90 deg")
 
@@ -30,6 +29,10 @@ class RowForm:
     numbers: Mapping[str, NumberField]
     example: str
 
+    def of(self, kind: Kind) -> RowForm:
+        """Return the form of the same list of a kind."""
+        return replace(self, numbers={key: kind.field(each) for key, each in self.numbers.items()})
+
 
 def _harmonics(amplitude: NumberField, example: str) -> RowForm:
     return RowForm({"order": _ORDER, "amplitude": amplitude, "phase": _PHASE}, example)
@@ -38,14 +41,10 @@ def _harmonics(amplitude: NumberField, example: str) -> RowForm:
 FORMS: Mapping[type, Mapping[str, RowForm]] = MappingProxyType(
     {
         Pin: {"harmonics": _harmonics(DISPLACEMENT, "[[2, 0.4e-3, 0.9]]")},
-        Force: {
-            "harmonics": _harmonics(FORCE, "[[2, 0.5, 0.3]]"),
-            "profile": RowForm({"time": TIME, "force": FORCE}, "[[0.01, 0.0], [0.012, 1.5]]"),
-        },
+        Force: {"harmonics": _harmonics(FORCE, "[[2, 0.5, 0.3]]")},
     }
 )
 """The lists that parts may have, by their kind and key."""
-KEYS = ("harmonics", "profile")
 
 
 def forms_of(part: object) -> Mapping[str, RowForm]:
@@ -54,23 +53,16 @@ def forms_of(part: object) -> Mapping[str, RowForm]:
 
 
 def problems_of_types(place: tuple[str, ...], rows: object, form: RowForm) -> Iterator[Problem]:
-    """Find what makes a value no list of rows, and times that do not rise."""
+    """Find what makes a value no list of rows."""
     listed = rows if isinstance(rows, list | tuple) else ()
     if not listed or not all(_is_row(row, form) for row in listed):
         what = ", ".join(f"{key} in {of.unit}" if of.unit != "1" else key for key, of in form.numbers.items())
         yield Problem(place, f"give at least one row [{what}], as in {form.example}", rows)
         return
-    wrong = False
     for number, row in enumerate(listed, start=1):
         for (key, of), value in zip(form.numbers.items(), row, strict=True):
             if reason := of.reason_against(value):
-                wrong = True
                 yield Problem((*place, str(number), key), reason, value)
-    times = [row[0] for row in listed] if "time" in form.numbers and not wrong else []
-    for number, (before, after) in enumerate(pairwise(times), start=2):
-        if not before < after:
-            reason = f"the time must rise from point to point, and that before is {float(before)!r} s"
-            yield Problem((*place, str(number), "time"), reason, after)
 
 
 def _is_row(row: object, form: RowForm) -> bool:
@@ -99,13 +91,13 @@ def read(
     ]
 
 
-def quantities(part: object) -> Mapping[tuple[str, ...], NumberField]:
+def quantities(part: object, kind: Kind) -> Mapping[tuple[str, ...], NumberField]:
     """Return the numbers of the lists that a part has, by the end of their places."""
     return {
         (key, str(number), name): of
         for key, form in forms_of(part).items()
         for number in range(1, len(getattr(part, key) or ()) + 1)
-        for name, of in form.numbers.items()
+        for name, of in form.of(kind).numbers.items()
     }
 
 

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import curves
+from trimmer.mechanism import curves, number_rows
 from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.outputs import weight_place
@@ -46,7 +46,8 @@ def _of_part(mechanism: Mechanism, section: str, name: str) -> dict[Place, Numbe
     found: dict[Place, NumberField] = {(key,): each for key, each in numbers.items()}
     if isinstance(part, Friction) and part.curve:
         del found["force",]
-    return {**found, **curves.quantities(part, mechanism.kind_of(section, name))}
+    kind = mechanism.kind_of(section, name)
+    return {**found, **curves.quantities(part, kind), **number_rows.quantities(part, kind)}
 
 
 def _weight(mechanism: Mechanism, section: str, name: str, of: str) -> NumberField:
@@ -71,6 +72,8 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             return mechanism.start.get(name, (0.0, 0.0))[STATE.index(key)]
         case (section, name, "curve", point, key):
             return curves.value_at(getattr(mechanism, section)[name], point, key)
+        case (section, name, listed, row, key):
+            return number_rows.value_at(getattr(mechanism, section)[name], listed, row, key)
     section, name, key = names
     part = getattr(mechanism, section)[name]
     if isinstance(part, Friction) and key == "static":
@@ -106,6 +109,10 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
             part = getattr(mechanism, section)[name]
             curve = curves.with_value_at(part, point, key, number)
             return _with_entry(mechanism, section, name, replace(part, curve=curve))
+        case (section, name, listed, row, key):
+            part = getattr(mechanism, section)[name]
+            rows = number_rows.with_value_at(part, listed, row, key, number)
+            return _with_entry(mechanism, section, name, replace(part, **{listed: rows}))
     section, name, key = names
     part = replace(getattr(mechanism, section)[name], **{key: number})
     return _with_entry(mechanism, section, name, part)

@@ -14,6 +14,7 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
+from trimmer.mechanism import number_rows
 from trimmer.mechanism.kinds import Kind, number_of_weight
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import UNITS
@@ -95,6 +96,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("phase", r"\varphi", "phase of %s", "rad"),
             Stem("offset", r"\bar{%s}", "offset of %s", "m"),
             Stem("velocity", r"\bar{v}", "constant velocity of %s", "m/s"),
+            Stem("waveform", "w", "waveform of %s", "m"),
         ),
         "links": (
             *_LINK,
@@ -116,6 +118,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("amplitude", r"\hat{%s}", "amplitude of %s", "N"),
             Stem("phase", r"\psi", "phase of %s", "rad"),
             Stem("unbalance", "epsilon", "unbalance of %s", "kg m"),
+            Stem("waveform", "W", "waveform of %s", "N"),
         ),
         "points": (Stem("displacement", "p", "displacement of %s", "m"),),
         "outputs": (Stem("value", "y", "output %s", "m"),),
@@ -165,15 +168,26 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
     }
 
 
+def _of_harmonics(section: str, part: Any) -> Iterator[Stem]:
+    """Yield amplitude and phase of each harmonic of a part."""
+    for number, _ in enumerate(getattr(part, "harmonics", None) or (), start=1):
+        for stem in STEMS[section]:
+            if stem.of in ("amplitude", "phase"):
+                meaning = f"{stem.of} of harmonic {number} of %s"
+                yield replace(stem, of=f"harmonics.{number}.{stem.of}", meaning=meaning)
+
+
 def _occurs(part: Any, stem: Stem) -> bool:
     """Say whether a part has what a stem stands for; only a curve has a tension beside a link."""
+    if stem.of == "waveform":
+        return bool(part.waveform)
     return not (isinstance(part, Link) and stem.of in ("elongation", "tension")) or part.curve is not None
 
 
 def stems_of(mechanism: Mechanism, section: str, name: str) -> tuple[Stem, ...]:
     """Return what has a symbol of its own of a part, in the words and units of its kind."""
     kind = mechanism.kind_of(section, name)
-    stems = STEMS[section]
+    stems = (*STEMS[section], *_of_harmonics(section, getattr(mechanism, section)[name]))
     if section == "outputs":
         stems = tuple(replace(each, unit=UNITS[mechanism.outputs[name].kind]) for each in stems)
     if kind is Kind.ROTATION:
@@ -218,6 +232,10 @@ def value_of(mechanism: Mechanism, place: Place) -> float | None:
     part = getattr(mechanism, section)[name]
     if of == "static":
         return float(part.static_force)
+    if of.startswith("harmonics."):
+        return number_rows.value_at(part, *of.split("."))
+    if of == "waveform":
+        return None
     value = part.weights[of.removeprefix(WEIGHT)] if of.startswith(WEIGHT) else getattr(part, of, None)
     return None if value is None else float(value)
 

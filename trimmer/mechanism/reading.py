@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
-from trimmer.mechanism import curves
+from trimmer.mechanism import curves, number_rows
 from trimmer.mechanism.kinds import (
     Kind,
     is_length,
@@ -32,6 +32,7 @@ from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberFie
 from trimmer.mechanism.sense import NO_MASS
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError, quantity
+from trimmer.mechanism.waves import samples_of
 from trimmer.messages import listed, near_match
 from trimmer.toml_files import decoded, is_parameter_file, parsed, read_bytes_of_text
 
@@ -53,7 +54,7 @@ def read_mechanism(path: Path, values: Mapping[str, float | str] = NO_VALUES) ->
     Raises:
         MechanismError: see ``Mechanism.from_toml``.
     """
-    return mechanism_of_text(text_of_file(path), str(path), values)
+    return mechanism_of_text(text_of_file(path), str(path), values, path.parent)
 
 
 def text_of_file(path: Path) -> str:
@@ -74,13 +75,16 @@ def bytes_of_file(path: Path) -> bytes:
     return read_bytes_of_text(path, MechanismError, "'trimmer init FILE' writes one to start from")
 
 
-def mechanism_of_text(text: str, name: str, values: Mapping[str, float | str] = NO_VALUES) -> Mechanism:
+def mechanism_of_text(
+    text: str, name: str, values: Mapping[str, float | str] = NO_VALUES, folder: Path = Path()
+) -> Mechanism:
     """Read a mechanism from the text of a file that messages call by a name.
 
     Args:
         text: The text.
         name: What messages call the file.
         values: Numbers for what the file leaves open, as ``read_mechanism`` takes them.
+        folder: Where the files are that it names.
 
     Raises:
         MechanismError: see ``Mechanism.from_toml``.
@@ -97,7 +101,7 @@ def mechanism_of_text(text: str, name: str, values: Mapping[str, float | str] = 
         kinds = kinds_of(content)
         problems = [*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds)]
     if not problems:
-        arguments = _arguments(content, problems)
+        arguments = _arguments(content, folder, problems)
         problems = problems or problems_with(arguments)
         if not problems:
             return Mechanism(**arguments)
@@ -156,22 +160,28 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
             yield Problem((*place, each.name), f"missing; add {_example(kind, each.name)}")
 
 
-def _arguments(content: Mapping[str, Any], problems: list[Problem]) -> dict[str, Any]:
-    """Return the fields of the mechanism; texts that are no quantities are added to the problems."""
+def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]) -> dict[str, Any]:
+    """Return the fields of the mechanism; what cannot be read is added to the problems."""
     convert, kinds = _Converter(problems), kinds_of(content)
     arguments: dict[str, Any] = {each.name: {} for each in fields(Mechanism)}
     arguments["title"] = content.get("title", "")
     arguments["frequency"] = convert.number(("frequency",), content.get("frequency"), FREQUENCY)
     for section, kind in PARTS.items():
+        rows = number_rows.forms_of(kind)
         for name, entries in content.get(section, {}).items():
             numbers = {**QUANTITIES[kind], **numbers_of_part(kinds, section, name, entries)}
-            form = curves.FORMS.get(kind, curves.FORMS[Link]).of(kind_of_part(kinds, section, name, entries))
+            turns = kind_of_part(kinds, section, name, entries)
+            form = curves.FORMS.get(kind, curves.FORMS[Link]).of(turns)
             arguments[section][name] = kind(
                 **{
                     key: convert.number((section, name, key), value, numbers[key])
                     if key in numbers
                     else curves.read((section, name, key), value, form, convert.number)
                     if key == "curve"
+                    else number_rows.read((section, name, key), value, rows[key].of(turns), convert.number)
+                    if key in rows
+                    else samples_of((section, name, key), value, folder, problems)
+                    if key == "waveform"
                     else value
                     for key, value in entries.items()
                 }

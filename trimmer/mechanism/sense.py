@@ -18,7 +18,6 @@ from trimmer.mechanism.parts import (
     Body,
     Contact,
     ContactLaw,
-    Force,
     Friction,
     Link,
 )
@@ -32,6 +31,7 @@ from trimmer.mechanism.points import (
     problems_of_weights,
 )
 from trimmer.mechanism.problems import Problem, no_such
+from trimmer.mechanism.waves import is_driven
 
 NO_MASS = 'missing; add mass = 0.035, or for a body that turns inertia = "2e-6 kg m^2"'
 
@@ -157,17 +157,14 @@ def _frictions(content: Mapping[str, Any]) -> Iterator[Problem]:
 def _drive(content: Mapping[str, Any]) -> Iterator[Problem]:
     if content["frequency"] is not None:
         return
-    forces: Mapping[str, Force] = content["forces"]
-    moving = [
-        *((("pins", name), "amplitude") for name, pin in content["pins"].items() if pin.amplitude),
-        *((("forces", name), "amplitude") for name, force in forces.items() if force.amplitude),
-        *((("forces", name), "unbalance") for name, force in forces.items() if force.unbalance),
-    ]
-    for place, key in moving:
-        reason = (
-            f"there is an {key}, but no frequency; give one, as in frequency = 110.0 (Hz), before the bodies"
-        )
-        yield Problem((*place, key), reason)
+    for section in ("pins", "forces"):
+        for name, part in content[section].items():
+            if is_driven(part):
+                keys = ("amplitude", "unbalance", "harmonics", "waveform")
+                key = next(key for key in keys if getattr(part, key, None))
+                reason = "but no frequency; give one, as in frequency = 110.0 (Hz), before the bodies"
+                article = {"harmonics": "are", "waveform": "is a"}.get(key, "is an")
+                yield Problem((section, name, key), f"there {article} {key}, {reason}")
 
 
 def _start(content: Mapping[str, Any]) -> Iterator[Problem]:

@@ -7,16 +7,21 @@ is their discrete Fourier series, cut off.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from trimmer.arrays import Complexes
 from trimmer.mechanism.number_table import TableError, columns_of
 from trimmer.mechanism.parts import Force, Pin
+from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import is_number
+
+if TYPE_CHECKING:
+    from trimmer.mechanism.mechanism import Mechanism
 
 ORDERS = 20
 """Orders of a waveform that are taken if no number is given."""
@@ -46,7 +51,13 @@ def waves_of(part: Pin | Force, omega: float) -> tuple[Wave, ...]:
     unbalance = part.unbalance * (part.order * omega) ** 2 if isinstance(part, Force) else 0.0
     own = Wave(part.order, part.amplitude + unbalance, part.phase)
     given = (Wave(int(order), amplitude, phase) for order, amplitude, phase in part.harmonics or ())
-    return tuple(each for each in (own, *given, *_of_waveform(part)) if each.amplitude)
+    waveform = _of_samples(part.waveform, _orders(part)) if part.waveform else ()
+    return tuple(each for each in (own, *given, *waveform) if each.amplitude)
+
+
+def reach_of(part: Pin | Force) -> float:
+    """Return a bound of what the waves of a part do, m of a pin, N of a force without its unbalance."""
+    return sum(abs(each.amplitude) for each in waves_of(part, 0.0))
 
 
 def mean_of(part: Pin | Force) -> float:
@@ -61,7 +72,7 @@ def is_driven(part: Pin | Force) -> bool:
 
 
 def left_out(part: Pin | Force) -> float:
-    """Return the rms of what is left out of a waveform, as a share of that of the samples about their mean."""
+    """Return the rms of what is left out of a waveform, over that of its samples about their mean."""
     samples = np.array(part.waveform or (0.0,))
     spectrum = abs(np.fft.rfft(samples - samples.mean())) ** 2
     # Both signs of a frequency count; that of half the sampling rate has but one.
@@ -70,24 +81,42 @@ def left_out(part: Pin | Force) -> float:
     return float(np.sqrt(spectrum[_orders(part) + 1 :].sum() / whole)) if whole else 0.0
 
 
+def waveforms_left_out(mechanism: Mechanism) -> dict[str, float]:
+    """Return that share of each waveform of a mechanism, by the place of its part."""
+    return {
+        place_text((section, name)): left_out(part)
+        for section in ("pins", "forces")
+        for name, part in getattr(mechanism, section).items()
+        if part.waveform
+    }
+
+
+def told_of_waveforms(mechanism: Mechanism) -> list[str]:
+    """Return a sentence for each waveform of a mechanism."""
+    return [
+        f"The waveform of {place} is cut off at its highest order: the rms of what is left out is {share:.3g}"
+        " of that of its samples about their mean."
+        for place, share in waveforms_left_out(mechanism).items()
+    ]
+
+
 def _orders(part: Pin | Force) -> int:
     highest = (len(part.waveform or ()) - 1) // 2
     return min(ORDERS, highest) if part.orders is None else part.orders
 
 
-def _of_waveform(part: Pin | Force) -> Iterator[Wave]:
-    if not part.waveform:
-        return
-    series: Complexes = 2.0 * np.fft.rfft(part.waveform)[1 : _orders(part) + 1] / len(part.waveform)
-    least = ROUNDING * max(abs(series).max(initial=0.0), abs(mean_of(part)))
-    for order, each in enumerate(series, start=1):
-        if abs(each) > least:
-            yield Wave(order, float(abs(each)), float(np.angle(each) + np.pi / 2))
+@lru_cache(maxsize=64)
+def _of_samples(samples: tuple[float, ...], orders: int) -> tuple[Wave, ...]:
+    series: Complexes = 2.0 * np.fft.rfft(samples)[: orders + 1] / len(samples)
+    least = ROUNDING * abs(series).max()
+    return tuple(
+        Wave(order, float(abs(each)), float(np.angle(each) + np.pi / 2))
+        for order, each in enumerate(series[1:], start=1)
+        if abs(each) > least
+    )
 
 
-def samples_of(
-    place: tuple[str, ...], value: object, folder: Path, problems: list[Problem]
-) -> object:
+def samples_of(place: tuple[str, ...], value: object, folder: Path, problems: list[Problem]) -> object:
     """Return the samples of a waveform of a file: those of the table that it names, or as they stand there.
 
     Args:

@@ -261,9 +261,5 @@ class _Balance:
 
     def of_force(self, name: str) -> float:
         force, layout = self.mechanism.forces[name], self.course.modes.system.layout
-        row = np.zeros(layout.size)
-        amplitude = force.amplitude + force.unbalance * (force.order * layout.omega) ** 2
-        if amplitude:
-            row = Rows(self.mechanism, layout).wave(force.order, amplitude, force.phase)
-        row[-1] += force.constant
+        row = Rows(self.mechanism, layout).given(force)
         return self.integral(self.at_nodes(row) * self.at_nodes(self.rows[force.on][1]))

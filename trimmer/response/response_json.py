@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.waves import waveforms_left_out
+
 if TYPE_CHECKING:
     from trimmer.motion.measures import Measures
     from trimmer.response.estimate import Estimate
@@ -13,8 +16,11 @@ if TYPE_CHECKING:
 
 def response_json(response: Response) -> dict[str, Any]:
     """Return a response as a dictionary that JSON can hold."""
+    mechanism = response.subject if isinstance(response.subject, Mechanism) else None
+    shares = waveforms_left_out(mechanism) if mechanism else {}
     return {
         **motion_json(response.motion),
+        **({"waveforms_left_out": shares} if shares else {}),
         "success": response.success,
         "message": response.message,
         "starts": response.starts,

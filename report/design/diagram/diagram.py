@@ -18,7 +18,9 @@ from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE
 from trimmer.drawing.look import plain_label
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import Force
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.waves import is_driven, mean_of
 
 WIDTH = 6.5
 WALL = 0.16
@@ -47,10 +49,14 @@ def mechanism_diagram(mechanism: Mechanism) -> Figure:
     lanes = [lane for span in layout.spans.values() for lane in span] + [run.lane for run in layout.runs]
     low, high = min(lanes, default=0), max(lanes, default=0)
     geometry = _Geometry.of(layout, mechanism.pins, low, high)
-    forced = any(force.constant or force.amplitude or force.unbalance for force in mechanism.forces.values())
+    forced = any(_pushes(force) for force in mechanism.forces.values())
     figure, axes = canvas(geometry.width, geometry.height + (HEAD if forced else 0.0))
     _Drawing(axes, mechanism, layout, geometry).draw()
     return figure
+
+
+def _pushes(force: Force) -> bool:
+    return bool(mean_of(force)) or is_driven(force)
 
 
 @dataclass(frozen=True)
@@ -119,7 +125,7 @@ class _Drawing:
         for run in self.layout.runs:
             self.run(run)
         for name, force in self.mechanism.forces.items():
-            if force.constant or force.amplitude or force.unbalance:
+            if _pushes(force):
                 self.force(name, force.on)
 
     def body(self, name: str, number: int) -> None:

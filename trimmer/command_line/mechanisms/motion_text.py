@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
+from trimmer.mechanism.waves import told_of_waveforms, waveforms_left_out
 from trimmer.messages import listed
 from trimmer.motion.units import with_unit
 from trimmer.response.response_json import rest_json
@@ -27,7 +28,7 @@ def as_text(motion: MechanismMotion) -> str:
         (name if alike else with_unit(name, units[name]), f"{v:.6g}") for name, v in _ranges(motion).items()
     ]
     lines += table(("output", next(iter(units.values()), "m") if alike else ""), rows)
-    return "\n".join([*lines, *_energy_text(motion.energy)])
+    return "\n".join([*lines, *told_of_waveforms(motion.mechanism), *_energy_text(motion.energy)])
 
 
 def as_json(motion: MechanismMotion) -> str:
@@ -54,6 +55,8 @@ def as_json(motion: MechanismMotion) -> str:
         },
         "undetermined_frictions": list(motion.undetermined_frictions),
     }
+    if shares := waveforms_left_out(motion.mechanism):
+        content["waveforms_left_out"] = shares
     return document(content)
 
 

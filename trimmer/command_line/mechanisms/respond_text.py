@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.waves import told_of_waveforms
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
 from trimmer.response.response_json import response_json
@@ -29,6 +30,8 @@ SMALL = 1e-9
 def as_text(response: Response) -> str:
     """Return what something settles to: first what it is, then tables of what it does."""
     lines, flow = [response.message], flow_of(response.subject)
+    if isinstance(response.subject, Mechanism):
+        lines += told_of_waveforms(response.subject)
     for number, motion in enumerate(response.motions, start=1):
         if len(response.motions) > 1:
             mirrored = ", the mirror image of one before" if motion.mirrored else ""
