@@ -7,7 +7,7 @@ from typing import ClassVar, final
 
 import numpy as np
 
-from trimmer.arguments import positive_number
+from trimmer.arguments import finite_number, positive_number
 from trimmer.arrays import Reals
 from trimmer.elements.square_wave import SquareWaveElement
 
@@ -17,22 +17,36 @@ from trimmer.elements.square_wave import SquareWaveElement
 class CoulombFriction(SquareWaveElement):
     """Coulomb friction, F = force * sign(dx/dt), of a displacement x: N = j 4 force / (π A) at any amplitude.
 
-    The harmonics are N_n = ±j 4 force / (π n A), + for n = 1, 5, 9 and - for n = 3, 7, 11. With a velocity as
-    its input it is a ``Relay``. Source: thesis, section 2.3.5 (equations 2.48 to 2.52), with the sign of a
-    displacement as the input.
+    The harmonics are N_n = ±j 4 force / (π n A), + for n = 1, 5, 9 and - for n = 3, 7, 11. A sinusoid rests
+    at no instant for longer, so the static force has no part in them; it has in motion. With a velocity as
+    its input, as in a ``Feedback``, it is a ``Relay`` that may stick. Source: thesis, section 2.3.5
+    (equations 2.48 to 2.52), with the sign of a displacement as the input.
 
     Attributes:
-        force: Friction force, > 0, N.
+        force: Friction force while it slides, > 0, N.
+        static: Largest force with which it sticks, >= force, N; the same as force if None.
 
     Raises:
-        ValueError: if the force is not positive and finite.
+        ValueError: if the force is not positive and finite, or the static one is less or not finite.
     """
 
     force: float
+    static: float | None = None
     LEAD: ClassVar[complex] = 1j
 
     def __post_init__(self) -> None:
         positive_number("force", self.force, "N")
+        if self.static is not None and finite_number("static", self.static, "N") < self.force:
+            raise ValueError(f"static must not be less than force, {self.force!r} N, not {self.static!r}")
+
+    def __repr__(self) -> str:
+        static = "" if self.static is None else f", static={self.static!r}"
+        return f"CoulombFriction(force={self.force!r}{static})"
+
+    @property
+    def breakaway(self) -> float:
+        """Largest force with which it sticks, N."""
+        return self.force if self.static is None else self.static
 
     @property
     def height(self) -> float:

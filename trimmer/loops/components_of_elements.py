@@ -70,21 +70,30 @@ class ViscousComponent(Component):
         return RateProportional(self.coefficient)
 
 
-def components_of(element: Element) -> list[tuple[Component, float]]:
+def components_of(element: Element, of_velocity: bool = False) -> list[tuple[Component, float]]:
     """Return the components of an element in the order of its terms, each with the factor of its output.
 
     A component has the units of its term; the factors of nested scaled elements are multiplied.
+
+    Args:
+        element: The element.
+        of_velocity: Whether the input of frictions is a velocity; else it is a displacement.
 
     Raises:
         UnsupportedMotionError: if the element has no motion in time, as one that is frozen at a frequency.
     """
     match element:
         case SumOfElements():
-            return [part for term in element.terms for part in components_of(term)]
+            return [part for term in element.terms for part in components_of(term, of_velocity)]
         case ScaledElement():
-            return [(part, element.factor * factor) for part, factor in components_of(element.element)]
+            parts = components_of(element.element, of_velocity)
+            return [(part, element.factor * factor) for part, factor in parts]
         case Preload():
             return [(RigidComponent(), element.slope), (RelayComponent(element.level, of_rate=False), 1.0)]
+        case ViscousFriction() if of_velocity:
+            return [(RigidComponent(), element.damping)]
+        case CoulombFriction():
+            return [(_friction(element, of_velocity), 1.0)]
         case ElementAtFrequency():
             raise UnsupportedMotionError(
                 f"{element!r} is frozen at a frequency; its motion is that of {element.element!r}"
@@ -100,8 +109,6 @@ def _component(element: Element) -> Component:
             return BacklashComponent(element.gap, math.inf)
         case ViscousBacklash():
             return BacklashComponent(element.gap, _with_inverse(element.time_constant))
-        case CoulombFriction():
-            return RelayComponent(element.force, of_rate=True)
         case Relay():
             return _relay(element)
         case Saturation():
@@ -112,6 +119,10 @@ def _component(element: Element) -> Component:
             return ViscousComponent(element.damping)
     reason = ": it is known by its output over a period only" if isinstance(element, UnboundedElement) else ""
     raise UnsupportedMotionError(f"{element!r} has no description in time{reason}")
+
+
+def _friction(friction: CoulombFriction, of_velocity: bool) -> Component:
+    return RelayComponent(friction.force, not of_velocity, friction.breakaway, of_velocity)
 
 
 def _relay(relay: Relay) -> Component:

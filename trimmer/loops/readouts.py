@@ -15,7 +15,7 @@ from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import along, durations, rate, while_status
+from trimmer.motion.signals import along, durations, while_status
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -37,7 +37,7 @@ def _phases(component: Component) -> dict[int, Phase]:
     match component:
         case BacklashComponent():
             return {UPPER: Phase.UPPER, LOWER: Phase.LOWER}
-        case RelayComponent(of_rate=True):
+        case RelayComponent(rubs=True):
             return {HELD: Phase.STICK}
         case RelayComponent():
             return {
@@ -72,15 +72,15 @@ def _approach(course: Course, part: int, row: int) -> float:
 def friction_measures(course: Course, part: int, periods: int) -> FrictionMeasures:
     """Return what a dry friction does over a motion that spans some periods."""
     modes, nodes = course.modes, course.nodes
-    level: float = modes.system.interconnection.components[part].level
+    friction: RelayComponent = modes.system.interconnection.components[part]
 
-    def relative(number: int) -> Reals:
+    def sliding(number: int) -> Reals:
         mode = modes[number]
         assert isinstance(mode, LoopMode)
-        return mode.signals[part].input
+        return friction.switching_function(mode.signals[part])
 
-    speeds = abs(along(course, rate(modes, relative), nodes.rows, nodes.states))
+    speeds = abs(along(course, sliding, nodes.rows, nodes.states))
     sticking = while_status(course, part, (HELD,))
-    lost = level * float(nodes.weights @ np.where(sticking[nodes.rows], 0.0, speeds))
+    lost = friction.level * float(nodes.weights @ np.where(sticking[nodes.rows], 0.0, speeds))
     stick = float(durations(course)[sticking].sum() / course.duration)
     return FrictionMeasures(lost / periods, lost / course.duration, stick)

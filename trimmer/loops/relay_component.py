@@ -30,18 +30,37 @@ class RelayComponent(Component):
     Where the output works against the rate of s, s can be held at zero (a sliding mode; stick, if s is a
     velocity) by the output that does so, as long as its size does not exceed the level (Filippov 1988).
 
+    A friction may hold more than its level. Where it slips, the output then falls to the level at once.
+
     Attributes:
         level: Size of the output, > 0, in the unit of the output (N for friction).
         of_rate: Whether s is the rate of the input, as for friction whose input is a displacement.
+        static: Largest output that holds s at zero, >= level.
+        of_velocity: Whether it is friction whose input is a velocity.
     """
 
     level: float
     of_rate: bool
+    static: float = 0.0
+    of_velocity: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "static", max(self.static, self.level))
+
+    @property
+    def rubs(self) -> bool:
+        """Whether it is friction."""
+        return self.of_rate or self.of_velocity
+
+    @property
+    def drops(self) -> bool:
+        """Whether the output falls where it slips."""
+        return self.static > self.level
 
     @property
     def name(self) -> str:
         """Name of the component in events: friction or relay."""
-        return "friction" if self.of_rate else "relay"
+        return "friction" if self.rubs else "relay"
 
     @property
     def mode_names(self) -> tuple[str, ...]:
@@ -83,17 +102,21 @@ class RelayComponent(Component):
         return (EventFunction(switching, stick if attracting else reverse, jump, continuous=1),)
 
     def _limits(self, signals: Signals) -> tuple[EventFunction, EventFunction]:
-        """Return the distances of the holding output from its limits; at a located slip s' is zero too."""
-        level = self.level * signals.one
+        """Return the distances of the holding output from its limits."""
+        most = self.static * signals.one
         return (
-            EventFunction(level - signals.output, *self.slip(forwards=True)),
-            EventFunction(level + signals.output, *self.slip(forwards=False)),
+            EventFunction(most - signals.output, *self.slip(forwards=True)),
+            EventFunction(most + signals.output, *self.slip(forwards=False)),
         )
 
     def slip(self, forwards: bool) -> tuple[Transition, Transition]:
-        """Return what follows where the holding output reaches a limit, and where it is beyond it at once."""
+        """Return what follows where the holding output reaches a limit, and where it is beyond it at once.
+
+        At a located slip the rate of s is zero too, unless the output drops.
+        """
         target = PLUS if forwards else MINUS
-        return Transition(EventKind.SLIP, target, (), (2,)), Transition(EventKind.SLIP, target, (), (1,))
+        known = 1 if self.drops else 2
+        return Transition(EventKind.SLIP, target, (), (known,)), Transition(EventKind.SLIP, target, (), (1,))
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start with the sign of s, held where s is zero; there are no states and no output to choose."""

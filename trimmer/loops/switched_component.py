@@ -158,6 +158,11 @@ class Component(ABC):
         return False
 
     @property
+    def drops(self) -> bool:
+        """Whether the output falls where it cannot hold the switching function at zero any more."""
+        return False
+
+    @property
     def continuous_rates(self) -> int:
         """How many derivatives of the input, besides the input itself, must not jump."""
         return 0

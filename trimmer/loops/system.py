@@ -11,6 +11,7 @@ import numpy as np
 from trimmer.arrays import Integers, Places, Reals
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.system import (
+    AT_LIMIT,
     HOLD_BEGUN,
     HOLD_ENDED,
     JOINTLY,
@@ -120,9 +121,9 @@ class LoopSystem:
         """
         assert isinstance(mode, LoopMode)
         assert isinstance(function, LoopFunction)
-        if function.owner == JOINTLY:
-            return None
         changes = function.jumped if jumped else function.reached
+        if function.owner == JOINTLY or (len(mode.held) > 1 and self._dropping(function)):
+            return None
         after = _with(mode.statuses, changes)
         first = changes[0].transition
         actions = self.mode(after).actions(function.owner)
@@ -158,11 +159,23 @@ class LoopSystem:
             k for k, one in enumerate(closed) if one == HELD and attracting(self.interconnection, k)
         )
         state = self.mode(closed).hold @ state
-        after = complementary_mode(self, mode.statuses, state, relays)
-        if after is None:
-            assert isinstance(function, LoopFunction)
+        assert isinstance(function, LoopFunction)
+        dropping, after = self._dropping(function), None
+        if jumped or not dropping:
+            after = complementary_mode(self, mode.statuses, state, relays)
+        if dropping and (not jumped or after == mode.statuses):
+            after = complementary_mode(self, mode.statuses, state, relays, dropping)
+        if after is None or (dropping and after == mode.statuses):
+            # The limit decides where the influence is not symmetric, and where the drop is rounding.
             after = _with(mode.statuses, function.jumped if jumped else function.reached)
         return after, 1, state
+
+    def _dropping(self, function: LoopFunction) -> tuple[int, ...]:
+        """Return the frictions whose output falls where the limit of what they hold is reached."""
+        if function.action != AT_LIMIT:
+            return ()
+        changed, components = {each.component for each in function.reached}, self.interconnection.components
+        return tuple(k for k in sorted(changed) if components[k].drops)
 
 
 def _with(statuses: tuple[int, ...], changes: tuple[Change, ...]) -> tuple[int, ...]:

@@ -25,10 +25,10 @@ FORCE, BLADE, CUTTER = "frictions.q2-q4.force", "frictions.blade.force", "bodies
 QUIET = trimmer.FollowSettings(quiet=True, largest_step=0.1)
 
 
-def driven(force: float, gap: float | None = None) -> trimmer.TrimmerLoop:
+def driven(force: float, gap: float | None = None, static: float | None = None) -> trimmer.TrimmerLoop:
     """The thesis's trimmer at 110 Hz, with dry friction between cutter and guard."""
     play = None if gap is None else trimmer.FrictionBacklash(gap)
-    between = (BodyFriction("q2-q4", trimmer.CoulombFriction(force)),)
+    between = (BodyFriction("q2-q4", trimmer.CoulombFriction(force, static)),)
     return trimmer.TrimmerLoop(THESIS, play, trimmer.Drive(1.5e-3, frequency=110.0), frictions=between)
 
 
@@ -59,10 +59,13 @@ def period_of_relay() -> float:
     return 4.0 * float(scipy.optimize.brentq(output, 0.5, 3.0, xtol=1e-14))
 
 
-@pytest.mark.parametrize("force", [0.3, 2.0, 8.0])
-def test_without_play_a_loop_settles_as_the_machine_does(machine: trimmer.Mechanism, force: float) -> None:
-    loop = trimmer.respond(driven(force)).motion
-    mechanism = trimmer.respond(machine.with_value("frictions.blade.force", force)).motion
+@pytest.mark.parametrize(("force", "static"), [(0.3, 0.3), (2.0, 2.0), (2.0, 3.5), (8.0, 8.0)])
+def test_without_play_a_loop_settles_as_the_machine_does(
+    machine: trimmer.Mechanism, force: float, static: float
+) -> None:
+    loop = trimmer.respond(driven(force, static=static)).motion
+    sticky = machine.with_value("frictions.blade.force", force).with_value("frictions.blade.static", static)
+    mechanism = trimmer.respond(sticky).motion
     assert loop.orbit is not None
     assert mechanism.orbit is not None
     np.testing.assert_allclose(loop.orbit.multipliers, mechanism.orbit.multipliers, atol=1e-9)

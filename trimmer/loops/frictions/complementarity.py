@@ -6,7 +6,7 @@ one instant, this decides for all at once.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,20 +33,29 @@ class _AtRest:
         directions: What their switching functions are made of.
         influence: Of their forces, the outputs times scales, on the rates of the switching functions.
         scales: These.
-        limits: Of the forces.
+        levels: Of the forces of what slides.
+        limits: Of the forces of what is held.
     """
 
     relays: tuple[int, ...]
     directions: Reals
     influence: Reals
     scales: Reals
+    levels: Reals
     limits: Reals
 
 
 def complementary_mode(
-    system: LoopSystem, statuses: tuple[int, ...], state: Reals, relays: tuple[int, ...]
+    system: LoopSystem,
+    statuses: tuple[int, ...],
+    state: Reals,
+    relays: tuple[int, ...],
+    broken: tuple[int, ...] = (),
 ) -> tuple[int, ...] | None:
     """Return the modes of all components in which relays go on whose switching functions are zero.
+
+    What breaks away has its kinetic force from then on, and all is decided again: it may be held after all,
+    where others that broke away with it push it back.
 
     First the rates of the switching functions decide, by the complementarity problem of
     ``trimmer.hybrid.dry_friction``. Where they are zero and what is held is at a limit of all, the
@@ -58,19 +67,30 @@ def complementary_mode(
         state: Extended state.
         relays: Those whose switching functions are zero, by their numbers among the components; the output of
             each must work against the rate of its switching function.
+        broken: Those of them that are beyond what they can hold; they have their kinetic force.
 
     Returns:
         The modes, or None if the outputs have no symmetric influence, as those of bodies have.
     """
-    chosen = list(statuses)
-    for k in relays:
-        chosen[k] = PLUS
-    at_rest = _at_rest(system, tuple(chosen), relays)
-    if at_rest is None:
-        return None
-    mode = system.mode(tuple(chosen))
-    rows = np.array([_switching(system, tuple(chosen), k) for k in at_rest.relays])
-    drift = rows @ mode.flow @ state + at_rest.influence @ at_rest.limits
+    chosen = tuple(PLUS if k in relays else status for k, status in enumerate(statuses))
+    at_rest = _at_rest(system, chosen, relays, broken)
+    while at_rest is not None:
+        decided = _decided(system, at_rest, chosen, state)
+        moves = np.array([decided[k] != HELD for k in at_rest.relays])
+        breaking = moves & (at_rest.limits > at_rest.levels)
+        if not breaking.any():
+            return decided
+        at_rest = replace(at_rest, limits=np.where(breaking, at_rest.levels, at_rest.limits))
+    return None
+
+
+def _decided(
+    system: LoopSystem, at_rest: _AtRest, statuses: tuple[int, ...], state: Reals
+) -> tuple[int, ...]:
+    """Return the modes of all components, with the present limits of what may be held."""
+    mode, chosen = system.mode(statuses), list(statuses)
+    rows = np.array([_switching(system, statuses, k) for k in at_rest.relays])
+    drift = rows @ mode.flow @ state + at_rest.influence @ at_rest.levels
     noise = CANCELLED * (abs(rows) @ abs(mode.flow) @ abs(state))
     every = np.arange(len(at_rest.relays))
     held = _distribute(at_rest, every, drift, (-at_rest.limits, at_rest.limits), noise, chosen)
@@ -85,7 +105,9 @@ def complementary_mode(
     return tuple(chosen)
 
 
-def _at_rest(system: LoopSystem, chosen: tuple[int, ...], relays: tuple[int, ...]) -> _AtRest | None:
+def _at_rest(
+    system: LoopSystem, chosen: tuple[int, ...], relays: tuple[int, ...], broken: tuple[int, ...]
+) -> _AtRest | None:
     if not relays:
         return None
     rows = np.array([_switching(system, chosen, k)[: system.layout.order] for k in relays])
@@ -95,8 +117,10 @@ def _at_rest(system: LoopSystem, chosen: tuple[int, ...], relays: tuple[int, ...
         return None
     components = [system.interconnection.components[k] for k in relays]
     levels = np.array([each.level for each in components if isinstance(each, RelayComponent)])
+    statics = np.array([each.static for each in components if isinstance(each, RelayComponent)])
+    limits = np.where(np.isin(relays, broken), levels, statics)
     directions = np.array([direction(system.interconnection, k) for k in relays])
-    return _AtRest(relays, directions, influence / scales, scales, levels * scales)
+    return _AtRest(relays, directions, influence / scales, scales, levels * scales, limits * scales)
 
 
 def _distribute(

@@ -28,7 +28,7 @@ class CoupledRelays:
         members: Their numbers among the components, ascending; none if all are independent.
         directions: D, (m, n): their switching functions are its rows times something that moves.
         scales: (m,): times these, their outputs have a symmetric influence on each other, as forces have.
-        levels: Of the outputs, (m,).
+        levels: Largest outputs with which they hold, (m,).
     """
 
     members: tuple[int, ...]
@@ -161,7 +161,7 @@ def _row(system: Interconnection, k: int) -> Reals:
 
 def direction(system: Interconnection, k: int) -> Reals:
     """Return what the switching function is made of; those of inputs and of rates are independent."""
-    row = np.concatenate([system.C[k], system.D[k], system.drive_gain[k : k + 1]])
+    row = np.concatenate([system.C[k], system.drive_gain[k]])
     component = system.components[k]
     assert isinstance(component, RelayComponent)
     nothing = np.zeros_like(row)
@@ -171,7 +171,7 @@ def direction(system: Interconnection, k: int) -> Reals:
 def _level(system: Interconnection, k: int) -> float:
     component = system.components[k]
     assert isinstance(component, RelayComponent)
-    return component.level
+    return component.static
 
 
 def attracting(system: Interconnection, k: int) -> bool:
