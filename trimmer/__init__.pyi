@@ -36,10 +36,11 @@ from .linear.model import pin_model as pin_model
 from .linear.model import transfer_function as transfer_function
 from .linear.modes import modes as modes
 from .linear.summary import summarise as summarise
+from .loops.drive import Drive as Drive
 from .loops.energy import energy_balance as energy_balance
+from .loops.feedback import Feedback as Feedback
 from .loops.loop_signal import LoopSignal as LoopSignal
 from .loops.loops import ClosedLoop as ClosedLoop
-from .loops.loops import Drive as Drive
 from .loops.loops import OpenLoop as OpenLoop
 from .loops.trimmer_loop import TrimmerLoop as TrimmerLoop
 from .maps.basin import basin as basin

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import final
 
 import control
@@ -21,8 +21,9 @@ from trimmer import Drive, FrictionBacklash, OpenLoop, PeriodicOrbit, peaks, sim
 from trimmer.arrays import Reals
 from trimmer.elements import Element
 from trimmer.loops import LoopMotion
-from trimmer.loops.interconnection import Interconnection, realized
+from trimmer.loops.interconnection import Interconnection
 from trimmer.loops.loops import Loop, element_around
+from trimmer.loops.plant import realized
 from trimmer.spectra import Window
 from trimmer.spectra.spectrum import amplitude_spectrum
 
@@ -93,8 +94,7 @@ class ReferenceLoop(Loop):
 
     def interconnection(self) -> Interconnection:
         """Return the closed loop with the reference at the input of the element."""
-        closed = element_around(self.model, self.element, None)
-        return replace(closed, drive=self.reference, drive_gain=np.ones(len(closed.components)))
+        return element_around(self.model, self.element, self.reference, feedback=True)
 
     @property
     def model(self) -> control.StateSpace:

@@ -13,6 +13,7 @@ from trimmer.balance.loop import require_element
 from trimmer.elements.control_element import is_element
 from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import require_siso
+from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import ClosedLoop, Loop
 from trimmer.loops.trimmer_loop import TrimmerLoop
 
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
         @overload
         def __call__(
-            self, loop: ClosedLoop | TrimmerLoop, *rest: Rest.args, **named: Rest.kwargs
+            self, loop: ClosedLoop | Feedback | TrimmerLoop, *rest: Rest.args, **named: Rest.kwargs
         ) -> Result: ...
         @overload
         def __call__(
@@ -41,17 +42,30 @@ if TYPE_CHECKING:
 def takes_a_loop(function: Callable[Concatenate[ClosedLoop, Rest], Result]) -> OfLoop[Rest, Result]:
     """Let a function of a closed loop also take a system and an element in its place.
 
-    A ``TrimmerLoop`` without drive and without frictions is a closed loop too.
+    A ``TrimmerLoop`` without drive and without frictions is a closed loop too, and so is a ``Feedback`` of
+    one element without a drive.
 
     The function it returns raises:
         WrongTypeError: for a loop that is none of these, a loop beside an element, or a system without one.
         UnsupportedSystemError: if the system has not one input and one output, or is not continuous in time.
         UnsupportedElementError: if the element is none.
     """
+    return _taking(function, _closed)
 
+
+def takes_any_loop(
+    function: Callable[Concatenate[ClosedLoop | Feedback, Rest], Result],
+) -> OfLoop[Rest, Result]:
+    """Let a function do as ``takes_a_loop`` does, and also take a ``Feedback`` without a drive."""
+    return _taking(function, _closed_or_feedback)
+
+
+def _taking(
+    function: Callable[Concatenate[Any, Rest], Result], closed: Callable[[Loop], Loop]
+) -> OfLoop[Rest, Result]:
     @wraps(function)
     def of_either(*given: Any, **named: Any) -> Result:
-        loop, rest = _loop_and_rest(function.__name__, given, named)
+        loop, rest = _loop_and_rest(function.__name__, given, named, closed)
         return function(loop, *rest, **named)
 
     # What help() shows is the form with the loop, not the names of system and element.
@@ -60,8 +74,8 @@ def takes_a_loop(function: Callable[Concatenate[ClosedLoop, Rest], Result]) -> O
 
 
 def _loop_and_rest(
-    name: str, given: tuple[Any, ...], named: dict[str, Any]
-) -> tuple[ClosedLoop, tuple[Any, ...]]:
+    name: str, given: tuple[Any, ...], named: dict[str, Any], closed: Callable[[Loop], Loop]
+) -> tuple[Loop, tuple[Any, ...]]:
     """Return the loop that was given in either form, and the arguments after it; take it out of ``named``."""
     if not given and not ("loop" in named or "system" in named):
         raise WrongTypeError(f"{_wanted(name)}: neither is given")
@@ -71,7 +85,7 @@ def _loop_and_rest(
     if isinstance(first, Loop):
         if {"system", "element"} & named.keys() or (rest and is_element(rest[0])):
             raise WrongTypeError(f"{_wanted(name)}: a loop holds its system and its element already")
-        return _closed(first), tuple(rest)
+        return closed(first), tuple(rest)
     if not rest and "element" not in named:
         raise WrongTypeError(f"{_wanted(name)}: {type(first).__name__} is given without an element")
     element = rest.pop(0) if rest else named.pop("element")
@@ -99,5 +113,17 @@ def _closed(loop: Loop) -> ClosedLoop:
         if loop.element is not None and not loop.frictions:
             return ClosedLoop(loop.model, loop.element)
         reason = "it has frictions between bodies" if loop.frictions else "it has no element"
+    if isinstance(loop, Feedback):
+        one = loop.as_closed_loop()
+        if one is not None:
+            return one
+        if not loop.drives:
+            reason = "it has several elements or frictions; periodic_orbits and respond find its motions"
     kind = type(loop).__name__
     raise WrongTypeError(f"loop must be a closed one of a system and an element, not this {kind}: {reason}")
+
+
+def _closed_or_feedback(loop: Loop) -> Loop:
+    if isinstance(loop, Feedback) and loop.drives:
+        raise WrongTypeError("loop must not have a drive: forced_orbit finds its periodic motion")
+    return loop if isinstance(loop, Feedback) else _closed(loop)

@@ -11,6 +11,7 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
 from trimmer.drawing.strips import Strip
 from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.feedback import Feedback
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.relay_component import HELD
 from trimmer.motion.spans import spans_of
@@ -37,9 +38,13 @@ def draw_loop_motion(motion: LoopMotion, axes: Axes) -> None:
 def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
     """Return what is drawn of a loop at times, s: its output, and of a play its input and its output.
 
+    Of a ``Feedback`` all outputs of the plant are drawn.
+
     Without a drive the input of the play is less the output of the loop, and is left out.
     What an element gives that is no play is a force or of another unit, and is left out.
     """
+    if isinstance(motion.loop, Feedback):
+        return {name: motion.signal(name, times) for name in motion.loop.plant.output_labels}
     drawn = {f"output {motion.loop.model.output_labels[0]}": motion.output(times)}
     if isinstance(motion.loop.modes.system.interconnection.components[0], BacklashComponent):
         if motion.loop.modes.system.interconnection.drive is not None:

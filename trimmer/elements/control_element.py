@@ -186,7 +186,10 @@ def adopted(name: str, element: object) -> Element:
     """
     if is_element(element) and not isinstance(element, Element):
         return ControlElement(element)
-    require_instance(name, element, Element, "an element, such as FrictionBacklash(4e-5)")
+    wanted = "an element, such as FrictionBacklash(4e-5)"
+    if isinstance(element, list | tuple | dict):
+        wanted += "; several elements go into trimmer.Feedback(plant, {name: element})"
+    require_instance(name, element, Element, wanted)
     assert isinstance(element, Element)
     return element
 

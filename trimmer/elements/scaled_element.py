@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import final
+from typing import cast, final
 
 from trimmer.arguments import real_number
 from trimmer.arrays import Complexes, Reals
@@ -13,6 +13,7 @@ from trimmer.elements.derived_element import DerivedElement
 from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_gains import SmallGains
+from trimmer.errors import WrongTypeError
 
 
 @final
@@ -33,6 +34,11 @@ class ScaledElement(DerivedElement):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "element", adopted("element", self.element))
+        if isinstance(cast("object", self.factor), Element):
+            raise WrongTypeError(
+                "a product of elements is no element; those that act one after the other, with a lag between "
+                "them, go into trimmer.Feedback(plant, {name: element})"
+            )
         if not math.isfinite(real_number("factor", self.factor)) or self.factor == 0:
             raise ValueError(f"factor must be finite and not zero, not {self.factor!r}")
 

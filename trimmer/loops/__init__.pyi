@@ -1,10 +1,11 @@
 """The public names of this room, each imported on first use."""
 
+from .drive import Drive as Drive
 from .energy import EnergyBalance as EnergyBalance
 from .energy import energy_balance as energy_balance
+from .feedback import Feedback as Feedback
 from .loop_signal import LoopSignal as LoopSignal
 from .loops import ClosedLoop as ClosedLoop
-from .loops import Drive as Drive
 from .loops import OpenLoop as OpenLoop
 from .motion import Event as Event
 from .motion import LoopMotion as LoopMotion

@@ -11,12 +11,12 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import Instant
-from trimmer.hybrid.system import Mode, System
+from trimmer.hybrid.system import ARRIVED, Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.loops.backlash_component import BacklashComponent
 from trimmer.loops.initial import resumed
-from trimmer.loops.loop_signal import READ, LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
+from trimmer.loops.mode import LoopMode
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.relay_component import RelayComponent
 from trimmer.loops.system import LoopModes, LoopSystem
@@ -82,12 +82,13 @@ class LoopFlow(Flow):
         """
         modes, layout = self.modes, self.modes.system.layout
         extended = np.concatenate([state, layout.forcing_at(phase)])
+        zeros = np.zeros((modes.system.part_count, modes.system.action_count), dtype=np.int64)
         if like is None:
-            statuses, extended = resumed(modes, extended, anew=not stretched)
+            statuses, extended, begun = resumed(modes, extended, anew=not stretched)
+            zeros[list(begun), ARRIVED] = 1
         else:
             statuses = like.statuses
             extended = modes[modes.number(statuses)].hold @ extended
-        zeros = np.zeros((modes.system.part_count, modes.system.action_count), dtype=np.int64)
         return Instant(extended[: self.size], statuses, 0, phase, zeros, np.zeros(0))
 
     def at_other(self, subject: Subject) -> LoopFlow:
@@ -98,11 +99,11 @@ class LoopFlow(Flow):
     def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
         """Return what gives the equations of a loop with a number between; see ``Flow.between``."""
         layout, *others = (each.modes.system.layout for each in (self, middle, last))
-        if not all(replace(each, drive=None) == replace(layout, drive=None) for each in others):
+        if not all(replace(each, drives=()) == replace(layout, drives=()) for each in others):
             return None
         if any((each.forcing_at(0.0) != layout.forcing_at(0.0)).any() for each in others):
             return None
-        return None if any(each.omega != layout.omega for each in others) else _system_of
+        return None if any(each.omegas != layout.omegas for each in others) else _system_of
 
     def with_modes(self, subject: Subject, modes: Modes[Any]) -> LoopFlow:
         """Return the motion of another loop, whose modes are known."""
@@ -140,11 +141,14 @@ class LoopFlow(Flow):
 
     @cached_property
     def outputs(self) -> Mapping[str, Readout]:
-        """Output of the linear system, input and output of the element."""
-        return {name: Readout(self._signal(each), self.loop.length) for name, each in READ.items()}
+        """Output of the linear system, input and output of the element; or what the loop names."""
+        return {
+            name: Readout(self._signal(row), self.loop.length)
+            for name, row in self.loop.signal_rows().items()
+        }
 
-    def _signal(self, signal: LoopSignal) -> Signal:
-        row, modes = row_in_modes(self.loop, signal), self.modes
+    def _signal(self, row: Callable[[LoopMode], Reals]) -> Signal:
+        modes = self.modes
         return lambda mode: row(modes[mode])
 
     @property
@@ -156,9 +160,7 @@ class LoopFlow(Flow):
     def rubbing(self) -> tuple[str, ...]:
         """Names of the dry frictions."""
         components = self._components
-        return tuple(
-            label for _, label, each in components if isinstance(each, RelayComponent) and each.of_rate
-        )
+        return tuple(label for _, label, each in components if isinstance(each, RelayComponent) and each.rubs)
 
     def impact_speeds(self, course: Course) -> Reals:
         """Return how fast pin and load meet at each impact of a motion, (impacts,)."""
@@ -178,7 +180,7 @@ class LoopFlow(Flow):
         return {
             label: friction_measures(course, part, periods)
             for part, label, component in self._components
-            if isinstance(component, RelayComponent) and component.of_rate
+            if isinstance(component, RelayComponent) and component.rubs
         }
 
     @property
@@ -215,8 +217,8 @@ class LoopFlow(Flow):
 
     @property
     def is_mirror_symmetric(self) -> bool:
-        """True: all elements that move in time are odd, and so is a sinusoidal drive."""
-        return True
+        """All elements that move in time are odd, and so is a drive whose orders are."""
+        return all(order % 2 for order in self.modes.system.layout.orders)
 
     @property
     def is_bounded(self) -> bool:

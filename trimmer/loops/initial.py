@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import real_number, real_values
+from trimmer.loops.frictions.complementarity import complementary_mode
+from trimmer.loops.frictions.coupled_relays import attracting
 from trimmer.loops.interconnection import acts
+from trimmer.loops.relay_component import HELD
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -66,8 +69,13 @@ def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) ->
     return modes.number(modes.system.coupled.closed(tuple(chosen))), state
 
 
-def resumed(modes: LoopModes, extended: Reals, anew: bool = False) -> tuple[tuple[int, ...], Reals]:
+def resumed(
+    modes: LoopModes, extended: Reals, anew: bool = False
+) -> tuple[tuple[int, ...], Reals, tuple[int, ...]]:
     """Return the statuses that go with an extended state, and the state as it fits them, (n,).
+
+    Of the relays and frictions at rest all decide at once whether they are held. Those that are not are told
+    too, by their numbers: their switching functions are zero.
 
     Args:
         modes: Modes of the loop.
@@ -88,7 +96,10 @@ def resumed(modes: LoopModes, extended: Reals, anew: bool = False) -> tuple[tupl
         else:
             chosen[k] = component.resumed(value, switching, state[own])
     statuses = system.coupled.closed(tuple(chosen))
-    return statuses, modes[modes.number(statuses)].hold @ state
+    state = modes[modes.number(statuses)].hold @ state
+    held = tuple(k for k, one in enumerate(statuses) if one == HELD and attracting(system.interconnection, k))
+    decided = complementary_mode(system, statuses, state, held) or statuses
+    return decided, state, tuple(k for k in held if decided[k] != HELD)
 
 
 def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:

@@ -1,71 +1,26 @@
 """A linear system whose inputs are the outputs of switched components, and whose outputs are their inputs.
 
-The extended state holds the states of the plant and of the components, sine and cosine of the drive, and one.
+The extended state holds the states of the plant and of the components, sine and cosine of each drive, and
+one.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-import control
 import numpy as np
-import scipy.signal
 
-from trimmer.arguments import shown
 from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
+from trimmer.loops.drive import Drive, common_omega
 from trimmer.loops.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.loops.loops import Drive
     from trimmer.loops.switched_component import Component
-
-
-def require_system(system: object) -> None:
-    """Check that a system is one of python-control's transfer functions or state-space models.
-
-    Raises:
-        UnsupportedMotionError: if it is neither.
-    """
-    if not isinstance(system, control.StateSpace | control.TransferFunction):
-        raise UnsupportedMotionError(
-            f"system: give a control.StateSpace or control.TransferFunction, not {type(system).__name__} "
-            f"({shown(system)})"
-        )
-
-
-def realized(system: control.LTI) -> control.StateSpace:
-    """Return a state-space model with one input and one output, which is the system itself if it is one.
-
-    Raises:
-        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
-            models in continuous time, has several inputs or outputs, or is improper.
-        ValueError: if a coefficient is not finite.
-    """
-    require_system(system)
-    if system.isdtime(strict=True):
-        raise UnsupportedMotionError("the system must be continuous in time, not sampled")
-    if (system.ninputs, system.noutputs) != (1, 1):
-        raise UnsupportedMotionError(
-            f"the system must have one input and one output, not {system.ninputs} and {system.noutputs}"
-        )
-    if isinstance(system, control.StateSpace):
-        _require_finite(A=system.A, B=system.B, C=system.C, D=system.D)
-        return system
-    numerator, denominator = system.num[0][0], system.den[0][0]
-    _require_finite(numerator=numerator, denominator=denominator)
-    if len(numerator) > len(denominator):
-        raise UnsupportedMotionError("the transfer function has more zeros than poles")
-    return control.ss(*scipy.signal.tf2ss(numerator, denominator))
-
-
-def _require_finite(**parts: Reals) -> None:
-    for name, values in parts.items():
-        if not np.isfinite(values).all():
-            raise ValueError(f"{name} of the system must be finite, not {values.tolist()!r}")
 
 
 NEGLIGIBLE = 1e-12
@@ -74,42 +29,38 @@ NEGLIGIBLE = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Interconnection:
-    """x' = A x + B v, with the output v_k of component k and its input e = C x + D v + drive_gain * drive.
+    """x' = A x + B v + drive_push d, with the output v_k of component k and its input e = C x + drive_gain d.
 
     Attributes:
         A: State matrix of the linear system, n x n; its units follow from those of the states.
         B: Input matrix, n x m for m components.
         C: Output matrix, m x n.
-        D: Direct feedthrough, m x m, which must be zero.
-        drive_gain: Factor with which the drive adds to each input, shape (m,).
+        drive_push: What the drives do to the rates of the states, n x number of drives.
+        drive_gain: Factors with which the drives add to the inputs, m x number of drives.
         components: The m components.
         labels: Their names, for events.
-        drive: The prescribed motion of the pin; None without one.
-        element_factors: The first components make up the nonlinear element; its output is the sum of theirs
-            with these factors.
+        drives: What is prescribed, d.
+        element_factors: The first components make up the nonlinear elements; the output of each is the sum of
+            those of its components with these factors.
 
     Raises:
-        IllPosedLoopError: if an output acts without delay on an input.
+        IllPosedLoopError: if a force acts without delay on a rate on which it depends.
         UnsupportedMotionError: if a relay would slide along the edge of its dead zone.
     """
 
     A: Reals
     B: Reals
     C: Reals
-    D: Reals
+    drive_push: Reals
     drive_gain: Reals
     components: tuple[Component, ...]
     labels: tuple[str, ...]
-    drive: Drive | None
+    drives: tuple[Drive, ...]
     element_factors: tuple[float, ...]
 
     def __post_init__(self) -> None:
         for k, (component, label) in enumerate(zip(self.components, self.labels, strict=True)):
             jumping = [j for j, other in enumerate(self.components) if other.output_jumps or j == k]
-            if self.D[k].any():
-                raise IllPosedLoopError(
-                    f"{label}: an output acts on its input at once; the system must be strictly proper"
-                )
             if isinstance(component, ThresholdComponent) and component.slides and _slides(self, k):
                 raise UnsupportedMotionError(
                     f"{label}: without hysteresis it would slide along the edge of the dead zone, which is "
@@ -122,9 +73,69 @@ class Interconnection:
                 )
 
     @property
+    def drive(self) -> Drive | None:
+        """The first drive; None without one."""
+        return self.drives[0] if self.drives else None
+
+    @property
     def order(self) -> int:
         """Number of states of the linear system."""
         return int(self.A.shape[0])
+
+
+@dataclass(frozen=True, eq=False)
+class Connection:
+    """An element between an output and an input of a linear system.
+
+    Attributes:
+        parts: Its components with the factors of their outputs.
+        labels: Their names.
+        push: What its output does to the rates of the states, (n,).
+        row: What its input takes of the states, (n,).
+        drive_gain: What it takes of the drives, (number of drives,); nothing if it is empty.
+    """
+
+    parts: Sequence[tuple[Component, float]]
+    labels: Sequence[str]
+    push: Reals
+    row: Reals
+    drive_gain: tuple[float, ...] = ()
+
+
+def interconnected(
+    A: Reals,
+    connections: Sequence[Connection],
+    drives: Sequence[Drive] = (),
+    drive_push: Reals | None = None,
+    of_elements: int | None = None,
+) -> Interconnection:
+    """Put elements between the outputs and the inputs of a linear system.
+
+    Args:
+        A: State matrix, n x n.
+        connections: The elements.
+        drives: What is prescribed.
+        drive_push: What it does to the rates of the states, n x number of drives; nothing if not given.
+        of_elements: How many of the connections, the first ones, are those of elements; all if not given.
+
+    Raises:
+        IllPosedLoopError: if the motion is not determined.
+        UnsupportedMotionError: if a relay would slide along the edge of its dead zone.
+    """
+    each = [(one, component, factor) for one in connections for component, factor in one.parts]
+    nothing = (0.0,) * len(drives)
+    elements = [factor for one in connections[:of_elements] for _, factor in one.parts]
+    return Interconnection(
+        A=A,
+        B=np.column_stack([one.push * factor for one, _, factor in each]),
+        C=np.array([one.row for one, _, _ in each]),
+        drive_push=np.zeros((len(A), len(drives))) if drive_push is None else drive_push,
+        drive_gain=np.array([one.drive_gain or nothing for one, _, _ in each]),
+        components=tuple(component for _, component, _ in each),
+        labels=tuple(label for one in connections for label in one.labels),
+        drives=tuple(drives),
+        element_factors=tuple(elements),
+    )
 
 
 def _slides(system: Interconnection, k: int) -> bool:
@@ -153,7 +164,7 @@ class Layout:
         first_states: Position of the first own state of each component.
         sine: Position of the drive's sine; its cosine follows.
         size: Number of entries; the last one is one.
-        drive: The prescribed motion of the pin; None without one.
+        drives: What is prescribed.
         following: Places of the states that follow from others.
     """
 
@@ -161,12 +172,12 @@ class Layout:
     first_states: tuple[int, ...]
     sine: int
     size: int
-    drive: Drive | None
+    drives: tuple[Drive, ...]
     following: tuple[int, ...] = ()
 
     @classmethod
     def of(cls, interconnection: Interconnection) -> Layout:
-        """Return the layout of an interconnection: plant, components, drive, one."""
+        """Return the layout of an interconnection: plant, components, drives, one."""
         counts = [component.state_count for component in interconnection.components]
         ends = np.cumsum([interconnection.order, *counts])
         sine = int(ends[-1])
@@ -176,7 +187,9 @@ class Layout:
             for first, each in zip(firsts, interconnection.components, strict=True)
             for number in range(each.even_states, 0, -1)
         )
-        return cls(interconnection.order, firsts, sine, sine + 3, interconnection.drive, following)
+        # One sine and cosine are there without a drive, too: then they are zero.
+        size = sine + 2 * max(len(interconnection.drives), 1) + 1
+        return cls(interconnection.order, firsts, sine, size, interconnection.drives, following)
 
     @property
     def state_count(self) -> int:
@@ -185,13 +198,13 @@ class Layout:
 
     @property
     def forcing(self) -> int:
-        """Number of entries that nothing forces: sine and cosine of the drive, and one."""
+        """Number of entries that nothing forces: sine and cosine of each drive, and one."""
         return self.size - self.sine
 
     @property
     def period(self) -> float:
-        """Period of the drive, s; 0 without one."""
-        return 0.0 if self.drive is None else self.drive.period
+        """Period that the drives have in common, s; 0 without one."""
+        return 2.0 * np.pi / self.omega if self.omega else 0.0
 
     @property
     def ramp(self) -> bool:
@@ -210,20 +223,42 @@ class Layout:
 
     @property
     def omega(self) -> float:
-        """Angular frequency of the drive, rad/s; 0 without one."""
-        return 0.0 if self.drive is None else self.drive.omega
+        """Angular frequency of which those of the drives are multiples, rad/s; 0 without a drive."""
+        return self._common[0] if self._common else 0.0
+
+    @property
+    def omegas(self) -> tuple[float, ...]:
+        """Angular frequencies of the drives, rad/s, exact multiples where they have something in common."""
+        if self._common:
+            return tuple(order * self.omega for order in self._common[1])
+        return tuple(drive.omega for drive in self.drives)
+
+    @cached_property
+    def _common(self) -> tuple[float, tuple[int, ...]] | None:
+        return common_omega(self.drives)
+
+    @property
+    def repeats(self) -> bool:
+        """Whether the drives, if any, have a period in common."""
+        return self._common is not None
 
     @property
     def orders(self) -> tuple[int, ...]:
-        """The drive is one sine."""
-        return () if self.drive is None else (1,)
+        """Multiples that occur."""
+        return tuple(sorted(set(self._common[1]))) if self._common else ()
 
     @property
     def phasors(self) -> Complexes:
-        """What gives sine, cosine and one as real parts of these times exp(i omega t), (orders, 3)."""
-        if self.drive is None:
-            return np.zeros((0, 3), dtype=complex)
-        return np.asarray(np.exp(1j * self.drive.phase) * np.array([[-1j, 1.0, 0.0]]))
+        """What gives sines, cosines and one as real parts of these times exp(i order omega t).
+
+        Array (orders, forcing).
+        """
+        found = np.zeros((len(self.orders), self.forcing), dtype=complex)
+        for number, drive in enumerate(self.drives if self._common else ()):
+            row = self.orders.index(self._common[1][number])  # type: ignore[index]
+            turned = np.exp(1j * drive.phase) * np.array([-1j, 1.0])
+            found[row, 2 * number : 2 * number + 2] = turned
+        return found
 
     @cached_property
     def kinds(self) -> tuple[slice, ...]:
@@ -250,11 +285,13 @@ class Layout:
         return np.where(sizes > 0.0, sizes, 1.0)
 
     def forcing_at(self, time: float, before: float = 0.0) -> Reals:
-        """Return sine and cosine of the drive, zeros without one, and one, at a time, s."""
-        if self.drive is None:
+        """Return sine and cosine of each drive, zeros without one, and one, at a time, s."""
+        if not self.drives:
             return np.array([0.0, 0.0, 1.0])
-        phase = self.drive.omega * (time + before) + self.drive.phase
-        return np.array([math.sin(phase), math.cos(phase), 1.0])
+        each = zip(self.omegas, self.drives, strict=True)
+        phases = [omega * (time + before) + drive.phase for omega, drive in each]
+        waves = [wave for phase in phases for wave in (math.sin(phase), math.cos(phase))]
+        return np.array([*waves, 1.0])
 
     def unit(self, position: int) -> Reals:
         """Return the row, shape (size,), that gives the entry at a position."""

@@ -34,18 +34,22 @@ READ = {
 """What is read of every loop, by name."""
 
 
-def row_in_modes(loop: Loop, signal: LoopSignal | Displacement) -> Callable[[LoopMode], Reals]:
+def row_in_modes(loop: Loop, signal: LoopSignal | Displacement | str) -> Callable[[LoopMode], Reals]:
     """Return what gives the row of a signal in a mode, of shape (n,) over the extended state.
 
     Args:
         loop: The loop.
-        signal: One of its signals, or a displacement of a trimmer.
+        signal: One of its signals, or a displacement of a trimmer; of a ``Feedback`` any signal by name.
 
     Raises:
+        LoopError: if a ``Feedback`` has no signal of this name.
         UnsupportedMotionError: for a displacement, if the states of the loop's linear system are not those of
             the trimmer (``pin_model``).
         WrongTypeError: if it is neither.
     """
+    own = loop.own_row(signal)
+    if own is not None:
+        return own
     require_instance("signal", signal, (LoopSignal, Displacement), "a LoopSignal or a Displacement")
     model, size = loop.model, loop.modes.system.layout.size
     if isinstance(signal, Displacement):

@@ -2,87 +2,35 @@
 
 from __future__ import annotations
 
-import math
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Self, cast, final
+from typing import TYPE_CHECKING, Any, Self, cast, final
 
 import control
-import numpy as np
 
 from trimmer.arguments import finite_number, require_instance
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
-from trimmer.errors import LoopError
+from trimmer.errors import IllPosedLoopError, LoopError
 from trimmer.linear.stored_system import restored, stored
 from trimmer.loops.components_of_elements import RigidComponent, components_of
-from trimmer.loops.interconnection import Interconnection, realized, require_system
+from trimmer.loops.drive import Drive
+from trimmer.loops.interconnection import (
+    Connection,
+    Interconnection,
+    interconnected,
+)
+from trimmer.loops.plant import realized, taken_system
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import listed, near_match
 
-
-@final
-@dataclass(frozen=True, init=False)
-class Drive:
-    """A sinusoidal displacement amplitude * sin(omega t + phase).
-
-    ``Drive(1.5e-3, omega=691.0)`` and ``Drive(1.5e-3, frequency=110.0)`` are two ways to give one.
-
-    Attributes:
-        amplitude: Half of peak to peak, >= 0, m (or the unit of the element's input).
-        omega: Angular frequency, > 0, rad/s.
-        phase: Phase at t = 0, rad.
-
-    Raises:
-        WrongTypeError: if a value is no real number.
-        ValueError: if a value is not finite, the amplitude negative or the frequency not positive; or unless
-            exactly one of omega (rad/s) and frequency (Hz) is given.
-    """
-
-    amplitude: float
-    omega: float
-    phase: float = 0.0
-
-    def __init__(
-        self,
-        amplitude: float,
-        omega: float | None = None,
-        phase: float = 0.0,
-        *,
-        frequency: float | None = None,
-    ) -> None:
-        if (omega is None) == (frequency is None):
-            given = "neither" if omega is None else f"omega={omega!r} and frequency={frequency!r}"
-            raise ValueError(f"a drive needs omega (rad/s) or frequency (Hz), and one only: {given} is given")
-        if frequency is not None:
-            omega = 2.0 * math.pi * _checked("frequency", frequency, "Hz")
-        object.__setattr__(self, "amplitude", _checked("amplitude", amplitude, "m"))
-        object.__setattr__(self, "omega", _checked("omega", omega, "rad/s"))
-        object.__setattr__(self, "phase", _checked("phase", phase, "rad"))
-        if self.amplitude < 0:
-            raise ValueError(f"amplitude of the drive must not be negative, not {amplitude!r}")
-        for name, value, unit in (("frequency", frequency, "Hz"), ("omega", self.omega, "rad/s")):
-            if value is not None and value <= 0:
-                raise ValueError(f"{name} of the drive must be positive ({unit}), not {value!r}")
-
-    @property
-    def frequency(self) -> float:
-        """Frequency of the drive, Hz."""
-        return self.omega / (2.0 * math.pi)
-
-    @property
-    def period(self) -> float:
-        """Period of the drive, s."""
-        return 2.0 * math.pi / self.omega
-
-
-def _checked(name: str, value: object, unit: str) -> float:
-    return finite_number(f"{name} of the drive", value, unit)
-
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.loops.mode import LoopMode
 
 COMPUTED = ("model", "modes")
 """What a loop computes from its fields and keeps."""
@@ -175,6 +123,26 @@ class Loop(ABC):
         """Whether the states of the model have a meaning, and are not those of some realization."""
         return True
 
+    @property
+    def repeats(self) -> bool:
+        """Whether the drives, if any, have a period in common."""
+        return True
+
+    @property
+    def element_sides(self) -> tuple[tuple[Reals, Reals], ...]:
+        """What each element does to the rates of the states, (n,), and what it takes of the states, (n,)."""
+        return ((self.model.B[:, 0], -self.model.C[0]),)
+
+    def signal_rows(self) -> Mapping[str, Callable[[LoopMode], Reals]]:
+        """Return what gives the row of each signal in a mode, (N,) over the extended state, by its name."""
+        from trimmer.loops.loop_signal import READ, row_in_modes
+
+        return {name: row_in_modes(self, signal) for name, signal in READ.items()}
+
+    def own_row(self, signal: object) -> Callable[[LoopMode], Reals] | None:
+        """Return what gives the row of a signal of a loop that names its signals itself; else None."""
+        return None
+
     @cached_property
     def modes(self) -> LoopModes:
         """The modes of the loop with their tables, which are kept for the next simulation."""
@@ -217,7 +185,7 @@ def require_loop(loop: object) -> None:
     Raises:
         WrongTypeError: if it was not.
     """
-    require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop or TrimmerLoop")
+    require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop, Feedback or TrimmerLoop")
 
 
 @final
@@ -242,7 +210,7 @@ class ClosedLoop(Loop):
     start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
     def __post_init__(self) -> None:
-        require_system(self.system)
+        object.__setattr__(self, "system", taken_system(self.system))
         object.__setattr__(self, "element", adopted("element", self.element))
         object.__setattr__(self, "start", taken_start(self))
 
@@ -290,7 +258,7 @@ class OpenLoop(Loop):
     start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
     def __post_init__(self) -> None:
-        require_system(self.system)
+        object.__setattr__(self, "system", taken_system(self.system))
         object.__setattr__(self, "element", adopted("element", self.element))
         require_instance("drive", self.drive, Drive, "a trimmer.Drive")
         object.__setattr__(self, "start", taken_start(self))
@@ -316,31 +284,39 @@ class OpenLoop(Loop):
 
 
 def element_around(
-    model: control.StateSpace, element: Element | None, drive: Drive | None
+    model: control.StateSpace, element: Element | None, drive: Drive | None, feedback: bool | None = None
 ) -> Interconnection:
-    """Put an element before a linear system: driven, or in negative feedback if there is no drive.
-
-    Args:
-        model: The linear system, one input and one output.
-        element: The element; None for a rigid connection.
-        drive: The element's input; None for feedback.
+    """Put an element before a linear system; see ``connected_around``.
 
     Raises:
         UnsupportedMotionError: if the element has no motion in time.
         IllPosedLoopError: if the motion is not determined.
     """
+    drives = () if drive is None else (drive,)
+    return interconnected(model.A, [connected_around(model, element, drive, feedback)], drives)
+
+
+def connected_around(
+    model: control.StateSpace, element: Element | None, drive: Drive | None, feedback: bool | None = None
+) -> Connection:
+    """Return an element before a linear system: driven, or in negative feedback if there is no drive.
+
+    Args:
+        model: The linear system, one input and one output.
+        element: The element; None for a rigid connection.
+        drive: The element's input, or what is added to it; None for nothing.
+        feedback: Whether there is negative feedback; where there is no drive, if not given.
+
+    Raises:
+        UnsupportedMotionError: if the element has no motion in time.
+        IllPosedLoopError: if its output acts on its input without delay.
+    """
     parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
-    count = len(parts)
-    feedback = -1.0 if drive is None else 0.0
-    factors = np.array([factor for _, factor in parts])
-    return Interconnection(
-        A=model.A,
-        B=model.B @ factors[None, :],
-        C=np.repeat(feedback * model.C, count, axis=0),
-        D=feedback * model.D[0, 0] * np.tile(factors, (count, 1)),
-        drive_gain=np.full(count, 0.0 if drive is None else 1.0),
-        components=tuple(component for component, _ in parts),
-        labels=tuple(component.name for component, _ in parts),
-        drive=drive,
-        element_factors=tuple(factors),
-    )
+    labels = [component.name for component, _ in parts]
+    closed = drive is None if feedback is None else feedback
+    if closed and model.D[0, 0]:
+        raise IllPosedLoopError(
+            f"{labels[0]}: an output acts on its input at once; the system must be strictly proper"
+        )
+    row = (-1.0 if closed else 0.0) * model.C[0]
+    return Connection(parts, labels, model.B[:, 0], row, () if drive is None else (1.0,))

@@ -220,21 +220,22 @@ def _inputs(system: Interconnection, layout: Layout) -> Reals:
     """Return the inputs, on which no output acts at once."""
     inputs = np.zeros((len(system.components), layout.size))
     inputs[:, : layout.order] = system.C
-    if system.drive is not None:
-        inputs[:, layout.sine] = system.drive_gain * system.drive.amplitude
+    for number, drive in enumerate(system.drives):
+        inputs[:, layout.sine + 2 * number] = system.drive_gain[:, number] * drive.amplitude
     return inputs
 
 
 def _own_flow(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> Reals:
-    """Return the flow of plant, components and drive without their effect on each other."""
+    """Return the flow of plant, components and drive without the elements."""
     flow = np.zeros((layout.size, layout.size))
     flow[: layout.order, : layout.order] = system.A
     for k, (component, mode) in enumerate(zip(system.components, component_modes, strict=True)):
         first, end = layout.first_states[k], layout.first_states[k] + component.state_count
         flow[first:end, first:end] = component.state_rates(mode)
-    if system.drive is not None:
-        flow[layout.sine, layout.sine + 1] = system.drive.omega
-        flow[layout.sine + 1, layout.sine] = -system.drive.omega
+    for number, (drive, omega) in enumerate(zip(system.drives, layout.omegas, strict=True)):
+        sine = layout.sine + 2 * number
+        flow[: layout.order, sine] = system.drive_push[:, number] * drive.amplitude
+        flow[sine, sine + 1], flow[sine + 1, sine] = omega, -omega
     return flow
 
 

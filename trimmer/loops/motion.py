@@ -12,7 +12,7 @@ import numpy as np
 
 from trimmer.arguments import real_values
 from trimmer.hybrid.nodes import sample
-from trimmer.loops.loop_signal import READ, row_in_modes
+from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.relay_component import HELD, RelayComponent
 from trimmer.loops.switched_component import EventKind
 from trimmer.loops.system import KINDS
@@ -183,40 +183,28 @@ class LoopMotion(Motion):
         return self.values(times, lambda mode: rows)
 
     def output(self, times: ArrayLike) -> Reals:
-        """Return the output y of the linear system, in its unit, in the shape of the times (s).
+        """Return the output y of the linear system, its first one, in the shape of the times (s).
 
         Raises:
             ValueError: see ``values``.
         """
-        model = self.loop.model
-        row = np.zeros((1, self.loop.modes.system.layout.size))
-        row[0, : self.loop.modes.system.layout.order] = model.C[0]
-        direct = model.D[0, 0]
-        values: Reals
-        (values,) = self.values(times, lambda mode: row + direct * self._element_output(mode))
-        return values
+        return self._of(LoopSignal.OUTPUT, times)
 
     def element_input(self, times: ArrayLike) -> Reals:
-        """Return the input of the nonlinear element, in its unit, in the shape of the times (s).
+        """Return the input of the nonlinear element, the first one, in the shape of the times (s).
 
         Raises:
             ValueError: see ``values``.
         """
-        values: Reals
-        (values,) = self.values(times, lambda mode: mode.signals[0].input[None])
-        return values
+        return self._of(LoopSignal.ELEMENT_INPUT, times)
 
     def element_output(self, times: ArrayLike) -> Reals:
-        """Return the output of the nonlinear element, which drives the linear system.
-
-        It is in its unit and in the shape of the times (s).
+        """Return the output of the nonlinear element, the first one, in the shape of the times (s).
 
         Raises:
             ValueError: see ``values``.
         """
-        values: Reals
-        (values,) = self.values(times, self._element_output)
-        return values
+        return self._of(LoopSignal.ELEMENT_OUTPUT, times)
 
     def component_outputs(self, times: ArrayLike) -> Reals:
         """Return the output of every component, in the order of ``loop.interconnection().labels``.
@@ -273,10 +261,15 @@ class LoopMotion(Motion):
     @property
     def signals(self) -> Mapping[str, str]:
         """The unit of output, and of input and output of the element; empty where it is not known."""
-        return dict.fromkeys(READ, self.loop.length)
+        return dict.fromkeys(self.loop.signal_rows(), self.loop.length)
 
     def _read(self, name: str, times: ArrayLike) -> Reals:
-        row = row_in_modes(self.loop, READ[name])
+        return self._values(self.loop.signal_rows()[name], times)
+
+    def _of(self, signal: LoopSignal, times: ArrayLike) -> Reals:
+        return self._values(row_in_modes(self.loop, signal), times)
+
+    def _values(self, row: Callable[[LoopMode], Reals], times: ArrayLike) -> Reals:
         values: Reals
         (values,) = self.values(times, lambda mode: row(mode)[None])
         return values
@@ -286,11 +279,6 @@ class LoopMotion(Motion):
 
     def _table(self) -> Table:
         return self.events._table()
-
-    def _element_output(self, mode: LoopMode) -> Reals:
-        factors = np.array(self.loop.modes.system.interconnection.element_factors)
-        row: Reals = factors[None] @ np.array([each.output for each in mode.signals[: len(factors)]])
-        return row
 
     def _changes(self, segment: int) -> Iterator[_Listed]:
         """Yield what began a segment: each component that changed its mode."""

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
-from typing import Any
+from typing import Any, cast
 
 from trimmer.arguments import finite_number, require_instance
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.errors import LoopError
-from trimmer.loops.loops import COMPUTED, Drive, Loop
+from trimmer.loops.drive import Drive
+from trimmer.loops.feedback import Feedback
+from trimmer.loops.loops import COMPUTED, Loop
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
@@ -37,6 +39,8 @@ def numbers_of(loop: Loop) -> dict[Place, str]:
         found |= {FREQUENCY: "Hz", ("drive", "amplitude"): loop.length, ("drive", "phase"): "rad"}
     for names in _of_element(getattr(loop, "element", None)):
         found[("element", *names)] = UNITS.get(names[-1], loop.length if names[-1] in OF_LENGTH else "")
+    if isinstance(loop, Feedback):
+        found |= _of_feedback(loop)
     parameters = getattr(loop, "parameters", None)
     if isinstance(parameters, TrimmerParameters):
         found |= {("parameters", each.name): each.metadata["quantity"].unit for each in fields(parameters)}
@@ -45,6 +49,17 @@ def numbers_of(loop: Loop) -> dict[Place, str]:
             found[("frictions", label, *names)] = OF_FORCE.get(names[-1], UNITS.get(names[-1], ""))
     states = zip(loop.model.state_labels, loop.state_units, strict=True)
     return found | {("start", name): unit for name, unit in states}
+
+
+def _of_feedback(loop: Feedback) -> dict[Place, str]:
+    """Return the unit of every number of elements and drives; ``frequency`` is that of all drives."""
+    found: dict[Place, str] = {FREQUENCY: "Hz"} if loop.frequency is not None else {}
+    for name in loop.drives:
+        found |= {("drives", name, "frequency"): "Hz", ("drives", name, "phase"): "rad"}
+        found[("drives", name, "amplitude")] = ""
+    for name, element in loop.elements.items():
+        found |= {("elements", name, *names): UNITS.get(names[-1], "") for names in _of_element(element)}
+    return found
 
 
 def _frictions(loop: Loop) -> dict[str, Any]:
@@ -87,6 +102,10 @@ def value_at(loop: Loop, place: str) -> float:
     match names:
         case ("element", *inner):
             return _value(getattr(loop, "element", None), tuple(inner))
+        case ("elements", name, *inner):
+            return _value(getattr(loop, "elements", {})[name], tuple(inner))
+        case ("drives", name, field):
+            return float(getattr(getattr(loop, "drives", {})[name], field))
         case ("frictions", label, *inner):
             return _value(_frictions(loop)[label].law, tuple(inner))
         case ("start", name):
@@ -126,9 +145,22 @@ def with_value_at(loop: Loop, place: str, value: float | str) -> Loop:
 def _changed(loop: Any, names: Place, number: float) -> Any:
     changes: dict[str, Any] = {}
     match names:
+        case ("frequency",) if isinstance(loop, Feedback):
+            share = number / cast("float", loop.frequency)
+            changes["drives"] = {
+                name: _at_frequency(each, share * each.frequency) for name, each in loop.drives.items()
+            }
         case ("frequency",):
-            drive: Drive = loop.drive
-            changes["drive"] = type(drive)(drive.amplitude, phase=drive.phase, frequency=number)
+            changes["drive"] = _at_frequency(loop.drive, number)
+        case ("elements", name, *inner):
+            element = _element_with(loop.elements[name], tuple(inner), number)
+            changes["elements"] = {**loop.elements, name: element}
+        case ("drives", name, field):
+            drive = loop.drives[name]
+            other = (
+                _at_frequency(drive, number) if field == "frequency" else replace(drive, **{field: number})
+            )
+            changes["drives"] = {**loop.drives, name: other}
         case ("element", *inner):
             changes["element"] = _element_with(loop.element, tuple(inner), number)
         case ("frictions", label, *inner):
@@ -145,6 +177,10 @@ def _changed(loop: Any, names: Place, number: float) -> Any:
     same = () if names[0] == "parameters" else COMPUTED if names[0] == "start" else ("model",)
     vars(changed).update({each: getattr(loop, each) for each in same})
     return changed
+
+
+def _at_frequency(drive: Drive, frequency: float) -> Drive:
+    return Drive(drive.amplitude, phase=drive.phase, frequency=frequency)
 
 
 def _element_with(element: Any, names: Place, number: float) -> Any:

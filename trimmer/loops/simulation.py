@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number
-from trimmer.hybrid.advance import AdvanceInterrupted, Ending
+from trimmer.hybrid.advance import AdvanceInterrupted, Ending, Instant
 from trimmer.loops.initial import initial_segment
 from trimmer.loops.integration import followed
 from trimmer.loops.loops import Loop, require_loop
@@ -40,7 +41,7 @@ class SimulationInterrupted(KeyboardInterrupt):
         self.motion = motion
 
 
-def simulate_loop(
+def simulate_loop(  # noqa: PLR0913
     loop: Loop,
     duration: float,
     *,
@@ -49,6 +50,7 @@ def simulate_loop(
     element_output: float = 0.0,
     event_limit: int = 1_000_000,
     step_limit: int = MOST_STEPS,
+    begin: Instant | None = None,
 ) -> LoopMotion:
     """Follow the motion of a loop from t = 0.
 
@@ -74,6 +76,7 @@ def simulate_loop(
             it starts with, by its sign, where the input leaves a choice.
         event_limit: Greatest number of events.
         step_limit: Greatest number of steps between events, each as long as the fastest mode allows.
+        begin: The instant at which it begins, in place of the three before.
 
     Returns:
         The motion. It ends early, and its ``outcome`` says why, if events accumulate or exceed the limit, if
@@ -92,7 +95,11 @@ def simulate_loop(
         if not (real_number(name, limit) >= 1 and limit % 1 == 0):
             raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
     modes = loop.modes
-    mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
+    if begin is None:
+        mode, state = initial_segment(loop, modes, initial_state, impulse, element_output)
+    else:
+        forcing = modes.system.layout.forcing_at(begin.phase)
+        mode, state = modes.number(begin.statuses), np.concatenate([begin.state, forcing])
     events, steps = (min(int(limit), LARGEST_COUNT) for limit in (event_limit, step_limit))
     try:
         stretch = followed(modes, mode, state, float(duration), events, steps, watched=True)

@@ -9,7 +9,6 @@ from typing import final
 
 import control
 import numpy as np
-import scipy.linalg
 
 from trimmer.arguments import require_instance, require_instances
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, TrimmerBody
@@ -17,8 +16,9 @@ from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.loops.components_of_elements import components_of
-from trimmer.loops.interconnection import Interconnection
-from trimmer.loops.loops import AT_REST, Drive, Loop, element_around, taken_start
+from trimmer.loops.drive import Drive
+from trimmer.loops.interconnection import Connection, Interconnection, interconnected
+from trimmer.loops.loops import AT_REST, Loop, connected_around, taken_start
 from trimmer.parameters import TrimmerParameters, require_parameters
 
 
@@ -126,28 +126,16 @@ class TrimmerLoop(Loop):
             UnsupportedMotionError: if the element or a friction has no motion in time.
             IllPosedLoopError: if the motion is not determined.
         """
-        base = element_around(self.model, self.element, self.drive)
-        if not self.frictions:
-            return base
-        parts = [
-            (component, factor, friction.between)
-            for friction in self.frictions
-            for component, factor in components_of(friction.law)
-        ]
-        forces = np.array([factor * self._acceleration(between) for _, factor, between in parts]).T
-        rows = np.array([between.row + (0.0,) * len(between.row) for _, _, between in parts])
-        return Interconnection(
-            A=base.A,
-            B=np.hstack([base.B, forces]),
-            C=np.vstack([base.C, rows]),
-            D=scipy.linalg.block_diag(base.D, np.zeros((len(parts), len(parts)))),
-            drive_gain=np.append(base.drive_gain, np.zeros(len(parts))),
-            components=base.components + tuple(component for component, _, _ in parts),
-            labels=base.labels
-            + tuple(f"{component.name} {between.label}" for component, _, between in parts),
-            drive=base.drive,
-            element_factors=base.element_factors,
-        )
+        pin = connected_around(self.model, self.element, self.drive)
+        frictions = [self._connected(each) for each in self.frictions]
+        drives = () if self.drive is None else (self.drive,)
+        return interconnected(self.model.A, [pin, *frictions], drives, of_elements=1)
+
+    def _connected(self, friction: BodyFriction) -> Connection:
+        between, parts = friction.between, components_of(friction.law)
+        labels = [f"{component.name} {between.label}" for component, _ in parts]
+        row = np.array(between.row + (0.0,) * len(between.row))
+        return Connection(parts, labels, self._acceleration(between), row)
 
     def _acceleration(self, between: Displacement) -> np.ndarray:
         """Return the rates of all states due to a unit force that works against a relative displacement."""

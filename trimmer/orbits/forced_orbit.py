@@ -7,7 +7,9 @@ from typing import cast
 import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
-from trimmer.loops.loops import Drive, Loop, require_loop
+from trimmer.loops.drive import Drive
+from trimmer.loops.feedback import Feedback
+from trimmer.loops.loops import Loop, require_loop
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.realization import restated
 from trimmer.response.forced_orbit import SETTLING, exact_orbit
@@ -34,6 +36,8 @@ def loop_orbit(
     """
     require_loop(loop)
     drive = loop.modes.system.interconnection.drive
+    if drive is None and isinstance(loop, Feedback):
+        return cast("PeriodicOrbit", exact_orbit(loop, periods, guess, settling))
     if drive is None:
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
     known = restated(loop)

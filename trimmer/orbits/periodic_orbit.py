@@ -11,9 +11,11 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.displacement import Displacement
+from trimmer.loops.drive import Drive
+from trimmer.loops.flow import LoopFlow
 from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
-from trimmer.loops.loops import Drive, Loop
+from trimmer.loops.loops import Loop
 from trimmer.loops.motion import LoopMotion, Outcome
 from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
@@ -121,8 +123,8 @@ class PeriodicOrbit(Orbit):
 
     @cached_property
     def amplitude(self) -> float:
-        """Half of peak to peak of the nonlinear element's input, in its unit."""
-        lowest, highest = extremes(self.course, self.flow.outputs["element_input"].signal)
+        """Half of peak to peak of the input of the nonlinear element, the first one, in its unit."""
+        lowest, highest = extremes(self.course, self._row(LoopSignal.ELEMENT_INPUT))
         return 0.5 * (highest - lowest)
 
     @property
@@ -192,11 +194,12 @@ class PeriodicOrbit(Orbit):
         """The drive, with its amplitude in m; None without one."""
         return self.loop.modes.system.interconnection.drive
 
-    def stroke_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
+    def stroke_of(self, signal: LoopSignal | Displacement | str = LoopSignal.OUTPUT) -> float:
         """Return peak to peak of a signal, in its unit, such as m.
 
         Args:
-            signal: The output y, input or output of the element, or any displacement of a trimmer.
+            signal: The output y, input or output of the element, a signal by name, or any displacement of
+                a trimmer.
 
         Raises:
             UnsupportedMotionError: for a displacement, if the loop's linear system has not the states of a
@@ -205,7 +208,7 @@ class PeriodicOrbit(Orbit):
         lowest, highest = extremes(self.course, self._row(signal))
         return highest - lowest
 
-    def harmonics_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> Complexes:
+    def harmonics_of(self, signal: LoopSignal | Displacement | str = LoopSignal.OUTPUT) -> Complexes:
         """Return the complex amplitudes of a signal at 1, 2, 3 ... times the frequency, shape (15,).
 
         The signal is Im Σ c_n exp(j n omega t) + constant, with t counted from the start of ``motion``.
@@ -215,14 +218,14 @@ class PeriodicOrbit(Orbit):
         values = along(self.course, row, nodes.rows, nodes.states)
         return np.asarray(1j * fourier(self.course, values[:, None], self.omega, HARMONICS)[:, 0])
 
-    def _row(self, signal: LoopSignal | Displacement) -> Signal:
+    def _row(self, signal: LoopSignal | Displacement | str) -> Signal:
         if self.given is not None and isinstance(signal, Displacement):
             given, mode = self.given, self.motion.loop.modes[int(self.motion.log.mode[0])]
             return Steady(given.row(row_in_modes(given.loop, signal)(mode)))
         row, modes = row_in_modes(self._computed, signal), self._computed.modes
         return lambda mode: row(modes[mode])
 
-    def phase_of(self, signal: LoopSignal | Displacement = LoopSignal.OUTPUT) -> float:
+    def phase_of(self, signal: LoopSignal | Displacement | str = LoopSignal.OUTPUT) -> float:
         """Return by how much the first harmonic of a signal leads the drive, rad, in (-pi, pi].
 
         Argument and errors are those of ``stroke_of``.
@@ -254,3 +257,11 @@ class PeriodicOrbit(Orbit):
         return of_harmonics(
             "Harmonics of the element's input", self.frequency, self.unit, orders, self.harmonics
         )
+
+
+def in_other_loop(orbit: PeriodicOrbit, loop: Loop) -> PeriodicOrbit:
+    """Return an orbit as that of another loop of the same equations, states and components."""
+    if orbit.given is not None:
+        return replace(orbit, given=replace(orbit.given, loop=loop))
+    log = renumbered(orbit.course.log, orbit.course.modes, loop.modes)
+    return replace(orbit, flow=LoopFlow(loop), course=replace(orbit.course, modes=loop.modes, log=log))

@@ -11,9 +11,10 @@ import numpy as np
 
 from trimmer.arguments import positive_number, require_instance, require_instances, shown
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-from trimmer.balance.loop_first import takes_a_loop
+from trimmer.balance.loop_first import takes_any_loop
 from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
+from trimmer.loops.feedback import Feedback
 from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts
@@ -21,7 +22,7 @@ from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, same
 from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
+from trimmer.orbits.periodic_orbit import PeriodicOrbit, in_other_loop
 from trimmer.orbits.realization import restated
 from trimmer.orbits.relay_orbits import relay_orbits
 from trimmer.orbits.search import (
@@ -37,9 +38,9 @@ from trimmer.orbits.settling import settled_orbits
 from trimmer.response.shooting import Return, Shot
 
 
-@takes_a_loop
+@takes_any_loop
 def periodic_orbits(
-    loop: ClosedLoop,
+    loop: ClosedLoop | Feedback,
     guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None = None,
     search: OrbitSearch | None = None,
 ) -> PeriodicOrbits:
@@ -53,11 +54,12 @@ def periodic_orbits(
     Not every orbit is near a guess. Those of a relay that return with their signs changed after one switch
     are all found, on an interval of periods (``trimmer.orbits.half_period``). Other stable ones are found by
     long simulations from many initial states, if these are asked for, or if harmonic balance predicts nothing
-    or a guess leads to no orbit. The answer tells what was searched.
+    or a guess leads to no orbit. The answer tells what was searched. Those of a ``Feedback`` of several
+    elements or with frictions are found in this way alone.
 
     Args:
-        loop: The closed loop; or ``system, element`` in its place. The system is strictly proper, with one
-            input and one output, and continuous in time.
+        loop: The closed loop, or a ``Feedback`` without drives; or ``system, element`` in its place. The
+            system is strictly proper, with one input and one output, and continuous in time.
         guesses: All limit cycles that harmonic balance predicts, as it gives them or, if none are given, as
             ``limit_cycles`` does; or else limit cycles and pairs of amplitude (in the unit of the element's
             input) and omega (rad/s).
@@ -82,6 +84,12 @@ def periodic_orbits(
     """
     if search is not None:
         require_instance("search", search, OrbitSearch, "a trimmer.OrbitSearch")
+    given = loop
+    if isinstance(loop, Feedback):
+        one = loop.as_closed_loop()
+        if one is None:
+            return _of_feedback(loop, guesses, search or OrbitSearch())
+        loop = one
     known = restated(loop)
     orbits: list[PeriodicOrbit] = []
     predicted = guesses is None or isinstance(guesses, HarmonicBalance)
@@ -102,9 +110,31 @@ def periodic_orbits(
     settings = OrbitSearch() if search is None and predicted else search
     relay, simulated = _wider(known.loop, settings, orbits, failed > 0 or not tried)
     searched = OrbitSearched(len(tried), predicted, failed, relay, simulated)
-    by_amplitude, families = by_families([known.told(orbit) for orbit in orbits])
+    told = [known.told(orbit) for orbit in orbits]
+    return _found(told if given is loop else [in_other_loop(each, given) for each in told], searched)
+
+
+def _of_feedback(loop: Feedback, guesses: object, search: OrbitSearch) -> PeriodicOrbits:
+    """Find the orbits of a loop of several elements, which nothing predicts, by simulations."""
+    if guesses is not None:
+        raise WrongTypeError(
+            "guesses of amplitude and omega are for loops of one element; forced_orbit takes a state as guess"
+        )
+    if search.simulations is Simulations.NEVER:
+        return _found([], OrbitSearched(0, False, 0, None, None))
+    orbits, simulated = settled_orbits(loop, search, [])
+    return _found(orbits, OrbitSearched(0, False, 0, None, simulated))
+
+
+def _found(orbits: list[PeriodicOrbit], searched: OrbitSearched) -> PeriodicOrbits:
+    """Return orbits by amplitude, with what was searched.
+
+    Raises:
+        OrbitSearchInterrupted: if an interrupt (Ctrl-C) ended the search.
+    """
+    by_amplitude, families = by_families(orbits)
     found = PeriodicOrbits(by_amplitude, searched, families)
-    if simulated is not None and simulated.interrupted:
+    if searched.simulations is not None and searched.simulations.interrupted:
         raise OrbitSearchInterrupted(found)
     return found
 

@@ -14,6 +14,7 @@ from trimmer.arrays import Reals
 from trimmer.hybrid import advance
 from trimmer.hybrid.variation import propagator
 from trimmer.hybrid.work import Log
+from trimmer.loops.feedback import Feedback
 from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.integration import followed
 from trimmer.loops.loops import ClosedLoop
@@ -91,7 +92,7 @@ class Turn:
 
 
 def settled_orbits(
-    loop: ClosedLoop, search: OrbitSearch, known: list[PeriodicOrbit]
+    loop: ClosedLoop | Feedback, search: OrbitSearch, known: list[PeriodicOrbit]
 ) -> tuple[list[PeriodicOrbit], SimulationSearch]:
     """Simulate from many initial states and find the orbits that the motions settle on or pass by.
 
@@ -117,7 +118,9 @@ def settled_orbits(
     return orbits[len(known) :], found
 
 
-def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]) -> MotionEnd:
+def _follow(
+    loop: ClosedLoop | Feedback, mode: int, state: Reals, steps: int, orbits: list[PeriodicOrbit]
+) -> MotionEnd:
     """Follow a motion until it has settled, and add the orbits that it settles on or passes by."""
     quiet, events, total, best = quiet_time(loop), FIRST_EVENTS, 0, math.inf
     widest = np.zeros(loop.modes.system.layout.order)
@@ -143,7 +146,7 @@ def _follow(loop: ClosedLoop, mode: int, state: Reals, steps: int, orbits: list[
     return MotionEnd.LEFT
 
 
-def _settles(loop: ClosedLoop, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
+def _settles(loop: ClosedLoop | Feedback, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
     """Add the orbit near a turn, if there is one, and tell whether the motion stays there."""
     found = _polished(loop, turn)
     if found is None or _collapsed(found[1], turn):
@@ -165,7 +168,7 @@ def _collapsed(shot: Shot, turn: Turn) -> bool:
     return len(course.log.start) < 2 or float((swing / turn.sizes[:count]).max()) < COLLAPSED
 
 
-def _polished(loop: ClosedLoop, turn: Turn) -> tuple[Return, Shot] | None:
+def _polished(loop: ClosedLoop | Feedback, turn: Turn) -> tuple[Return, Shot] | None:
     """Find the orbit near a turn by Newton's method; with the symmetry if it seems to have it."""
     symmetric = Return(LoopFlow(loop), 0, mirrored=True, alike=True)
     sizes = turn.sizes[: symmetric.flow.size]
@@ -179,7 +182,7 @@ def _polished(loop: ClosedLoop, turn: Turn) -> tuple[Return, Shot] | None:
     return None
 
 
-def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
+def _last_turn(loop: ClosedLoop | Feedback, log: Log) -> Turn | None:
     """Return the last period of a motion if its end looks like its beginning."""
     lasting = np.flatnonzero(np.diff(log.start) > 0)
     if len(lasting) < 2:
@@ -212,7 +215,7 @@ def _last_turn(loop: ClosedLoop, log: Log) -> Turn | None:
     return Turn(quiet, middle, span, mirrored, np.maximum(sizes, abs(middle)), miss)
 
 
-def _quiet_state(loop: ClosedLoop, log: Log, end: float) -> tuple[int, Reals]:
+def _quiet_state(loop: ClosedLoop | Feedback, log: Log, end: float) -> tuple[int, Reals]:
     """Return mode and extended state in the middle of the last segment that lasts, far from events."""
     stops = np.append(log.start[1:], end)
     last = int(np.flatnonzero(stops > log.start)[-1])

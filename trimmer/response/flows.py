@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
+from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 
 if TYPE_CHECKING:
@@ -23,6 +24,10 @@ def flow_of(subject: Subject) -> Flow:
 
     require_subject(subject)
     assert isinstance(subject, Loop)
+    if not subject.repeats:
+        raise UnsupportedMotionError(
+            "the drives have no period in common, so that no motion repeats with them; simulate() follows it"
+        )
     return LoopFlow(subject)
 
 
@@ -39,5 +44,5 @@ def require_subject(subject: object) -> None:
     """
     from trimmer.loops.loops import Loop
 
-    kinds = "a trimmer.Mechanism or a loop: a ClosedLoop, OpenLoop or TrimmerLoop"
+    kinds = "a trimmer.Mechanism or a loop: a ClosedLoop, OpenLoop, Feedback or TrimmerLoop"
     require_instance("mechanism", subject, (Mechanism, Loop), kinds)

@@ -88,11 +88,13 @@ def orbit_by_itself(flow: Flow) -> Orbit:
     Raises:
         OrbitNotFoundError: if there is none.
     """
+    from trimmer.loops.feedback import Feedback
     from trimmer.loops.loops import ClosedLoop
     from trimmer.loops.trimmer_loop import TrimmerLoop
 
     loop = flow.subject
-    if not isinstance(loop, ClosedLoop | TrimmerLoop):
+    begins = isinstance(loop, Feedback) and bool(loop.start)
+    if begins or not isinstance(loop, ClosedLoop | Feedback | TrimmerLoop):
         return self_excited_orbit(flow, flow.rest())
     from trimmer.orbits.periodic_orbits import periodic_orbits
 

@@ -9,8 +9,11 @@ from trimmer.arguments import real_number, whole_number
 from trimmer.mechanism.mechanism import Mechanism
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import ArrayLike
 
+    from trimmer.hybrid.advance import Instant
     from trimmer.loops.loops import Loop
     from trimmer.loops.motion import LoopMotion
     from trimmer.response.motion import MechanismMotion
@@ -25,6 +28,7 @@ def simulate(
     loop: Loop,
     duration: float,
     *,
+    state: Start = None,
     initial_state: ArrayLike | None = None,
     impulse: float = 0.0,
     element_output: float = 0.0,
@@ -51,10 +55,12 @@ def simulate(
     Args:
         loop: What moves.
         duration: Length of the motion, > 0, s.
-        state: Of a mechanism: where it begins at t = 0: displacement, m, and velocity, m/s, by body; or all
-            states, (n,); rest, or the start of the mechanism, if not given.
+        state: Where it begins at t = 0: displacement, m, and velocity, m/s, by body, or states of a loop by
+            name; or all states, (n,), or of a loop those of its linear system; rest, or its own start, if not
+            given.
         step_limit: Greatest number of steps between events.
-        **of_loops: Of a loop: ``initial_state``, ``impulse``, ``element_output``, ``event_limit``.
+        **of_loops: Of a loop: ``event_limit``, and in place of ``state``, ``initial_state``, ``impulse`` and
+            ``element_output``.
 
     Returns:
         The motion. It ends early, and its ``outcome`` says why, if events accumulate, if it grows without
@@ -69,11 +75,25 @@ def simulate(
         if of_loops:
             raise TypeError(f"{next(iter(of_loops))} is an argument for loops; give the state of a mechanism")
         return _of_mechanism(loop, duration, state, step_limit)
-    if state is not None:
-        raise TypeError("state is an argument for mechanisms; give the initial_state of a loop")
     from trimmer.loops.simulation import simulate_loop
 
-    return simulate_loop(loop, duration, step_limit=step_limit, **of_loops)  # type: ignore[arg-type]
+    begin = _begin_of_loop(loop, state, of_loops)
+    return simulate_loop(loop, duration, begin=begin, step_limit=step_limit, **of_loops)  # type: ignore[arg-type]
+
+
+def _begin_of_loop(loop: Loop, state: Start, others: Mapping[str, object]) -> Instant | None:
+    """Return the instant at which a loop begins; None where other arguments say it."""
+    from trimmer.loops.feedback import Feedback
+    from trimmer.loops.flow import LoopFlow
+    from trimmer.loops.loops import require_loop
+    from trimmer.response.starts import instant_of
+
+    require_loop(loop)
+    if state is None and not isinstance(loop, Feedback):
+        return None
+    for name in others.keys() - {"event_limit"}:
+        raise TypeError(f"{name} is no argument beside a state, or of a Feedback; give its state alone")
+    return instant_of(LoopFlow(loop), state)
 
 
 def _of_mechanism(mechanism: Mechanism, duration: float, state: Start, step_limit: int) -> MechanismMotion:

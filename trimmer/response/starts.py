@@ -40,6 +40,9 @@ def instant_of(flow: Flow, start: Start) -> Instant:
         read = _state if isinstance(flow.subject, Loop) else _moving
         return flow.rest({name: read(flow, name, given) for name, given in start.items()})
     state = real_array("the start", start)
+    if isinstance(flow.subject, Loop) and state.shape == (len(flow.axes),):
+        # The states of the linear system alone; loads begin at rest in their gaps.
+        return flow.rest({name: (value,) for name, value in zip(flow.axes, state.tolist(), strict=True)})
     if state.shape != (flow.size,):
         error, what = (LoopError, "loop") if isinstance(flow.subject, Loop) else (MechanismError, "mechanism")
         raise error(

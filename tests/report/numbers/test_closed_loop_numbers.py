@@ -18,7 +18,8 @@ from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, LARGE_GAP
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.loops.loops import ClosedLoop, Drive
+from trimmer.loops.drive import Drive
+from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.simulation import simulate_loop as simulate
 from trimmer.parameters import TrimmerParameters
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import cumulative_simpson
 
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.loops.loops import Drive
+from trimmer.loops.drive import Drive
 from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 from trimmer.response.simulate import simulate

@@ -108,9 +108,10 @@ class Flows:
                 self._tries -= self._family is None
                 share = None if self._family is None else self._family.share(value)
         family = self._family
-        if family is None or share is None or not self._known:
+        # A flow that was made and not followed, as with a period below 0, has met no modes.
+        latest = next((each for each in reversed(self._known.values()) if each.modes.statuses), None)
+        if family is None or share is None or latest is None:
             return flow_of(subject)
-        latest = next(reversed(self._known.values()))
         if not family.flows[0].is_alike(latest):  # A friction without a force is no part.
             return flow_of(subject)
         if not family.modes.learn(latest.modes):

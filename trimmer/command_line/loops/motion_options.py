@@ -20,7 +20,7 @@ from trimmer.command_line.state_option import chosen_state
 from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
-    from trimmer.loops.loops import Drive
+    from trimmer.loops.drive import Drive
     from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 DRIVE_HELP = "drive the pin at a frequency, Hz (open loop)"
 
@@ -114,7 +114,7 @@ def start_of_loop(arguments: Namespace, loop: TrimmerLoop) -> dict[str, float]:
 
 
 def _drive(arguments: Namespace) -> Drive | None:
-    from trimmer.loops.loops import Drive
+    from trimmer.loops.drive import Drive
 
     if (arguments.drive is None) != (arguments.amplitude is None):
         missing = "--amplitude (m)" if arguments.amplitude is None else "--drive (Hz)"
