@@ -20,6 +20,8 @@ from trimmer.branches.special import SpecialPoint
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text, unit_of
+from trimmer.motion.chosen import chosen_measure
+from trimmer.motion.measures import Measures
 from trimmer.response.flows import flow_of
 from trimmer.response.orbit import with_shifts
 from trimmer.showing.drawn import Drawn, drawn
@@ -104,6 +106,14 @@ class FollowedOrbit(Shown):
         """Peak to peak and harmonics of each output."""
         return _outputs(self.passage)
 
+    def measure(self, key: str) -> float:
+        """Return a measure by its key, SI units; see ``trimmer.motion.chosen``.
+
+        Raises:
+            ChoiceError: if there is none.
+        """
+        return _measure(self.map, self.passage, key)
+
     def balanced(self, harmonics: int) -> BalancedOrbit:
         """Balance the forces harmonic by harmonic from the orbit on, and say how far the result is from it.
 
@@ -169,13 +179,23 @@ class FollowedBranch(Tabular, Drawn):
         """Return peak to peak and harmonics of each output at a special point of the branch."""
         return _outputs(self.map.passage(special.value, special.state))
 
+    def measure_at(self, special: SpecialPoint, key: str) -> float:
+        """Return a measure at a special point of the branch, as ``FollowedOrbit.measure``."""
+        return _measure(self.map, self.map.passage(special.value, special.state), key)
+
     def all(self) -> Iterator[FollowedBranch]:
         """Yield the branch, then those that part from it, each before those that part from that."""
         yield self
         for other in self.branches:
             yield from other.all()
 
-    def plot(self, ax: Axes | None = None, output: str | None = None) -> Axes:
+    def plot(
+        self,
+        ax: Axes | None = None,
+        output: str | None = None,
+        measure: str | None = None,
+        target: float | None = None,
+    ) -> Axes:
         """Draw peak to peak of an output, m, over the number that is varied, with those that part from it.
 
         Stable stretches are solid, others dashed; special points have marks.
@@ -183,12 +203,15 @@ class FollowedBranch(Tabular, Drawn):
         Args:
             ax: Where to draw; new axes if not given.
             output: Name of the output; the first one if not given.
+            measure: Key of a measure that is drawn in its place; see ``trimmer.motion.chosen``.
+            target: Its target, SI units.
 
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
             MechanismError: if the mechanism has no such output, or none at all.
+            ChoiceError: if there is no such measure.
         """
-        return drawn(self, ax, output=output)
+        return drawn(self, ax, output=output, measure=measure, target=target)
 
     def _told(self) -> str:
         others = len(list(self.all())) - 1
@@ -227,6 +250,12 @@ class FollowedBranch(Tabular, Drawn):
     def success(self) -> bool:
         """Whether it was followed to an end of the interval, around, or to one that it joins."""
         return self.reason.is_success
+
+
+def _measure(map: DrivenMap, passage: DrivenPassage, key: str) -> float:
+    flow, course = passage.flow.travelling(passage.course)
+    count = 1 if isinstance(map, SelfExcitedMap) else map.periods
+    return chosen_measure(flow, key).of(Measures(course, flow, count, count))
 
 
 def _outputs(passage: DrivenPassage) -> Mapping[str, OutputMeasure]:

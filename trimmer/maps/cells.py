@@ -13,7 +13,7 @@ from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.maps.inputs import Settings, varied
-from trimmer.maps.measures import Measures, of_lines, of_orbit, of_window
+from trimmer.maps.measures import Measures, chosen, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.waves import reach_of
@@ -121,10 +121,11 @@ class CellWork:
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
             return CellResult(cell.number, (_failed(error),))
         motions: list[CellMotion] = []
+        keys = self.settings.measures
         for states in cell.orbits:
-            _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings)))
+            _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings), keys))
         for start in starts:
-            _add(motions, _motion(flow, partial(_settled, flow, start, self.settings)))
+            _add(motions, _motion(flow, partial(_settled, flow, start, self.settings), keys))
         return CellResult(cell.number, tuple(motions))
 
 
@@ -175,11 +176,24 @@ def start_scales(flow: Flow) -> Reals:
     return scales
 
 
-def _motion(flow: Flow, found: Callable[[], Settled]) -> CellMotion:
+def _motion(flow: Flow, found: Callable[[], Settled], keys: tuple[str, ...]) -> CellMotion:
     try:
-        return _described(flow, found())
+        settled = found()
+        motion = _described(flow, settled)
+        return motion if not keys or motion.measures is None else _measured(flow, settled, motion, keys)
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
         return _failed(error)
+
+
+def _measured(flow: Flow, settled: Settled, motion: CellMotion, keys: tuple[str, ...]) -> CellMotion:
+    """Return a motion with further measures, over its period or over ``WINDOW`` drive periods."""
+    assert motion.measures is not None
+    orbit = settled.orbit
+    if orbit is not None:
+        found = chosen(flow, orbit.course, orbit.periods, orbit.periods, keys)
+    else:
+        found = chosen(*flow.travelling(flow.course(settled.end, WINDOW)), 1, WINDOW, keys)
+    return replace(motion, measures=replace(motion.measures, chosen=found))
 
 
 def _described(flow: Flow, settled: Settled) -> CellMotion:

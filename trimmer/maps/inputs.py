@@ -33,11 +33,13 @@ class Settings:
         most_periods: Drive periods to wait at most.
         starts: Starts of each cell: rest, or the mechanism's own start, and then random ones.
         seed: Seed of the random starts; each cell has its own numbers.
+        measures: Keys of measures beside those that all maps have; see ``trimmer.motion.chosen``.
     """
 
     most_periods: int = 300
     starts: int = 1
     seed: int = 0
+    measures: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class MapInputs:
             "mechanism": described(self.subject),
             "places": list(self.places),
             "values": [list(values) for values in self.values],
-            "settings": asdict(self.settings),
+            "settings": {**asdict(self.settings), "measures": list(self.settings.measures)},
         }
         digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
         return {"trimmer map": FORMAT, "program": __version__, **content, "inputs": digest}

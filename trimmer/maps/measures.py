@@ -6,7 +6,8 @@ and these take a fraction of the time.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +18,7 @@ from trimmer.contact.statuses import STICK
 from trimmer.hybrid.system import NOTHING
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion import measures as exact
+from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.extremes import extremes
 from trimmer.motion.signals import Steady
 
@@ -42,6 +44,7 @@ class Measures:
         events: Per drive period, of all kinds.
         impacts: Contacts made per drive period.
         impact_speed: Largest speed at which the sides of a contact meet, m/s; 0 without impacts.
+        chosen: Those that were asked for, by their keys, SI units.
     """
 
     peak_to_peak: dict[str, float]
@@ -50,6 +53,15 @@ class Measures:
     events: float
     impacts: float
     impact_speed: float
+    chosen: dict[str, float] = field(default_factory=dict)
+
+
+def chosen(
+    flow: Flow, course: Course, period_count: int, periods: int, keys: Sequence[str]
+) -> dict[str, float]:
+    """Return measures of a motion by their keys, exact to rounding; arguments as of ``motion.Measures``."""
+    found = exact.Measures(course, flow, period_count, periods)
+    return {key: chosen_measure(flow, key).of(found) for key in keys}
 
 
 def of_orbit(flow: Flow, course: Course, period_count: int) -> Measures:

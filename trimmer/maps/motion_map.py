@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,9 @@ from trimmer.maps import checkpoint
 from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.result import MotionMap
+from trimmer.motion.chosen import chosen_measure
 from trimmer.progress import progress_bar
+from trimmer.response.flows import flow_of
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner, SerialRunner
 
@@ -37,6 +39,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     most_periods: int = 300,
     starts: int = 1,
     seed: int = 0,
+    measures: Iterable[str] = (),
     runner: Runner | None = None,
     file: Path | str | None = None,
     resume: bool = False,
@@ -55,6 +58,8 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
         most_periods: Drive periods to wait at most in each cell.
         starts: Starts of each cell; those after the first are random.
         seed: Seed of the random starts; each cell has its own numbers.
+        measures: Keys of further measures, such as ``contacts.bridge.impact_speed``: those of the JSON of
+            ``trimmer respond``; see ``trimmer.motion.chosen``.
         runner: Who does the work; by default processes on all cores, for a few cells this one.
         file: Where each cell is kept as soon as it is done; see ``trimmer.maps.checkpoint``.
         resume: Go on with that file.
@@ -67,6 +72,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     Raises:
         MechanismError: if there is no such place, or a value cannot stand there with any of the others.
         MapError: if there is not one place or two, or no value, or no drive.
+        ChoiceError: if there is no such measure.
         MapFileError: if the file cannot be gone on with.
         FileWriteError: if the file cannot be written.
         MapInterruptedError: after an interrupt.
@@ -75,8 +81,11 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
         whole_number("most_periods", most_periods, 2),
         whole_number("starts", starts, 1),
         whole_number("seed", seed, 0),
+        tuple(measures),
     )
     inputs = checked_inputs(mechanism, values, settings)
+    for key in settings.measures:
+        chosen_measure(flow_of(mechanism), key)
     target = None if file is None else file_path("file", file)
     if target is None and (resume or overwrite):
         raise MapError(f"{'resume' if resume else 'overwrite'} is of a file: name it")

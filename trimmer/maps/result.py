@@ -13,6 +13,7 @@ import numpy as np
 from trimmer.errors import MapError
 from trimmer.maps.cells import described, waited_for
 from trimmer.mechanism.place_text import parse_place, unit_of
+from trimmer.motion.chosen import chosen_measure
 from trimmer.response.flows import called, flow_of
 from trimmer.response.response import MotionKind
 from trimmer.showing.drawn import Drawn, drawn
@@ -164,6 +165,16 @@ class MotionMap(Tabular, Drawn):
         """Largest speed at which the sides of a contact meet, m/s, or in 1/s, (n2, n1)."""
         return self._measure("impact_speed")
 
+    @cached_property
+    def chosen(self) -> Mapping[str, Reals]:
+        """Measures that were asked for, by their keys, SI units, (n2, n1)."""
+        return {key: self._measure("chosen", key) for key in self.inputs.settings.measures}
+
+    @property
+    def chosen_units(self) -> Mapping[str, str]:
+        """Their units, empty for a number."""
+        return {key: chosen_measure(self._flow, key).unit for key in self.inputs.settings.measures}
+
     @property
     def failures(self) -> Mapping[tuple[int, int], str]:
         """Why motions ended before their time, by row and column."""
@@ -206,18 +217,28 @@ class MotionMap(Tabular, Drawn):
         known = self.inputs.subject.places
         return tuple(unit_of(known, place) for place in self.places)
 
-    def plot(self, ax: Axes | None = None, curves: Iterable[tuple[str, ArrayLike]] = ()) -> Axes:
+    def plot(
+        self,
+        ax: Axes | None = None,
+        curves: Iterable[tuple[str, ArrayLike]] = (),
+        measure: str | None = None,
+        target: float | None = None,
+    ) -> Axes:
         """Draw the kinds of motion as areas; a map over one place as its stroke, in the same colours.
+
+        With a measure, one of ``chosen``, it is drawn in their place, with a contour at the target.
 
         Args:
             ax: Where to draw; new axes if not given.
+            measure: Key of a measure.
+            target: Its target, SI units.
             curves: Curves over it with what they are, such as ``SpecialCurves.drawn``: values of the two
                 places, SI units, (points, 2). Curves of one name share a line of the legend.
 
         Raises:
             WrongTypeError: if ``ax`` is no Matplotlib axes.
         """
-        return drawn(self, ax, curves=curves)
+        return drawn(self, ax, curves=curves, measure=measure, target=target)
 
     def _told(self) -> str:
         found = ", ".join(f"{count} {name}" for name, count in self.counts.items())
@@ -259,6 +280,8 @@ def _cells(result: MotionMap) -> Iterator[Column]:
     ):
         for part, values in by_name.items():
             yield Column(f"{section}.{part}.{measure}", unit_of_part(part), np.ravel(values).__getitem__)
+    for key, values in result.chosen.items():
+        yield Column(f"measures.{key}", result.chosen_units[key], np.ravel(values).__getitem__)
 
 
 def _searched(result: MotionMap) -> str:

@@ -175,6 +175,7 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "FollowedBranch, of its own": lambda ax=None: rubbing().plot(ax),
     "MotionMap": lambda ax=None: results.motion_map().plot(ax),
     "MotionMap, stroke": lambda ax=None: stroke().plot(ax),
+    "Sweep": lambda ax=None: results.swept().plot(ax),
     "Basin": lambda ax=None: results.basin().plot(ax),
     "Samples": lambda ax=None: samples().plot(ax),
     "SpecialCurves": lambda ax=None: results.curves().plot(ax),

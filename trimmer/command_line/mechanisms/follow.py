@@ -12,6 +12,7 @@ from trimmer.command_line.file_options import (
     check_targets,
     show,
 )
+from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, refuse_unused, tell
@@ -77,6 +78,7 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="N",
         help="run multi-harmonic balance beside it with so many harmonics, and say how far off it is",
     )
+    add_measure_option(parser)
     add_json_option(parser)
     add_plot_option(parser, "the branch")
     add_overwrite_option(parser)
@@ -96,10 +98,11 @@ def _run(arguments: Namespace) -> int:
     if system.frequency is None:
         drive = "--drive" if of_loop else "a frequency in the file"
         refuse_unused(arguments, ["periods", "harmonics", "wait"], drive)
+    measures = chosen_measures(system, arguments.measure)
     with patience():
         branch = _branch(arguments, system)
-    _draw(arguments, branch)
-    text = (as_json if arguments.json else as_text)(branch, arguments.harmonics)
+    _draw(arguments, branch, measures)
+    text = (as_json if arguments.json else as_text)(branch, arguments.harmonics, tuple(measures))
     show(text, arguments.plot)
     if branch.success:
         return 0
@@ -126,13 +129,14 @@ def _branch(arguments: Namespace, system: Mechanism | TrimmerLoop) -> FollowedBr
         raise OptionError(str(error)) from error
 
 
-def _draw(arguments: Namespace, branch: FollowedBranch) -> None:
+def _draw(arguments: Namespace, branch: FollowedBranch, measures: Targets) -> None:
     if arguments.plot is not None and not branch.points:
         tell(f"{arguments.plot} was not written, because there is no motion on the branch")
     elif arguments.plot is not None:
         from trimmer.drawing.mechanisms.branch import branch_figure
 
-        write_picture(arguments, branch_figure(branch))
+        measure, target = next(iter(measures.items()), (None, None))
+        write_picture(arguments, branch_figure(branch, measure, target))
 
 
 COMMAND = Command(

@@ -3,48 +3,53 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document, pair
 from trimmer.command_line.table import table
+from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.units import with_unit
+from trimmer.response.flows import flow_of
 
 if TYPE_CHECKING:
     from trimmer.branches.followed import FollowedBranch, FollowedOrbit
     from trimmer.branches.special import SpecialPoint
 
 
-def as_text(branch: FollowedBranch, harmonics: int | None) -> str:
+def as_text(branch: FollowedBranch, harmonics: int | None, measures: Sequence[str] = ()) -> str:
     """Return a branch and those that part from it: stretches by stability, special points, how it ends.
 
     Args:
         branch: The branch.
         harmonics: Harmonics of the multi-harmonic balance beside it; None for none.
+        measures: Keys of further measures.
     """
-    return "\n".join(_lines(branch, harmonics, ""))
+    return "\n".join(_lines(branch, harmonics, measures, ""))
 
 
-def as_json(branch: FollowedBranch, harmonics: int | None) -> str:
+def as_json(branch: FollowedBranch, harmonics: int | None, measures: Sequence[str] = ()) -> str:
     """Return a branch as JSON; arguments are those of ``as_text``."""
-    return document(branch_json(branch, harmonics))
+    return document(branch_json(branch, harmonics, measures))
 
 
-def _lines(branch: FollowedBranch, harmonics: int | None, indent: str) -> list[str]:
+def _lines(branch: FollowedBranch, harmonics: int | None, measures: Sequence[str], indent: str) -> list[str]:
     begun = "Periodic motions" if branch.parted is None else f"From {branch.parted.kind.word} at"
     at = "" if branch.parted is None else f" {branch.parted.value:.10g}"
     unit = f" ({branch.unit})" if branch.unit else ""
     lines = [f"{begun}{at} over {branch.map.place}{unit}: {_many(branch)}"]
-    lines += table(("from", "to", "orbits", "stable", *_heads(branch)), _stretches(branch))
+    heads = ("from", "to", "orbits", "stable", *_heads(branch), *_units(branch, measures))
+    lines += table(heads, _stretches(branch, measures))
     if branch.special:
-        heads = ("special", "value", "parts and what happens")
-        lines += ["Special points, in their order:", *table(heads, [_row(each) for each in branch.special])]
+        special = ("special", "value", "parts and what happens")
+        lines += ["Special points, in their order:", *table(special, [_row(each) for each in branch.special])]
     if harmonics is not None:
         lines.append(_balance(branch, harmonics))
     if branch.points:
         lines.append(f"Searched: {branch.searched}")
     lines = [indent + line for line in [*lines, f"End: {branch.message}"]]
     for other in branch.branches:
-        lines += _lines(other, harmonics, indent + "    ")
+        lines += _lines(other, harmonics, measures, indent + "    ")
     return lines
 
 
@@ -66,7 +71,12 @@ def _heads(branch: FollowedBranch) -> list[str]:
     ]
 
 
-def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
+def _units(branch: FollowedBranch, measures: Sequence[str]) -> list[str]:
+    flow = flow_of(branch.map.subject)
+    return [with_unit(key, chosen_measure(flow, key).unit) for key in measures]
+
+
+def _stretches(branch: FollowedBranch, measures: Sequence[str]) -> list[tuple[str, ...]]:
     """Return the stretches on which stability does not change, their orbits, and the ranges of measures."""
     rows = []
     for stable, group in itertools.groupby(branch.points, key=lambda point: point.stable):
@@ -74,6 +84,7 @@ def _stretches(branch: FollowedBranch) -> list[tuple[str, ...]]:
         columns = [[point.period for point in points]] if branch.map.subject.frequency is None else []
         for name in branch.units:
             columns.append([point.outputs[name].peak_to_peak for point in points])
+        columns += [[point.measure(key) for point in points] for key in measures]
         ranges = [f"{min(values):.6g} to {max(values):.6g}" for values in columns]
         ends = (f"{points[0].value:.8g}", f"{points[-1].value:.8g}")
         rows.append((*ends, str(len(points)), "yes" if stable else "no", *ranges))
@@ -95,7 +106,9 @@ def _balance(branch: FollowedBranch, harmonics: int) -> str:
     )
 
 
-def branch_json(branch: FollowedBranch, harmonics: int | None = None) -> dict[str, object]:
+def branch_json(
+    branch: FollowedBranch, harmonics: int | None = None, measures: Sequence[str] = ()
+) -> dict[str, object]:
     """Return a branch as data for JSON; arguments are those of ``as_text``."""
     return {
         "place": branch.map.place,
@@ -106,9 +119,9 @@ def branch_json(branch: FollowedBranch, harmonics: int | None = None) -> dict[st
         "message": branch.message,
         "searched": branch.searched,
         "parted": None if branch.parted is None else _special(branch.parted),
-        "points": [_point(point, harmonics) for point in branch.points],
+        "points": [_point(point, harmonics, measures) for point in branch.points],
         "special": [_special(each) for each in branch.special],
-        "branches": [branch_json(other, harmonics) for other in branch.branches],
+        "branches": [branch_json(other, harmonics, measures) for other in branch.branches],
     }
 
 
@@ -121,7 +134,7 @@ def _special(special: SpecialPoint) -> dict[str, object]:
     }
 
 
-def _point(point: FollowedOrbit, harmonics: int | None) -> dict[str, object]:
+def _point(point: FollowedOrbit, harmonics: int | None, measures: Sequence[str]) -> dict[str, object]:
     balance = None if harmonics is None else point.balanced(harmonics)
     return {
         "value": point.value,
@@ -137,6 +150,7 @@ def _point(point: FollowedOrbit, harmonics: int | None) -> dict[str, object]:
             }
             for name, measure in point.outputs.items()
         },
+        "measures": {key: point.measure(key) for key in measures},
         "balance": None
         if balance is None
         else {"distance": balance.distance, "converged": balance.converged},

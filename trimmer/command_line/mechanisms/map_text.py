@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,8 @@ import numpy as np
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
+from trimmer.maps.cells import described
+from trimmer.motion.units import with_unit
 from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
@@ -18,10 +21,26 @@ if TYPE_CHECKING:
 
 _MOST_FAILURES = 5
 """Failures that the text lists; the JSON has all."""
+_MOST_ROWS = 200
+"""Values of the only number up to which there is a table over it."""
 
 
-def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = None) -> str:
-    """Return what is where in how many cells, the ranges of the measures, and what was searched."""
+def as_text(
+    result: MotionMap,
+    searched: str,
+    special: SpecialCurves | None,
+    targets: Mapping[str, float | None],
+) -> str:
+    """Return what is where in how many cells, the ranges of the measures, and what was searched.
+
+    A map over one number has a table over it too.
+
+    Args:
+        result: The map.
+        searched: What was looked for.
+        special: Curves over it.
+        targets: Of measures that were asked for, by their keys.
+    """
     subject, cells = result.inputs.subject, len(result.cells)
     lines = [f"{subject.title or 'Mechanism'}: what it settles to over"]
     for place, values, unit in zip(result.places, result.values, result.units, strict=True):
@@ -30,6 +49,13 @@ def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = No
     rows = [(name, str(count), f"{count / cells:.1%}") for name, count in result.counts.items()]
     lines += table(("motion", "cells", "share"), rows)
     lines += table(("measure", "smallest", "median", "largest", "unit"), _ranges(result))
+    if len(result.places) == 1 and cells <= _MOST_ROWS:
+        lines += _over_the_number(result)
+    for key, target in targets.items():
+        if target is not None:
+            below = int((result.chosen[key] <= target).sum())
+            value = f"{target:g} {result.chosen_units[key]}".rstrip()
+            lines.append(f"{key} is at most {value} in {below} of {counted(cells, 'cell')}")
     several = int((result.motion_count > 1).sum())
     if several:
         lines.append(f"several motions coexist in {counted(several, 'cell')}")
@@ -43,6 +69,29 @@ def as_text(result: MotionMap, searched: str, special: SpecialCurves | None = No
         lines.append(f"{result.passing}; --periods waits longer")
     lines.append(f"searched: {searched}")
     return "\n".join([*lines, *([] if special is None else _curves(special))])
+
+
+def _over_the_number(result: MotionMap) -> list[str]:
+    """Return the table over the only number: motion, strokes, impacts, and what was asked for."""
+    measures = [
+        *(
+            (f"{name}, peak to peak", each, result.outputs[name])
+            for name, each in result.peak_to_peak.items()
+        ),
+        ("impacts", result.impacts, ""),
+        ("impact speed", result.impact_speed, result.measured_in.speed),
+        *((key, each, result.chosen_units[key]) for key, each in result.chosen.items()),
+    ]
+    heads = (result.places[0], "motion", *(with_unit(name, unit) for name, _, unit in measures))
+    rows = [
+        (
+            f"{value:.6g}",
+            described(cell.motions[0]),
+            *(f"{values[0, place]:.6g}" for _, values, _ in measures),
+        )
+        for place, (value, cell) in enumerate(zip(result.values[0], result.cells, strict=True))
+    ]
+    return table(heads, rows)
 
 
 def _curves(special: SpecialCurves) -> list[str]:
@@ -74,6 +123,7 @@ def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
             for name, each in result.rms_acceleration.items()
         ),
         *((f"{name}, wear power", each, power) for name, each in result.wear_power.items()),
+        *((key, each, result.chosen_units[key]) for key, each in result.chosen.items()),
     ]
     return [_range(name, values, unit) for name, values, unit in measures if np.isfinite(values).any()]
 
@@ -102,6 +152,10 @@ def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = No
         "outputs": {name: {"peak_to_peak": _rows(each)} for name, each in result.peak_to_peak.items()},
         "bodies": {name: {"rms_acceleration": _rows(each)} for name, each in result.rms_acceleration.items()},
         "frictions": {name: {"wear_power": _rows(each)} for name, each in result.wear_power.items()},
+        "measures": {
+            key: {"unit": result.chosen_units[key], "values": _rows(each)}
+            for key, each in result.chosen.items()
+        },
         "failures": [
             {"row": row, "column": column, "message": message}
             for (row, column), message in result.failures.items()

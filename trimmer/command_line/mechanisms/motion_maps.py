@@ -16,6 +16,7 @@ from trimmer.command_line.file_options import (
 )
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
+from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
@@ -48,6 +49,7 @@ def _configure(parser: ArgumentParser) -> None:
         help=f"vary a number from A to B in N values, as in {EXAMPLE}; once for a line, twice for a map",
     )
     _add_search_options(parser)
+    add_measure_option(parser)
     add_json_option(parser)
     add_plot_option(parser, "the map")
     parser.add_argument(
@@ -101,17 +103,18 @@ def _run(arguments: Namespace) -> int:
     if arguments.file is None and system.frequency is None:
         raise OptionError("a map is of driven motions: give the loop a drive (--drive HZ --amplitude M)")
     values = varied_values(system, arguments.vary)
+    measures = chosen_measures(system, arguments.measure)
     if arguments.special is not None:
         for place in values:
             require_continuous(place)
     try:
-        result, searched = _map(arguments, system, values)
+        result, searched = _map(arguments, system, values, list(measures))
         special = _special(arguments, result)
     except MapInterruptedError as interrupt:
         tell(str(interrupt))
         return INTERRUPTED
-    _draw(arguments, result, special)
-    show(_told(arguments, result, searched, special), arguments.plot, arguments.output)
+    _draw(arguments, result, special, measures)
+    show(_told(arguments, result, searched, special, measures), arguments.plot, arguments.output)
     return 0
 
 
@@ -134,7 +137,10 @@ def _check(arguments: Namespace) -> None:
 
 
 def _map(
-    arguments: Namespace, system: Mechanism | TrimmerLoop, values: dict[str, list[float]]
+    arguments: Namespace,
+    system: Mechanism | TrimmerLoop,
+    values: dict[str, list[float]],
+    measures: list[str],
 ) -> tuple[MotionMap, str]:
     """Return the map, and what was searched, in a sentence."""
     from trimmer.maps.coexistence import coexisting_motions
@@ -147,6 +153,7 @@ def _map(
         most_periods=arguments.periods,
         starts=arguments.starts,
         seed=arguments.seed,
+        measures=measures,
         runner=runner,
         file=arguments.output,
         resume=arguments.resume,
@@ -183,22 +190,26 @@ def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
         raise MapInterruptedError(f"interrupted while special points were followed; the map {kept}") from None
 
 
-def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None) -> None:
+def _draw(arguments: Namespace, result: MotionMap, special: SpecialCurves | None, measures: Targets) -> None:
     if arguments.plot is not None:
         from trimmer.drawing.content import figure_of
 
         curves = () if special is None else special.drawn
-        drawn = figure_of(partial(result.plot, curves=curves), result.inputs.subject.title)
+        measure, target = next(iter(measures.items()), (None, None))
+        plot = partial(result.plot, curves=curves, measure=measure, target=target)
+        drawn = figure_of(plot, result.inputs.subject.title)
         write_picture(arguments, drawn)
 
 
-def _told(arguments: Namespace, result: MotionMap, searched: str, special: SpecialCurves | None) -> str:
+def _told(
+    arguments: Namespace, result: MotionMap, searched: str, special: SpecialCurves | None, measures: Targets
+) -> str:
     from trimmer.command_line.mechanisms.map_text import as_json, as_text
 
     if arguments.json:
         return as_json(result, searched, special)
     written = [path for path in (arguments.output, arguments.plot) if path is not None]
-    return "\n".join([as_text(result, searched, special), *(f"wrote {path}" for path in written)])
+    return "\n".join([as_text(result, searched, special, measures), *(f"wrote {path}" for path in written)])
 
 
 _OVER_TWO = (

@@ -6,19 +6,22 @@ A colour stands for a number of drive periods, so that an asymmetric branch has 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.special import SpecialKind
+from trimmer.branches.followed import FollowedBranch, FollowedOrbit
+from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.drawing.axes import finish
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
-from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
+from trimmer.drawing.look import BLACK, FAINT, STABLE, UNSTABLE, colour
 from trimmer.errors import MechanismError
 from trimmer.mechanism.place_text import unit_of
 from trimmer.messages import listed
+from trimmer.motion.chosen import chosen_measure
+from trimmer.response.flows import flow_of
 
 WIDTH, HEIGHT = 7.2, 3.4
 MARKERS = {
@@ -31,8 +34,12 @@ MARKERS = {
 }
 
 
-def branch_figure(branch: FollowedBranch) -> Figure:
-    """Draw a branch that has points and those that part from it, one panel per output."""
+def branch_figure(branch: FollowedBranch, measure: str | None = None, target: float | None = None) -> Figure:
+    """Draw a branch that has points and those that part from it, one panel per output, or a measure."""
+    if measure is not None:
+        figure = new_figure(WIDTH, HEIGHT)
+        draw_branch(branch, figure.add_subplot(), None, measure, target)
+        return figure
     names = _outputs(branch)
     figure = new_figure(WIDTH, HEIGHT * len(names))
     for name, axes in zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True):
@@ -41,17 +48,46 @@ def branch_figure(branch: FollowedBranch) -> Figure:
 
 
 @draw.register(FollowedBranch)
-def draw_branch(branch: FollowedBranch, axes: Axes, output: str | None = None) -> None:
-    """Draw peak to peak of an output over the number that is varied."""
-    name = _chosen(branch, output)
+def draw_branch(
+    branch: FollowedBranch,
+    axes: Axes,
+    output: str | None = None,
+    measure: str | None = None,
+    target: float | None = None,
+) -> None:
+    """Draw peak to peak of an output, or a measure, over the number that is varied."""
+    if measure is None:
+        name = _chosen(branch, output)
+        up, of, at = (f"{name}, peak to peak", branch.units[name]), _stroke(name), _stroke_at(name)
+    else:
+        chosen = chosen_measure(flow_of(branch.map.subject), measure)
+        up, of, at = (chosen.key, chosen.unit), _measured(measure), _measured_at(measure)
     shown = [each for each in branch.all() if each.points]
     periods = sorted({each.periods for each in shown})
     for each in shown:
-        _draw_line(axes, each, name, colour(periods.index(each.periods)))
-        _draw_special(axes, each, name)
+        _draw_line(axes, each, of, colour(periods.index(each.periods)))
+        _draw_special(axes, each, at)
+    if target is not None:
+        axes.axhline(target, label="target", **FAINT)
     place = branch.map.place
     across = place, unit_of(branch.map.subject.places, place)
-    finish(axes, across, (f"{name}, peak to peak", branch.units[name]))
+    finish(axes, across, up)
+
+
+def _stroke(name: str) -> Callable[[FollowedOrbit], float]:
+    return lambda point: point.outputs[name].peak_to_peak
+
+
+def _stroke_at(name: str) -> Callable[[FollowedBranch, SpecialPoint], float]:
+    return lambda branch, special: branch.outputs_at(special)[name].peak_to_peak
+
+
+def _measured(key: str) -> Callable[[FollowedOrbit], float]:
+    return lambda point: point.measure(key)
+
+
+def _measured_at(key: str) -> Callable[[FollowedBranch, SpecialPoint], float]:
+    return lambda branch, special: branch.measure_at(special, key)
 
 
 def _outputs(branch: FollowedBranch) -> list[str]:
@@ -68,10 +104,10 @@ def _chosen(branch: FollowedBranch, output: str | None) -> str:
     return names[0] if output is None else output
 
 
-def _draw_line(axes: Axes, branch: FollowedBranch, name: str, look: str) -> None:
+def _draw_line(axes: Axes, branch: FollowedBranch, of: Callable[[FollowedOrbit], float], look: str) -> None:
     """Draw stable stretches solid, unstable ones dashed."""
     values = [point.value for point in branch.points]
-    strokes = [point.outputs[name].peak_to_peak for point in branch.points]
+    strokes = [of(point) for point in branch.points]
     for stable, group in itertools.groupby(range(len(values)), key=lambda at: branch.points[at].stable):
         places = list(group)
         part = slice(max(places[0] - 1, 0), places[-1] + 1)
@@ -92,12 +128,13 @@ def _period(branch: FollowedBranch) -> str:
     return f"period {branch.periods}"
 
 
-def _draw_special(axes: Axes, branch: FollowedBranch, name: str) -> None:
+def _draw_special(
+    axes: Axes, branch: FollowedBranch, at: Callable[[FollowedBranch, SpecialPoint], float]
+) -> None:
     for special in branch.special:
-        measures = branch.outputs_at(special)
         axes.plot(
             special.value,
-            measures[name].peak_to_peak,
+            at(branch, special),
             MARKERS[special.kind],
             color=BLACK,
             fillstyle="none",

@@ -12,14 +12,16 @@ from numpy.typing import ArrayLike
 
 from trimmer.arrays import Integers
 from trimmer.drawing.axes import add_legend
-from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.cells import draw_cells, edges
 from trimmer.drawing.dispatch import draw
+from trimmer.drawing.look import BLACK, FAINT
 from trimmer.drawing.mechanisms.curves import add_curves
 from trimmer.drawing.mechanisms.kinds import Category, categories, category, legend_of
 from trimmer.drawing.units import name_axis
 from trimmer.errors import MapError
 from trimmer.maps.basin import Basin
 from trimmer.maps.result import MotionMap
+from trimmer.motion.units import with_unit
 from trimmer.response.response import MotionKind
 
 BASIN_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
@@ -28,15 +30,27 @@ BASIN_HATCHES = ("", "", "//", "..", "\\\\", "xx", "")
 
 
 @draw.register(MotionMap)
-def draw_map(result: MotionMap, axes: Axes, curves: Iterable[tuple[str, ArrayLike]] = ()) -> None:
-    """Draw the kinds of motion of a map."""
+def draw_map(
+    result: MotionMap,
+    axes: Axes,
+    curves: Iterable[tuple[str, ArrayLike]] = (),
+    measure: str | None = None,
+    target: float | None = None,
+) -> None:
+    """Draw the kinds of motion of a map, or a measure."""
+    if measure is not None and len(result.places) > 1:
+        _draw_measure(axes, result, measure, target)
+        add_legend(axes, add_curves(axes, curves, hold=True))
+        return
     motions = [cell.motions[0] for cell in result.cells]
     found = {category(motion) for motion in motions}
     legend = [each for each in categories() if each in found]
     numbers = np.array([legend.index(category(motion)) for motion in motions]).reshape(result.shape)
     lines: list[Line2D] = []
     if len(result.places) == 1:
-        _draw_line(axes, result, numbers[0], legend)
+        _draw_line(axes, result, numbers[0], legend, measure)
+        if target is not None:
+            axes.axhline(target, **FAINT)
     else:
         draw_areas(axes, result, numbers, legend)
         lines = add_curves(axes, curves, hold=True)
@@ -53,12 +67,33 @@ def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequenc
         name_axis(axis, place, unit)
 
 
-def _draw_line(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
+def _draw_measure(axes: Axes, result: MotionMap, measure: str, target: float | None) -> None:
+    """Draw a measure over both places in colours, blank where there is none, and a contour at its target."""
+    columns, rows = (np.argsort(values) for values in result.values)
+    first, second = result.values[0][columns], result.values[1][rows]
+    values = result.chosen[measure][np.ix_(rows, columns)]
+    mesh = axes.pcolormesh(edges(first), edges(second), values, cmap="viridis", rasterized=True)
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    figure.colorbar(mesh, ax=axes, label=with_unit(measure, result.chosen_units[measure]))
+    inside = target is not None and np.nanmin(values) < target < np.nanmax(values)
+    if inside and min(values.shape) > 1:
+        axes.contour(first, second, values, levels=[target], colors=BLACK, linewidths=1.2)
+    for axis, place, unit in zip((axes.xaxis, axes.yaxis), result.places, result.units, strict=True):
+        name_axis(axis, place, unit)
+
+
+def _draw_line(
+    axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category], measure: str | None
+) -> None:
     outputs = result.outputs
     heights = (result.stroke if outputs else result.impacts)[0]
+    heights = heights if measure is None else result.chosen[measure][0]
     colours = [legend[number].colour for number in numbers]
     axes.scatter(result.values[0], heights, c=colours, edgecolors="0.4", linewidths=0.4, s=14)
-    if outputs:
+    if measure is not None:
+        name_axis(axes.yaxis, measure, result.chosen_units[measure])
+    elif outputs:
         name, unit = next(iter(outputs.items()))
         name_axis(axes.yaxis, f"{name}, peak to peak", unit)
     else:
