@@ -50,6 +50,7 @@ def question_words(question: Question, design: Design) -> Markdown:
 STAGES = {
     Stage.MOTIONS: "all starts",
     Stage.RANGES: "all points of the ranges",
+    Stage.AROUND: "neighbouring speeds and numbers that scatter",
     Stage.SENSITIVITIES: "the influence of every number",
     Stage.REMEDIES: "all changes that might meet the targets",
     Stage.NEIGHBOURS: "the search for other motions around",
@@ -79,6 +80,17 @@ def left_out(design: Design, *names: str) -> str:
         return ""
     what = listed(dict.fromkeys(STAGES[stage] for stage, _ in cut))
     return f"There was no time left for {what}{f' ({listed(over)})' if over else ''}: see the verdict."
+
+
+def helpless_words(design: Design) -> str:
+    """Say which numbers were tried and help against no target that is missed; empty if all do against one."""
+    assert design.remedies is not None
+    mends = design.remedies.mends
+    of_none = [each for each in design.remedies.tried if all(each in mend.helpless for mend in mends)]
+    if not of_none or not mends:
+        return ""
+    which = "the target" if len(mends) == 1 else "any of the targets that are missed"
+    return f"By itself no value that was tried of the {places_listed(of_none)} meets {which}."
 
 
 def inventory(design: Design) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from report.design.origin import Origin
 from report.design.pictures import important
@@ -12,6 +13,8 @@ from report.design.words import (
     SPECIAL,
     bound_words,
     capital,
+    change_words,
+    changes_words,
     count,
     kind_words,
     measure_value,
@@ -22,9 +25,12 @@ from report.pages.escaping import Markdown, code, inline_mathematics
 from trimmer.design.design import Design
 from trimmer.design.linear import LinearState
 from trimmer.design.paths import NumberPath, PathSide
+from trimmer.design.remedies import Remedy
 from trimmer.design.spectrum import LineKind, OutputLine, OutputSpectrum
+from trimmer.design.surroundings import SPEEDS, Beside
 from trimmer.design.targets import Measure
 from trimmer.design.trial import all_measures
+from trimmer.messages import listed
 
 Rows = list[list[str]]
 DASH = "—"
@@ -39,35 +45,65 @@ def _value(number: float, unit: str = "", digits: int = 3) -> str:
 
 
 def target_rows(design: Design) -> Rows:
-    """Return each target with what was found."""
-    head = ["Target", "Wanted", "Found", "Margin", "Verdict"]
-    return [head] + [
-        [
-            capital(measure_words(each.target.measure, each.target.part)),
-            bound_words(each.target),
-            measure_value(each.target.measure, each.value),
-            DASH if without_margin(each.target) else percent(each.margin),
-            "met" if each.met else Markdown("**missed**"),
-        ]
-        for each in design.verdict.judged
-    ]
+    """Return each target with what was found, and the worst beside it."""
+    around = design.around
+    kinds = [each for each in (Beside.SPEED, Beside.SCATTER) if around is not None and around.beside(each)]
+    heads = {
+        Beside.SPEED: f"At ±{percent(max(SPEEDS))} speed",
+        Beside.SCATTER: "As numbers scatter",
+    }
+    rows = [["Target", "Wanted", "Found", "Margin", *(heads[each] for each in kinds), "Verdict"]]
+    for each in design.verdict.judged:
+        target = each.target
+        worst = [around.worst(target, kind) if around is not None else None for kind in kinds]
+        rows.append(
+            [
+                capital(measure_words(target.measure, target.part)),
+                bound_words(target),
+                measure_value(target.measure, each.value),
+                DASH if without_margin(target) else percent(each.margin),
+                *(DASH if one is None else measure_value(target.measure, one[1]) for one in worst),
+                Markdown("**missed**")
+                if not each.met
+                else "missed beside it"
+                if target in design.verdict.beside
+                else "met",
+            ]
+        )
+    return rows
 
 
-def remedy_rows(design: Design) -> Rows:
-    """Return the changes that meet all targets."""
-    remedies = design.remedies.found if design.remedies else ()
-    starts = design.remedies.starts if design.remedies else 0
-    head = ["Number", "Now", "Then", "Change", "Starts that meet them"]
+def remedy_rows(remedies: Iterable[Remedy], starts: int) -> Rows:
+    """Return changes with the margins that are left."""
+    head = ["Change", "Margin", "Beside it", "Starts"]
     return [head] + [
         [
-            capital(place_words(each.place)),
-            _value(each.before, each.unit),
-            _value(each.after, each.unit),
-            f"{'+' if each.after > each.before else '−'}{percent(abs(each.after / each.before - 1))}",
-            f"all {starts}" if each.meeting == starts else f"{each.meeting} of {starts}",
+            capital(changes_words(each)),
+            _value_of_margin(each.around.margin(Beside.POINT)),
+            _value_of_margin(each.margin) if each.beside else "not computed",
+            DASH if each.meeting is None else f"{each.meeting} of {starts}",
         ]
         for each in remedies
     ]
+
+
+def _value_of_margin(margin: float) -> str:
+    return "100 % or more" if margin >= 1 else "misses by far" if margin <= -1 else percent(margin)
+
+
+def mend_rows(design: Design) -> Rows:
+    """Return what a single number does for each target that is missed."""
+    mends = design.remedies.mends if design.remedies else ()
+    rows = [["Target", "With", "Then it is", "And missed is then"]]
+    for each in mends:
+        which = capital(measure_words(each.target.measure, each.target.part))
+        if each.change is None:
+            rows.append([which, "no number that was tried", DASH, DASH])
+            continue
+        others = [measure_words(one.measure, one.part) for one in each.missed]
+        value = measure_value(each.target.measure, each.value)
+        rows.append([which, change_words(each.change), value, listed(others) if others else "none"])
+    return rows
 
 
 def number_rows(design: Design) -> Rows:

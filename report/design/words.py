@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 
-from report.design.quantities import percent, place_words, shown, written
+from report.design.quantities import percent, place_words, shown
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
 from trimmer.design.design import Design
 from trimmer.design.found_motion import FoundMotion
-from trimmer.design.remedies import Remedy
+from trimmer.design.remedies import Change, Remedy
+from trimmer.design.surroundings import SPEEDS, Around, Beside, Condition
 from trimmer.design.targets import Measure, Target
 from trimmer.design.verdict import NEAR, DesignOutcome, JudgedTarget, Sureness
 from trimmer.messages import listed
@@ -165,6 +166,10 @@ def _met(design: Design) -> Markdown:
         points = "the one point that was" if tried == 1 else f"each of the {tried} points that were"
         points += " tried over what nobody knows"
         return markdown("**{}** at {}.", all_of, points)
+    if design.verdict.beside and design.around is not None:
+        told = "; ".join(_beside(design.around, each) for each in design.verdict.beside)
+        advice = f"; {_advice(design)}" if design.remedies is not None else ""
+        return markdown("**{} in the file, but not beside it**: {}{}.", all_of, told, advice)
     near = min(
         (each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None
     )
@@ -180,6 +185,11 @@ def _met(design: Design) -> Markdown:
     )
 
 
+def _beside(around: Around, target: Target) -> str:
+    condition, value = around.worst(target, *Beside) or (Condition(Beside.POINT), math.nan)
+    return f"{condition_words(condition)} {_miss(JudgedTarget(target, value, met=False))}"
+
+
 def _margin(judged: JudgedTarget) -> float:
     return judged.margin
 
@@ -188,19 +198,9 @@ def _missed(design: Design) -> Markdown:
     missed = [each for each in design.verdict.judged if not each.met]
     told = "; ".join(_miss(each) for each in missed)
     many = "A target is missed" if len(missed) == 1 else f"{capital(count(len(missed), 'target'))} are missed"
-    remedy = design.remedies.found[0] if design.remedies and design.remedies.found else None
+    rest = "; " + _advice(design) if design.remedies is not None else ""
     if design.ranges is not None:
         rest = ", at every point that was tried over what nobody knows"
-    elif design.remedies is None:
-        rest = ""
-    elif remedy is None:
-        farthest = written(design.remedies.farthest)
-        rest = (
-            f"; no change of one number by a factor of up to {farthest} was found that would meet all of them"
-        )
-    else:
-        sure = "" if remedy.meeting == design.remedies.starts else ", though not from every start"
-        rest = f"; {remedy_words(remedy)} would meet all targets{sure}"
     return markdown("**{}**: {}{}.", many, told, rest)
 
 
@@ -212,10 +212,52 @@ def _miss(judged: JudgedTarget) -> str:
     return f"the {which} is {value}, where {bound_words(judged.target)} is wanted"
 
 
-def remedy_words(remedy: Remedy) -> str:
-    """Return a change of one number, as plain text."""
-    before, after = (shown(each, remedy.unit) for each in (remedy.before, remedy.after))
-    return f"{after} in place of {before} as {place_words(remedy.place)}"
+def _advice(design: Design) -> str:
+    """Return what to change, as plain text."""
+    assert design.remedies is not None
+    found, nearest = design.remedies.found, design.remedies.nearest
+    if found:
+        best = found[0]
+        sure = "" if best.meeting in (design.remedies.starts, None) else ", though not from every start"
+        spare = f"with at least {percent(best.margin)} to spare"
+        return f"{changes_words(best)} would meet all targets{sure}, {beside_words(design)} too, {spare}"
+    told = "no change of one number or of two at once was found that meets all of them"
+    if nearest is None:
+        return told
+    return f"{told}, {beside_words(design)} too; nearest comes {changes_words(nearest)}"
+
+
+def changes_words(remedy: Remedy) -> str:
+    """Return a change of one number or two, as plain text."""
+    return listed([change_words(each) for each in remedy.changes])
+
+
+def change_words(change: Change) -> str:
+    """Return another value of a number, as plain text."""
+    before, after = (shown(each, change.unit) for each in (change.before, change.after))
+    return f"{after} in place of {before} as {place_words(change.place)}"
+
+
+def beside_words(design: Design) -> str:
+    """Return beside which point targets are looked at, as plain text."""
+    machines = max((len(each.around.beside(Beside.SCATTER)) for each in _remedies(design)), default=0)
+    speeds = f"at speeds up to {percent(max(SPEEDS))} away"
+    scatter = f" and in {number_words(machines)} machines as their numbers scatter" if machines else ""
+    return speeds + scatter
+
+
+def _remedies(design: Design) -> tuple[Remedy, ...]:
+    found = design.remedies
+    return () if found is None else (*found.found, *([found.nearest] if found.nearest else []))
+
+
+def condition_words(condition: Condition) -> str:
+    """Return where beside the point something holds, as plain text."""
+    if condition.beside is Beside.SCATTER:
+        return "in one of the machines as they scatter"
+    if condition.beside is Beside.POINT:
+        return "at the point itself"
+    return f"at a speed {percent(abs(condition.speed))} {'lower' if condition.speed < 0 else 'higher'}"
 
 
 def _depends(design: Design) -> Markdown:
@@ -256,7 +298,8 @@ def sureness_sentences(design: Design) -> str:
     }[design.verdict.sureness]
     if design.verdict.outcome is DesignOutcome.NO_TARGETS:
         level = "How that was found"
-    exact = "All other numbers" if design.ranges is not None else "Numbers"
+    varied = design.ranges is not None or design.file.uncertainty is not None
+    exact = "All other numbers" if varied else "Numbers"
     return f"{level}: {'; '.join(_grounds(design, motion))}. {exact} of the file are taken as exact."
 
 

@@ -22,6 +22,7 @@ from trimmer.design.remedies import Remedies, remedies
 from trimmer.design.sensitivity import Sensitivities, sensitivities
 from trimmer.design.settings import USUAL, DesignSettings
 from trimmer.design.spectrum import OutputSpectrum, spectra
+from trimmer.design.surroundings import Around, conditions_of, study_around
 from trimmer.design.varied_places import VariedNumber, varied_places
 from trimmer.design.verdict import DesignVerdict, verdict_on
 from trimmer.maps.cells import Cell, CellResult
@@ -37,6 +38,7 @@ class Stage(Choice):
 
     MOTIONS = "motions from several starts"
     RANGES = "over what nobody knows"
+    AROUND = "at neighbouring speeds, and as numbers scatter"
     SENSITIVITIES = "what each number changes"
     REMEDIES = "what would meet the targets"
     NEIGHBOURS = "motions of neighbours"
@@ -46,12 +48,13 @@ class Stage(Choice):
 
 SPENT = {
     Stage.MOTIONS: 0.2,
-    Stage.RANGES: 0.35,
+    Stage.RANGES: 0.3,
+    Stage.AROUND: 0.35,
     Stage.SENSITIVITIES: 0.4,
-    Stage.REMEDIES: 0.6,
-    Stage.NEIGHBOURS: 0.66,
-    Stage.MAP: 0.8,
-    Stage.BRANCH: 0.86,
+    Stage.REMEDIES: 0.62,
+    Stage.NEIGHBOURS: 0.67,
+    Stage.MAP: 0.78,
+    Stage.BRANCH: 0.82,
 }
 """Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
 FIRST_START, CELL = 0.1, 0.02
@@ -84,6 +87,7 @@ class Design:
         paths: The branch through the working point over each number; empty where the motion does not repeat.
         sensitivities: Of the first motion; None where it does not repeat.
         remedies: What would meet them; None where they are met or there are none.
+        around: Whether the targets hold at neighbouring speeds, and as numbers scatter; None without targets.
         deadline: After which nothing more was begun.
         cut: What was ended early or left out for it: stages, with the places that each is over.
     """
@@ -101,6 +105,7 @@ class Design:
     paths: tuple[NumberPath, ...] = ()
     sensitivities: Sensitivities | None = None
     remedies: Remedies | None = None
+    around: Around | None = None
     deadline: Deadline = NEVER
     cut: tuple[tuple[Stage, tuple[str, ...]], ...] = ()
 
@@ -147,23 +152,34 @@ class Study:
         """Compute everything, what the verdict needs first."""
         study = self._paced()
         motions, linear, ranges = study.motions(), study.linear(), study.ranges()
-        of = study.sensitivities(motions)
-        found = study.remedies(verdict_on(self.file.targets, motions, ranges), of)
+        around, of = study.around(motions), study.sensitivities(motions)
+        found = study.remedies(verdict_on(self.file.targets, motions, ranges, around), of)
         motions = study.with_neighbours(motions)
         varied = study.varied(motions)
         maps = study.maps(varied)
         paths = study.paths(motions, varied)
         return replace(
-            study._design(motions, linear, ranges), sensitivities=of, remedies=found, paths=paths, maps=maps
+            study._design(motions, linear, ranges, around),
+            sensitivities=of,
+            remedies=found,
+            paths=paths,
+            maps=maps,
         )
 
     def short(self) -> Design:
         """Compute verdict, motions and spectra alone, as for a comparison."""
         study = self._paced()
         motions, linear, ranges = study.motions(), study.linear(), study.ranges()
-        return study._design(study.with_neighbours(motions), linear, ranges)
+        around = study.around(motions)
+        return study._design(study.with_neighbours(motions), linear, ranges, around)
 
-    def _design(self, motions: Motions, linear: tuple[LinearState, ...], ranges: RangeStudy | None) -> Design:
+    def _design(
+        self,
+        motions: Motions,
+        linear: tuple[LinearState, ...],
+        ranges: RangeStudy | None,
+        around: Around | None,
+    ) -> Design:
         return Design(
             file=self.file,
             settings=self.settings,
@@ -173,7 +189,8 @@ class Study:
             spectra=self.spectra(motions, linear),
             ranges=ranges,
             questions=questions(self.file.mechanism, motions.first),
-            verdict=verdict_on(self.file.targets, motions, ranges),
+            verdict=verdict_on(self.file.targets, motions, ranges, around),
+            around=around,
             deadline=self.deadline,
             cut=tuple(self._cut),
         )
@@ -238,19 +255,34 @@ class Study:
         depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
         return self._made(Stage.RANGES, (), depends, self._run(Stage.RANGES, make), None)
 
+    def around(self, motions: Motions) -> Around | None:
+        """Return whether the targets hold at neighbouring speeds, and as numbers scatter."""
+        file, settings = self.file, self.settings
+        if not file.targets or file.mechanism.frequency is None or motions.first is None:
+            return None
+        conditions = conditions_of(file.mechanism, file.uncertainty, settings)
+
+        def make(runner: TimedRunner) -> Around:
+            return study_around(file.mechanism, file.targets, conditions, settings, runner)[0]
+
+        depends = (file.targets, conditions, settings.cell_periods)
+        return self._made(Stage.AROUND, (), depends, self._run(Stage.AROUND, make), None)
+
     def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
         file = self.file
         if not verdict.missed or file.mechanism.frequency is None:
             return None
         settings = self.settings
+        conditions = conditions_of(file.mechanism, file.uncertainty, settings)
 
         def make(runner: TimedRunner) -> Remedies:
+            missed = verdict.missed
             return remedies(
-                file.mechanism, file.targets, verdict.missed, of, settings, runner, runner.deadline
+                file.mechanism, file.targets, missed, of, conditions, settings, runner, runner.deadline
             )
 
-        depends = (file.targets, settings.without_cells)
+        depends = (file.targets, conditions, settings.without_cells)
         return self._made(Stage.REMEDIES, (), depends, self._run(Stage.REMEDIES, make), None)
 
     def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:

@@ -23,6 +23,8 @@ from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError
 from trimmer.messages import listed, near_match
 from trimmer.toml_files import decoded
+from trimmer.uncertainty.distributions import Uncertainty
+from trimmer.uncertainty.table import SECTION, uncertainty_of
 
 
 @dataclass(frozen=True)
@@ -61,6 +63,7 @@ class DesignFile:
         lines: The line of each key, from 1 on, by the names that lead there.
         author: Who wrote it; empty if it does not say.
         digest: SHA-256 of its bytes, hexadecimal.
+        uncertainty: How its numbers scatter from machine to machine; None if the file does not say.
     """
 
     name: str
@@ -71,6 +74,7 @@ class DesignFile:
     lines: Mapping[tuple[str, ...], int]
     author: str = ""
     digest: str = ""
+    uncertainty: Uncertainty | None = None
 
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
@@ -111,8 +115,10 @@ def _design_file(raw: bytes, name: str, folder: Path) -> DesignFile:
     _stop_at(problems, name, content, lines)
     for each in ranges:
         mechanism = mechanism.with_value(each.place, each.middle)
+    scatter = uncertainty_of(content[SECTION], mechanism, problems) if SECTION in content else None
+    _stop_at(problems, name, content, lines)
     digest = hashlib.sha256(raw).hexdigest()
-    return DesignFile(name, mechanism, targets, held, ranges, lines, author, digest)
+    return DesignFile(name, mechanism, targets, held, ranges, lines, author, digest, scatter)
 
 
 def _no_displacements(mechanism: Mechanism) -> Iterator[Problem]:

@@ -1,56 +1,114 @@
-"""Which change of one number would meet the targets that are missed; each is tried, not extrapolated."""
+"""Which change of one number, or of two at once, would meet the targets, and hold beside that point too.
+
+Each number is tried by itself over its range. From these trials a forecast says where one number or two meet
+all targets with the largest margin; there the motion is computed at the point, at neighbouring speeds and for
+machines as they scatter, the forecast is corrected by what came out, and so on. What is recommended was
+computed under all these conditions, and met the targets under each.
+"""
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from itertools import takewhile
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.deadline import NEVER, Deadline
+from trimmer.design.forecast import AMPLE, EFFORT, Forecast, Scan, is_regular, logs_of, scan_of
 from trimmer.design.motions import motions_from_starts
 from trimmer.design.sensitivity import Sensitivities, designable
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Target
-from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
+from trimmer.design.surroundings import Around, Beside, Condition, Numbers, margins, study_around, trials_of
+from trimmer.design.targets import Measure, Target
+from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import parse_place
 from trimmer.runners.runner import Runner
 
 FARTHEST = 3.0
 """Largest factor by which a number is changed."""
-HALVINGS = 6
-"""How often the step between the last trial that misses and the first that meets is halved."""
-PLACES = 12
+OWN = {"gap": (0.1, FARTHEST), "frequency": (1 / 1.5, 1.5)}
+"""Smallest and largest factor of some: parts can be made to fit more closely; a speed is hardly free."""
+PLACES = 16
 """Numbers that are tried, of those with the largest influence."""
+FIRST = ("gap", "force", "amplitude", "frequency", "damping", "stiffness", "static", "viscous", "unbalance")
+"""Which numbers come first if nothing is known of their influence."""
+SINGLES, PAIRS = 4, 6
+"""Changes of one number and of two that are computed, those with the best forecast."""
+ROUNDS = 4
+"""How often a forecast is corrected."""
 DIGITS = 3
-"""Digits to which a number is rounded, away from the bound."""
+"""Digits to which a number is rounded."""
+LEAST = 0.02
+"""Logarithm of a factor up to which a number is as it was."""
+ALIKE = 0.02
+"""Margin that is given away for a change of one number in place of two."""
 
 
 @dataclass(frozen=True)
-class Remedy:
-    """A change of one number after which all targets are met, from rest or the file's own start.
+class Change:
+    """Another number at a place.
 
     Attributes:
-        place: Dotted place of the number.
+        place: Dotted place.
         unit: SI unit.
-        before, after: Its value now, and the nearest one found that meets the targets.
-        trial: What the mechanism does then.
-        meeting: How many of several starts lead to a motion that meets them.
+        before, after: The number now, and the other one.
     """
 
     place: str
     unit: str
     before: float
     after: float
-    trial: Trial
-    meeting: int = 0
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """A change of one number, or of two at once.
+
+    Attributes:
+        changes: The changes.
+        around: What the mechanism does then, at the point and beside it.
+        beside: Whether it was looked at under all conditions, not at the point alone.
+        meeting: How many of several starts lead to a motion that meets all targets; None if not tried.
+    """
+
+    changes: tuple[Change, ...]
+    around: Around
+    beside: bool
+    meeting: int | None = None
 
     @property
-    def change(self) -> float:
-        """The logarithm of the factor."""
-        return math.log(self.after / self.before)
+    def is_needed(self) -> bool:
+        """Whether each of its changes is one."""
+        return all(abs(math.log(each.after / each.before)) > LEAST for each in self.changes)
+
+    @property
+    def margin(self) -> float:
+        """Smallest margin of all targets under all conditions; negative if one is missed."""
+        return self.around.margin(*Beside)
+
+
+@dataclass(frozen=True)
+class Mend:
+    """What a single number does for a target that is missed.
+
+    Attributes:
+        target: The target.
+        change: The change after which it is met, of all that were tried the one that misses fewest others;
+            None if none meets it.
+        value: What the target bounds then.
+        missed: The targets that are missed then.
+        helpless: Places of the numbers of which no value that was tried meets it.
+    """
+
+    target: Target
+    change: Change | None
+    value: float
+    missed: tuple[Target, ...]
+    helpless: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -58,77 +116,72 @@ class Remedies:
     """What was tried to meet the targets.
 
     Attributes:
-        found: Changes that meet all targets: first those that do from all starts, each group by its size.
-        starts: From how many starts each was tried.
+        found: Changes that meet all targets at the point and beside it, those with large margins first.
+        nearest: Without such a change, the one with the largest margin of those that were tried; else None.
+        mends: What a single number does for each target that is missed.
+        starts: From how many starts each of those that were found was tried.
         tried: Places that were tried.
         trials: How many motions were computed.
         farthest: Largest factor that was tried.
     """
 
     found: tuple[Remedy, ...]
+    nearest: Remedy | None
+    mends: tuple[Mend, ...]
     starts: int
     tried: tuple[str, ...]
     trials: int
     farthest: float
 
 
-def remedies(
+def remedies(  # noqa: PLR0913 (each is a choice of its own)
     mechanism: Mechanism,
     targets: tuple[Target, ...],
     missed: tuple[Target, ...],
     sensitivities: Sensitivities | None,
+    conditions: tuple[Condition, ...],
     settings: DesignSettings,
     runner: Runner,
     deadline: Deadline = NEVER,
 ) -> Remedies:
-    """Look for the nearest value of one number at a time that meets all targets.
+    """Look for changes of one number or two that meet all targets, at the point and beside it.
 
     Args:
         mechanism: The mechanism.
         targets: All targets.
         missed: Those that are missed now.
-        sensitivities: What each number changes, by which those are chosen that are tried; without it all are.
-        settings: How many starts there are, and how long each motion is waited for.
+        sensitivities: What each number changes, by which those are chosen that are tried.
+        conditions: Under which the targets shall hold.
+        settings: How many trials and starts there are, and how long each motion is waited for.
         runner: Who does the work.
-        deadline: After which no further number is tried.
+        deadline: After which nothing further is tried.
     """
-    places = _places(mechanism, missed, sensitivities)
-    found, trials = [], 0
-    for place, unit, _ in takewhile(lambda _: not deadline.passed, places):
-        of_place, count = remedies_by(mechanism, place, unit, targets, settings, runner)
-        found += of_place
-        trials += count
-    confirmed = list(runner.results(_FromStarts(mechanism, targets, settings), found))
-    confirmed.sort(key=lambda remedy: (remedy.meeting < settings.starts, abs(remedy.change)))
-    tried = tuple(place for place, _, _ in places)
-    return Remedies(tuple(confirmed), settings.starts, tried, trials, FARTHEST)
+    search = _Search(mechanism, targets, conditions, settings, runner, deadline)
+    scans = search.scans(_places(mechanism, missed, sensitivities))
+    if not scans:
+        return Remedies((), None, (), settings.remedy_starts, (), search.count, FARTHEST)
+    reached = search.reached(scans)
+    held = [each for each in reached if each.beside and each.margin >= 0]
+    ranked = sorted(held, key=_rank)
+    nearest = min(reached, key=_rank, default=None)
+    confirmed = search.from_starts(ranked)
+    mends = tuple(_mend(each, targets, scans) for each in missed)
+    tried = tuple(each.place for each in scans)
+    return Remedies(
+        tuple(confirmed),
+        None if confirmed else nearest,
+        mends,
+        settings.remedy_starts,
+        tried,
+        search.count,
+        FARTHEST,
+    )
 
 
-def remedies_by(
-    mechanism: Mechanism,
-    place: str,
-    unit: str,
-    targets: tuple[Target, ...],
-    settings: DesignSettings,
-    runner: Runner,
-) -> tuple[list[Remedy], int]:
-    """Look for the nearest values of one number, one smaller and one larger, that meet all targets.
-
-    Returns:
-        What was found, not yet tried from several starts, and how many motions were computed.
-    """
-    value = mechanism.value(place)
-    work = TrialWork(mechanism, (place,), all_measures(mechanism), settings.cell_periods)
-    factors = np.geomspace(1, FARTHEST, settings.trials + 1)[1:]
-    sides = [[(value * float(factor),) for factor in each] for each in (1 / factors, factors)]
-    results = {each.values: each for each in runner.results(work, [each for side in sides for each in side])}
-    found, trials = [], len(results)
-    for side in sides:
-        remedy = _nearest(work, value, [results[each] for each in side if each in results], targets)
-        if remedy is not None:
-            found.append(Remedy(place, unit, value, remedy.values[0], remedy))
-            trials += HALVINGS + 1
-    return found, trials
+def _rank(remedy: Remedy) -> float:
+    """Return what is smallest for the best one: much margin, few changes, small ones."""
+    effort = sum(abs(math.log(each.after / each.before)) for each in remedy.changes)
+    return ALIKE * len(remedy.changes) + EFFORT * effort - min(remedy.margin, AMPLE)
 
 
 @dataclass(frozen=True)
@@ -140,23 +193,177 @@ class _FromStarts:
     settings: DesignSettings
 
     def __call__(self, remedy: Remedy) -> Remedy:
-        changed = self.mechanism.with_value(remedy.place, remedy.after)
-        motions = motions_from_starts(changed, self.settings)
+        changed = self.mechanism
+        for each in remedy.changes:
+            changed = changed.with_value(each.place, each.after)
+        motions = motions_from_starts(changed, replace(self.settings, starts=self.settings.remedy_starts))
         meeting = sum(each.starts for each in motions.found if each.meets(self.targets))
         return replace(remedy, meeting=meeting)
+
+
+@dataclass
+class _Candidate:
+    """A change that is improved from round to round."""
+
+    forecast: Forecast
+    offset: Reals
+    margin: float = -1.0
+    avoided: list[Reals] = field(default_factory=list)
+    seen: dict[Numbers, tuple[bool, Around]] = field(default_factory=dict)
+
+    def numbers(self) -> tuple[Numbers, Reals]:
+        """Return the numbers to try next, rounded, and their factors."""
+        factors, self.margin = self.forecast.best(self.offset, tuple(self.avoided))
+        scans = self.forecast.scans
+        rounded = tuple(
+            (scan.place, _rounded(scan.value * math.exp(at))) for scan, at in zip(scans, factors, strict=True)
+        )
+        exact = [math.log(value / scan.value) for scan, (_, value) in zip(scans, rounded, strict=True)]
+        return rounded, np.array(exact)
+
+    def learn(self, numbers: Numbers, factors: Reals, around: Around, beside: bool) -> None:
+        """Correct the forecast by what came out, under all conditions or at the point alone."""
+        self.seen[numbers] = beside, around
+        targets, trials = around.targets, [trial for _, trial in around.trials]
+        if not all(is_regular(each, targets) for each in trials):
+            self.avoided.append(factors)
+            return
+        logs = np.array([logs_of(each, targets) for each in trials])
+        least = np.array([each.at_least for each in targets])
+        worst = np.where(least, logs.min(axis=0), logs.max(axis=0))
+        self.offset = worst - self.forecast.logs(factors)
+
+    def remedy(self) -> Remedy | None:
+        """Return the best that was computed."""
+        if not self.seen:
+            return None
+        numbers, (beside, around) = max(
+            self.seen.items(), key=lambda each: (each[1][0], each[1][1].margin(*Beside))
+        )
+        scans = self.forecast.scans
+        changes = (
+            Change(scan.place, scan.unit, scan.value, value)
+            for scan, (_, value) in zip(scans, numbers, strict=True)
+        )
+        return Remedy(tuple(changes), around, beside)
+
+
+@dataclass
+class _Search:
+    mechanism: Mechanism
+    targets: tuple[Target, ...]
+    conditions: tuple[Condition, ...]
+    settings: DesignSettings
+    runner: Runner
+    deadline: Deadline
+    count: int = 0
+
+    def scans(self, places: Sequence[tuple[str, str, float]]) -> list[Scan]:
+        """Try each number by itself, near values first, so that little time gives something of all."""
+        factors = {place: _factors(place, self.settings.trials) for place, *_ in places}
+        wanted: list[Numbers] = [
+            ((place, value * float(factors[place][at])),)
+            for at in _from_the_middle(2 * self.settings.trials + 1)
+            for place, _, value in places
+        ]
+        found = trials_of(self.mechanism, self.targets, wanted, self.settings.cell_periods, self.runner)
+        self.count += len(found)
+        scans = []
+        for place, unit, value in places:
+            own = [trial for ((name, _),), trial in found.items() if name == place]
+            if len(own) > 1 and any(each.values[0] == value for each in own):
+                trials = tuple(sorted(own, key=lambda each: each.values[0]))
+                scans.append(scan_of(place, unit, value, trials, self.targets))
+        return scans
+
+    def reached(self, scans: list[Scan]) -> list[Remedy]:
+        """Return the best change of each choice of one number or two that is worth it."""
+        own = next(each for each in scans[0].trials if each.values[0] == scans[0].value)
+        nominal, regular = logs_of(own, self.targets), is_regular(own, self.targets)
+        candidates = []
+        for size, most in ((1, SINGLES), (2, PAIRS)):
+            ones = [
+                _Candidate(Forecast(self.targets, chosen, nominal, regular), np.zeros(len(self.targets)))
+                for chosen in itertools.combinations(scans, size)
+            ]
+            for each in ones:
+                _, each.margin = each.forecast.best(each.offset)
+            candidates += sorted(ones, key=lambda each: -each.margin)[:most]
+        for _ in range(ROUNDS):
+            if self.deadline.passed:
+                break
+            self._round(candidates)
+        found = (each.remedy() for each in candidates)
+        return [each for each in found if each is not None and each.is_needed]
+
+    def _round(self, candidates: list[_Candidate]) -> None:
+        """Compute what the forecasts propose, at the point and then, where it is worth it, beside it."""
+        proposed = [(each, *each.numbers()) for each in candidates]
+        fresh = [one for one in proposed if one[1] not in one[0].seen]
+        point = tuple(each for each in self.conditions if each.beside is Beside.POINT)
+        for conditions in (point, self.conditions):
+            if not fresh or self.deadline.passed:
+                return
+            numbers = tuple(one for _, one, _ in fresh)
+            arounds = study_around(
+                self.mechanism, self.targets, conditions, self.settings, self.runner, numbers
+            )
+            self.count += sum(len(each.trials) for each in arounds)
+            whole = []
+            for one, around in zip(fresh, arounds, strict=True):
+                if len(around.trials) and around.trials[0][0].beside is Beside.POINT:
+                    beside = conditions is self.conditions and not self.deadline.passed
+                    one[0].learn(one[1], one[2], around, beside)
+                    whole.append((one, around))
+            best = sorted(whole, key=lambda each: -each[1].margin(Beside.POINT))[: max(SINGLES, PAIRS)]
+            fresh = [one for one, around in best if around.margin(Beside.POINT) >= 0]
+
+    def from_starts(self, ranked: list[Remedy]) -> list[Remedy]:
+        """Try remedies from several starts; those that do from all come first."""
+        work = _FromStarts(self.mechanism, self.targets, self.settings)
+        tried = {each.changes: each for each in self.runner.results(work, ranked)}
+        confirmed = [tried.get(each.changes, each) for each in ranked]
+        return sorted(confirmed, key=lambda each: each.meeting != self.settings.remedy_starts)
+
+
+def _mend(target: Target, targets: tuple[Target, ...], scans: list[Scan]) -> Mend:
+    """Return what a single number does for one target, from the trials over each number alone."""
+    helping, helpless = [], []
+    for scan in scans:
+        meeting = [trial for trial in scan.trials if trial.meets((target,)) and trial.values[0] != scan.value]
+        helping += [(scan, trial) for trial in meeting]
+        if not meeting:
+            helpless.append(scan.place)
+    if not helping:
+        return Mend(target, None, math.nan, (), tuple(helpless))
+    scan, trial = min(helping, key=lambda each: _cost(each[1], each[0], targets))
+    missed = tuple(each for each in targets if not trial.meets((each,)))
+    change = Change(scan.place, scan.unit, scan.value, trial.values[0])
+    return Mend(target, change, trial.value(target.measure, target.part), missed, tuple(helpless))
+
+
+def _cost(trial: Trial, scan: Scan, targets: tuple[Target, ...]) -> tuple[int, float]:
+    found = margins(trial, targets)
+    effort = abs(math.log(trial.values[0] / scan.value))
+    return int((found < 0).sum()), EFFORT * effort - min(float(found.min()), AMPLE)
 
 
 def _places(
     mechanism: Mechanism, missed: tuple[Target, ...], sensitivities: Sensitivities | None
 ) -> list[tuple[str, str, float]]:
-    every = list(designable(mechanism))
-    asked = [MeasureOfPart(each.measure, each.part) for each in missed]
+    every = sorted(designable(mechanism), key=lambda each: _order(each[0]))
+    asked = [MeasureOfPart(each.measure, each.part) for each in missed if each.measure is not Measure.PERIOD]
     ranked = _interleaved(
         [[e.place for e in sensitivities.ranked(a)] for a in asked] if sensitivities else []
     )
     chosen = [each for each in every if each[0] in ranked[:PLACES]]
     others = [each for each in every if each not in chosen]
-    return chosen if len(chosen) >= PLACES else [*chosen, *others[: PLACES - len(chosen)]]
+    return [*chosen, *others][:PLACES]
+
+
+def _order(place: str) -> int:
+    key = parse_place(place)[-1]
+    return FIRST.index(key) if key in FIRST else len(FIRST)
 
 
 def _interleaved(lists: Sequence[Sequence[str]]) -> list[str]:
@@ -166,31 +373,17 @@ def _interleaved(lists: Sequence[Sequence[str]]) -> list[str]:
     return list(dict.fromkeys(order))
 
 
-def _nearest(
-    work: TrialWork, value: float, side: Iterable[Trial], targets: tuple[Target, ...]
-) -> Trial | None:
-    """Return the trial nearest to a value that meets the targets, on one side of it; None if none does."""
-    before, best = value, None
-    for trial in side:
-        if trial.meets(targets):
-            best = trial
-            break
-        before = trial.values[0]
-    if best is None:
-        return None
-    for _ in range(HALVINGS):
-        middle = work((math.sqrt(before * best.values[0]),))
-        if middle.meets(targets):
-            best = middle
-        else:
-            before = middle.values[0]
-    rounded = work((_rounded(best.values[0], away_from=before),))
-    return rounded if rounded.meets(targets) else best
+def _factors(place: str, each_side: int) -> Reals:
+    """Return the factors by which a number is changed, rising, with 1 in the middle."""
+    lowest, highest = OWN.get(parse_place(place)[-1], (1 / FARTHEST, FARTHEST))
+    down, up = np.geomspace(lowest, 1.0, each_side + 1), np.geomspace(1.0, highest, each_side + 1)
+    return np.concatenate([down, up[1:]])
 
 
-def _rounded(value: float, away_from: float) -> float:
-    """Return a value with few digits, rounded away from another one."""
-    step = 10.0 ** (math.floor(math.log10(abs(value))) - DIGITS + 1)
-    count = value / step
-    whole = math.ceil(count - 1e-9) if value > away_from else math.floor(count + 1e-9)
-    return float(f"{whole * step:.{DIGITS}g}")
+def _from_the_middle(count: int) -> list[int]:
+    middle = count // 2
+    return sorted(range(count), key=lambda at: abs(at - middle))
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.{DIGITS}g}")

@@ -17,6 +17,8 @@ class DesignSettings:
         cell_periods: Drive periods to wait in each cell.
         neighbours: How many neighbours there are along each of two numbers, the working point included; odd.
         trials: Values of a number that are tried to each side, to meet a target that is missed.
+        machines: Machines of a series that are looked at, if numbers scatter.
+        remedy_starts: Starts from which a change is tried that meets the targets.
         most_points: Orbits of each branch, at most.
         range_points: Points at which a range is looked at, if there is one; for several see ``ranges``.
     """
@@ -27,7 +29,9 @@ class DesignSettings:
     cells: int = 24
     cell_periods: int = 300
     neighbours: int = 7
-    trials: int = 20
+    trials: int = 8
+    machines: int = 8
+    remedy_starts: int = 4
     most_points: int = 300
     range_points: int = 17
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
@@ -44,6 +45,16 @@ class Target:
     def at_least(self) -> bool:
         """Whether the bound is the smallest value that will do."""
         return self.measure is Measure.STROKE
+
+    def margin(self, value: float) -> float:
+        """Return how far a value is beyond the bound, as a share of it, from -1 to 1; below 0 if missed.
+
+        A period is met or not; so is a bound of zero.
+        """
+        if self.measure is Measure.PERIOD or not self.bound or not math.isfinite(value):
+            return 1.0 if self.met_by(value) else -1.0
+        share = value / self.bound - 1
+        return min(max(share if self.at_least else -share, -1.0), 1.0)
 
     def met_by(self, value: float) -> bool:
         """Say whether a value will do; one that is no number will not."""

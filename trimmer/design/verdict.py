@@ -8,6 +8,7 @@ from enum import Enum
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.motions import Motions
 from trimmer.design.ranges import RangeStudy
+from trimmer.design.surroundings import Around
 from trimmer.design.targets import Measure, Target
 from trimmer.response.response import MotionKind
 
@@ -71,6 +72,7 @@ class DesignVerdict:
         judged: Each target.
         otherwise: Share of the starts whose motion is judged otherwise than that from rest.
         others_agree: Whether all other motions that were found are judged as that from rest is.
+        beside: Targets that are met at the point, but missed at a neighbouring speed or as numbers scatter.
     """
 
     outcome: DesignOutcome
@@ -78,20 +80,27 @@ class DesignVerdict:
     judged: tuple[JudgedTarget, ...]
     otherwise: float
     others_agree: bool
+    beside: tuple[Target, ...] = ()
 
     @property
     def missed(self) -> tuple[Target, ...]:
-        """The targets that are missed."""
-        return tuple(each.target for each in self.judged if not each.met)
+        """The targets that are missed, at the point or beside it."""
+        return (*(each.target for each in self.judged if not each.met), *self.beside)
 
 
-def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy | None) -> DesignVerdict:
+def verdict_on(
+    targets: tuple[Target, ...],
+    motions: Motions,
+    study: RangeStudy | None,
+    around: Around | None = None,
+) -> DesignVerdict:
     """Judge the targets.
 
     Args:
         targets: What is wanted.
         motions: The motions that were found.
         study: What was seen over the ranges of what nobody knows, if there are any.
+        around: What was seen at neighbouring speeds, and as numbers scatter.
     """
     first = motions.first
     if not targets or first is None:
@@ -105,7 +114,12 @@ def verdict_on(targets: tuple[Target, ...], motions: Motions, study: RangeStudy 
     if study is not None and not study.doubt:
         met = bool(study.meeting)
     outcome = DesignOutcome.DEPENDS if depends else DesignOutcome.MET if met else DesignOutcome.MISSED
-    return DesignVerdict(outcome, _sureness(judged, first, motions, depends), judged, otherwise, not others)
+    missing = () if around is None else around.missed
+    beside = tuple(each.target for each in judged if each.met and each.target in missing)
+    sureness = _sureness(judged, first, motions, depends)
+    if sureness is Sureness.SURE and outcome is DesignOutcome.MET and beside:
+        sureness = Sureness.LIKELY
+    return DesignVerdict(outcome, sureness, judged, otherwise, not others, beside)
 
 
 def _sureness(

@@ -60,8 +60,8 @@ def test_a_trial_that_does_not_settle_is_told_and_is_no_remedy() -> None:
     more = Target("stroke_at_least", Measure.STROKE, "block", 0.1)
     assert trial.value(Measure.STROKE, "block") > 0.2  # so far, and not for long
     assert not trial.meets((more,))
-    found = remedies(undamped(), (more,), (more,), None, SETTINGS, SerialRunner())
-    assert (found.found, found.trials) == ((), 16)
+    found = remedies(undamped(), (more,), (more,), None, (), SETTINGS, SerialRunner())
+    assert found.found == ()
 
 
 def test_motions_that_cannot_be_followed_are_lost() -> None:
