@@ -160,12 +160,13 @@ def _run(arguments: Namespace) -> int:
     from report.design.origin import today
     from trimmer.design.design_file import read_design_file
     from trimmer.mechanism.printed_symbols import printed_symbols
+    from trimmer.uncertainty.sample_file import with_uncertainty
 
     formats = formats_of(arguments)
     if arguments.open and Format.HTML not in formats:
         raise OptionError("--open shows the HTML: add html to --format, or leave one of the two out")
     runner, date = runner_of(arguments), today()
-    file = read_design_file(arguments.file)
+    file = with_uncertainty(read_design_file(arguments.file))
     printed_symbols(
         file.mechanism
     )  # two that print the same are told now, not when the equations are derived

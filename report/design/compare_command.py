@@ -47,9 +47,10 @@ def _run(arguments: Namespace) -> int:
     from trimmer.design.comparison import compared
     from trimmer.design.design_file import read_design_file
     from trimmer.design.settings import USUAL
+    from trimmer.uncertainty.sample_file import with_uncertainty
 
     date = today()
-    files = [read_design_file(path) for path in (arguments.before, arguments.after)]
+    files = [with_uncertainty(read_design_file(path)) for path in (arguments.before, arguments.after)]
     names = _names(arguments.before, arguments.after)
     place = ReportPlace(arguments.directory, "-".join(names))
     check_files(place, formats, arguments.overwrite)

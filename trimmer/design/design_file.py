@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from trimmer.arguments import file_path
+from trimmer.arrays import Reals
 from trimmer.design.assumed_range import assumed_range
 from trimmer.design.targets import Target, targets_of
 from trimmer.errors import MechanismError
@@ -23,8 +24,19 @@ from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError
 from trimmer.messages import listed, near_match
 from trimmer.toml_files import decoded
-from trimmer.uncertainty.distributions import Uncertainty
-from trimmer.uncertainty.table import SECTION, uncertainty_of
+
+
+class Scattering(Protocol):
+    """How numbers scatter: ``Uncertainty`` of ``trimmer.uncertainty``, which knows this room."""
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Dotted places of the numbers."""
+        ...
+
+    def values(self, shares: Reals) -> Reals:
+        """Turn points of the unit cube, (n, numbers), into values, SI units."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -63,7 +75,9 @@ class DesignFile:
         lines: The line of each key, from 1 on, by the names that lead there.
         author: Who wrote it; empty if it does not say.
         digest: SHA-256 of its bytes, hexadecimal.
-        uncertainty: How its numbers scatter from machine to machine; None if the file does not say.
+        scatter: What stands in ``[uncertainty]``, unread.
+        uncertainty: How its numbers scatter from machine to machine: ``with_uncertainty`` of
+            ``trimmer.uncertainty`` reads that; else None.
     """
 
     name: str
@@ -74,7 +88,8 @@ class DesignFile:
     lines: Mapping[tuple[str, ...], int]
     author: str = ""
     digest: str = ""
-    uncertainty: Uncertainty | None = None
+    scatter: Mapping[str, Any] = field(default_factory=dict)
+    uncertainty: Scattering | None = None
 
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
@@ -115,8 +130,7 @@ def _design_file(raw: bytes, name: str, folder: Path) -> DesignFile:
     _stop_at(problems, name, content, lines)
     for each in ranges:
         mechanism = mechanism.with_value(each.place, each.middle)
-    scatter = uncertainty_of(content[SECTION], mechanism, problems) if SECTION in content else None
-    _stop_at(problems, name, content, lines)
+    scatter = content.get("uncertainty", {})
     digest = hashlib.sha256(raw).hexdigest()
     return DesignFile(name, mechanism, targets, held, ranges, lines, author, digest, scatter)
 

@@ -9,6 +9,7 @@ from enum import Enum
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.design.design_file import Scattering
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork
@@ -16,8 +17,6 @@ from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import varied
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
-from trimmer.uncertainty.distributions import Uncertainty
-from trimmer.uncertainty.points import Plan
 
 SPEEDS = (-0.05, -0.025, 0.025, 0.05)
 """Neighbouring speeds: relative changes of the frequency of the drive."""
@@ -59,12 +58,14 @@ class Condition:
 
 
 def conditions_of(
-    mechanism: Mechanism, uncertainty: Uncertainty | None, settings: DesignSettings
+    mechanism: Mechanism, uncertainty: Scattering | None, settings: DesignSettings
 ) -> tuple[Condition, ...]:
     """Return the point itself, speeds beside it, and machines as their numbers scatter."""
     found = [Condition(Beside.POINT), *(Condition(Beside.SPEED, each) for each in SPEEDS)]
-    if uncertainty is not None and uncertainty.scatters:
-        shares = Plan.LATIN_HYPERCUBE.points(settings.machines, len(uncertainty.scatters), settings.seed)
+    if uncertainty is not None and uncertainty.places:
+        from scipy.stats import qmc
+
+        shares = qmc.LatinHypercube(len(uncertainty.places), rng=settings.seed).random(settings.machines)
         centre = np.array([mechanism.value(place) for place in uncertainty.places])
         rows = uncertainty.values(shares) - centre
         found += [

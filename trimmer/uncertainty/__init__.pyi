@@ -16,6 +16,7 @@ from .limit_cycle_samples import sample_limit_cycles as sample_limit_cycles
 from .points import Plan as Plan
 from .sample_file import SampleFile as SampleFile
 from .sample_file import read_sample_file as read_sample_file
+from .sample_file import with_uncertainty as with_uncertainty
 from .sample_inputs import SampleInputs as SampleInputs
 from .sample_inputs import SampleSettings as SampleSettings
 from .sample_records import Keeping as Keeping

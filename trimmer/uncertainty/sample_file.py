@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import cast
 
 from trimmer.arguments import file_path
-from trimmer.design.design_file import OpenRange, design_file_of_text
+from trimmer.design.design_file import DesignFile, OpenRange, design_file_of_text
 from trimmer.design.targets import Target
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
@@ -73,6 +73,19 @@ def sample_file_of_text(text: str, name: str, changes: Sequence[tuple[str, float
             '"plays.bridge.gap" = { normal = "5 um" }'
         )
     return SampleFile(mechanism, design.targets, uncertainty)
+
+
+def with_uncertainty(file: DesignFile) -> DesignFile:
+    """Return the file of a design with its ``[uncertainty]`` read, so that a ``Study`` looks at a series.
+
+    Raises:
+        MechanismError: if that cannot be used; every problem is named.
+    """
+    problems: list[Problem] = []
+    uncertainty = uncertainty_of(file.scatter, file.mechanism, problems)
+    if problems:
+        raise MechanismError(as_message_of_file(file.name, problems, {SECTION: file.scatter}, file.lines))
+    return replace(file, uncertainty=uncertainty if uncertainty.scatters else None)
 
 
 def _evenly(left_open: OpenRange) -> Scatter:
