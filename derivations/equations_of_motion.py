@@ -106,8 +106,34 @@ def inputs(mechanism: Mechanism) -> tuple[tuple[sympy.Expr, ...], ...]:
 
 def accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     """Return the acceleration of each body that follows from its Euler-Lagrange equation, m/s²."""
-    forces = resultant_forces(mechanism)
-    return tuple(force / body.mass for body, force in zip(mechanism.bodies, forces, strict=True))
+    return by_forces(mechanism, resultant_forces(mechanism))
+
+
+def by_forces(mechanism: Mechanism, forces: tuple[sympy.Expr, ...]) -> tuple[sympy.Expr, ...]:
+    """Return the accelerations, m/s², by the resultant force on each body, N."""
+    found = {body.coordinate: force / body.mass for body, force in zip(mechanism.bodies, forces, strict=True)}
+    on = dict(zip((body.coordinate for body in mechanism.bodies), forces, strict=True))
+    for structure in mechanism.structures:
+        coordinates = [body.coordinate for body in structure.bodies]
+        for row, coordinate in enumerate(coordinates):
+            shares = (structure.mobility[row, place] * on[each] for place, each in enumerate(coordinates))
+            found[coordinate] = sympy.Add(*shares)
+    return tuple(found.values())
+
+
+def inverse_mass(mechanism: Mechanism) -> sympy.ImmutableMatrix:
+    """Return M⁻¹ of all bodies."""
+    units = sympy.eye(len(mechanism.bodies)).tolist()
+    return sympy.ImmutableMatrix([by_forces(mechanism, tuple(unit)) for unit in units]).T
+
+
+def inertial_forces(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
+    """Return mass times acceleration of each body, N, with what a structure adds for other coordinates."""
+    found = {body.coordinate: body.mass * body.coordinate.diff(t, 2) for body in mechanism.bodies}
+    for structure in mechanism.structures:
+        moved = structure.mass * structure.coordinates.diff(t, 2)
+        found |= dict(zip((body.coordinate for body in structure.bodies), moved, strict=True))
+    return tuple(found.values())
 
 
 @lru_cache(maxsize=KEPT)
@@ -121,8 +147,8 @@ def resultant_forces(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     given = [each for kind in inputs(mechanism) for each in kind]
     variables = [*(position.diff(t) for position in positions), *positions, *given]
     return tuple(
-        _collected(-(balance - body.mass * body.coordinate.diff(t, 2)), variables)
-        for body, balance in zip(mechanism.bodies, force_balances(mechanism), strict=True)
+        _collected(sympy.expand(inertial) - balance, variables)
+        for inertial, balance in zip(inertial_forces(mechanism), force_balances(mechanism), strict=True)
     )
 
 

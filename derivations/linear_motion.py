@@ -8,7 +8,13 @@ import sympy
 
 from derivations.algebra.identity import UnprovenError
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
-from derivations.equations_of_motion import MotionMatrices, lagrangian, motion_matrices, resultant_forces
+from derivations.equations_of_motion import (
+    MotionMatrices,
+    inverse_mass,
+    lagrangian,
+    motion_matrices,
+    resultant_forces,
+)
 from derivations.generalised_forces import generalised_forces
 from derivations.mechanism import Mechanism
 from derivations.newton_euler import require_newton_euler
@@ -66,6 +72,6 @@ def linear_motion(mechanism: Mechanism) -> SymbolicMotion:
         generalised_forces=generalised_forces(mechanism),
         resultant_forces=resultant_forces(mechanism),
         matrices=matrices,
-        space=state_space(matrices),
+        space=state_space(matrices, inverse_mass(mechanism)),
         power=power,
     )

@@ -24,6 +24,7 @@ from derivations.parts import (
     Point,
     RigidBody,
     Spring,
+    Structure,
     Tensioned,
 )
 from derivations.symbols import t
@@ -43,6 +44,7 @@ class Mechanism:
         forces: All given forces.
         outputs: What is asked for.
         points: All points on levers and behind gears.
+        structures: All linear parts given by matrices.
     """
 
     bodies: tuple[RigidBody, ...]
@@ -54,6 +56,7 @@ class Mechanism:
     forces: tuple[Force, ...] = ()
     outputs: tuple[Output, ...] = ()
     points: tuple[Point, ...] = ()
+    structures: tuple[Structure, ...] = ()
 
     @property
     def resistances(self) -> tuple[Damper, ...]:

@@ -12,14 +12,21 @@ from collections.abc import Iterator
 import sympy
 
 from derivations.algebra.identity import require_equal
-from derivations.equations_of_motion import accelerations
+from derivations.equations_of_motion import accelerations, by_forces
 from derivations.mechanism import Mechanism, elongation, elongation_rate
 from derivations.parts import End, Joint, Pin, Point, RigidBody
+from derivations.symbols import t
 
 
 def newton_accelerations(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
     """Return the acceleration of each body as the sum of the forces on it over its mass, m/s²."""
-    return tuple(sympy.expand(_force_on(body, mechanism) / body.mass) for body in mechanism.bodies)
+    forces = [_force_on(body, mechanism) for body in mechanism.bodies]
+    for structure in mechanism.structures:
+        first, coordinates = mechanism.bodies.index(structure.bodies[0]), structure.coordinates
+        resisted = structure.stiffness * coordinates + structure.damping * coordinates.diff(t)
+        for place, force in enumerate(resisted):
+            forces[first + place] -= force
+    return tuple(map(sympy.expand, by_forces(mechanism, tuple(forces))))
 
 
 def require_newton_euler(mechanism: Mechanism) -> None:

@@ -34,6 +34,30 @@ class RigidBody:
 
 
 @dataclass(frozen=True)
+class Structure:
+    """A linear part given by matrices, whose coordinates stand among the bodies, one after the other.
+
+    Attributes:
+        name: What it is, in words.
+        bodies: Its n coordinates; the mass of each is that on the diagonal.
+        mass, damping, stiffness: M, C and K, n × n.
+        mobility: M⁻¹, n × n, whose entries are symbols of their own.
+    """
+
+    name: str
+    bodies: tuple[RigidBody, ...]
+    mass: sympy.ImmutableMatrix
+    damping: sympy.ImmutableMatrix
+    stiffness: sympy.ImmutableMatrix
+    mobility: sympy.ImmutableMatrix
+
+    @property
+    def coordinates(self) -> sympy.ImmutableMatrix:
+        """The displacements, n × 1."""
+        return sympy.ImmutableMatrix([body.coordinate for body in self.bodies])
+
+
+@dataclass(frozen=True)
 class Point:
     """A massless point whose displacement is a weighted sum of coordinates, as on a lever or behind a gear.
 

@@ -5,12 +5,12 @@ It changes by the power of pins and given forces, less what dampers, frictions a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy
 
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
-from derivations.equations_of_motion import accelerations
+from derivations.equations_of_motion import inertial_forces, resultant_forces
 from derivations.mechanism import Mechanism, elongation, elongation_rate, position
 from derivations.parts import Friction, Pin, Tensioned
 from derivations.symbols import t
@@ -23,7 +23,8 @@ class PowerBalance:
     Attributes:
         input_power: P, power of the pins and of the given forces, W.
         dissipated_power: D, power that dampers and viscous friction take, W.
-        contact_power: S, power that contacts and dry frictions take, W; a contact may give some of it back.
+        contact_power: S, power that contacts, dry frictions and structures take, W; a contact may give some
+            of it back.
         residual: dE/dt − P + D + S, W; zero when the balance holds.
     """
 
@@ -53,14 +54,21 @@ def power_balance(mechanism: Mechanism) -> PowerBalance:
         *(force.value * position(force.on).diff(t) for force in mechanism.forces),
     )
     input_power = sympy.Add(*inputs)
-    motion = dict(
-        zip((body.coordinate.diff(t, 2) for body in mechanism.bodies), accelerations(mechanism), strict=True)
-    )
-    energy_rate = (kinetic_energy(mechanism) + potential).diff(t).subs(motion)
-    dissipated_power = sympy.Add(*(2 * term for term in sympy.Add.make_args(dissipation)))
-    contact_power = sympy.Add(*(force * elongation_rate(each) for each, force in _contact_forces(mechanism)))
+    rates = [body.coordinate.diff(t) for body in mechanism.bodies]
+    # The kinetic energy changes by the power of M q̈, and that is the resultant force.
+    inertial, resultant = inertial_forces(mechanism), resultant_forces(mechanism)
+    kinetic_rate = kinetic_energy(mechanism).diff(t) + _power(resultant, rates) - _power(inertial, rates)
+    energy_rate = kinetic_rate + potential.diff(t)
+    alone = rayleigh_function(replace(mechanism, structures=()))
+    dissipated_power = sympy.Add(*(2 * term for term in sympy.Add.make_args(alone)))
+    contacts = (force * elongation_rate(each) for each, force in _contact_forces(mechanism))
+    contact_power = sympy.Add(*contacts, *((2 * (dissipation - alone),) if mechanism.structures else ()))
     residual = sympy.expand(energy_rate - input_power + dissipated_power + contact_power)
     return PowerBalance(input_power, dissipated_power, contact_power, residual)
+
+
+def _power(forces: tuple[sympy.Expr, ...], rates: list[sympy.Expr]) -> sympy.Expr:
+    return sympy.Add(*(force * rate for force, rate in zip(forces, rates, strict=True)))
 
 
 def _pin_force(pin: Pin, mechanism: Mechanism) -> sympy.Expr:

@@ -26,10 +26,15 @@ class StateSpace:
     b: sympy.ImmutableMatrix
 
 
-def state_space(matrices: MotionMatrices) -> StateSpace:
-    """Turn the n equations of second order into 2n of first order (thesis, equations 2.10 to 2.13)."""
+def state_space(matrices: MotionMatrices, inverse_mass: sympy.ImmutableMatrix | None = None) -> StateSpace:
+    """Turn the n equations of second order into 2n of first order (thesis, equations 2.10 to 2.13).
+
+    Args:
+        matrices: Of the equations of second order.
+        inverse_mass: M⁻¹, if it has symbols of its own.
+    """
     size = matrices.mass.rows
-    inverse_mass = matrices.mass.inv()
+    inverse_mass = matrices.mass.inv() if inverse_mass is None else inverse_mass
     zero, identity = sympy.zeros(size, size), sympy.eye(size)
     lower = sympy.Matrix.hstack(-inverse_mass * matrices.stiffness, -inverse_mass * matrices.damping)
     inputs = inverse_mass * matrices.input_forces

@@ -40,9 +40,23 @@ from trimmer.mechanism.printed_symbols import (
     printed_symbols,
     value_of,
 )
+from trimmer.mechanism.structure_symbols import DAMPING_RATIO, FREQUENCY
+from trimmer.structures_in_symbols import StructuresInSymbols
 
 UNITS = {unit.text: unit for unit in vars(symbols).values() if isinstance(unit, Unit)}
-ARGUMENTS = ("mass", "inertia", WEIGHT, "stiffness", "damping", "viscous", "gap", "side")
+OF_MODES = (FREQUENCY, DAMPING_RATIO, "shape")
+ARGUMENTS = (
+    "mass",
+    "inertia",
+    "mobility",
+    WEIGHT,
+    *OF_MODES,
+    "stiffness",
+    "damping",
+    "viscous",
+    "gap",
+    "side",
+)
 """What functions of a module take, in this order."""
 
 
@@ -129,16 +143,17 @@ class _Translation:
     printed: Mapping[Place, PrintedSymbol]
 
     def mechanism(self) -> SymbolicMechanism:
-        bodies = {name: self._body(name) for name in self.data.bodies}
-        points = {name: self._point(name, bodies) for name in self.data.points}
+        structures = StructuresInSymbols(self.data, self.printed)
+        bodies = {name: self._body(name) for name in self.data.bodies} | structures.bodies
+        points = {name: self._point(name, bodies) for name in self.data.points} | structures.points
         moved: dict[str, parts.RigidBody | parts.Point] = {**bodies, **points}
         carriers: dict[str, parts.RigidBody | parts.Point | parts.Ground] = {GROUND: parts.Ground(), **moved}
         pins = {name: self._pin(name, pin, carriers[pin.on]) for name, pin in self.data.pins.items()}
         ends: dict[str, parts.End] = {**carriers, **pins}
         return SymbolicMechanism(
             bodies=tuple(bodies.values()),
-            springs=self._springs(ends),
-            dampers=self._dampers(ends),
+            springs=(*self._springs(ends), *structures.springs),
+            dampers=(*self._dampers(ends), *structures.dampers),
             pins=tuple(pins.values()),
             contacts=(
                 *(self._play(name, play, ends) for name, play in self.data.plays.items() if _pushes(play)),
@@ -163,6 +178,7 @@ class _Translation:
             forces=tuple(self._force(name, force, moved) for name, force in self.data.forces.items()),
             outputs=tuple(self._output(name, output, ends) for name, output in self.data.outputs.items()),
             points=tuple(points.values()),
+            structures=structures.structures,
         )
 
     def _body(self, name: str) -> parts.RigidBody:
@@ -342,7 +358,11 @@ def _occurring(mechanism: SymbolicMechanism) -> set[sympy.Basic]:
     """Return the symbols and functions of time that the parts of a mechanism hold."""
     listed = (each for kind in vars(mechanism).values() for each in kind)
     values = (value for part in listed for value in vars(part).values() if isinstance(value, sympy.Basic))
-    weights = (weight for point in mechanism.points for _, weight in point.weights)
+    weights = [weight for point in mechanism.points for _, weight in point.weights]
+    for each in mechanism.structures:
+        weights += [
+            entry for matrix in (each.mass, each.damping, each.stiffness, each.mobility) for entry in matrix
+        ]
     slots = (each for each in mechanism.contacts if isinstance(each, parts.Contact))
     unused = {each.stretch for each in slots if not contact_statement(each).has_stretch}
     return set().union(*(value.atoms(sympy.Symbol, AppliedUndef) for value in (*values, *weights))) - unused
@@ -383,7 +403,7 @@ def _arguments(printed: Mapping[Place, PrintedSymbol], occurring: set[sympy.Basi
 
 
 def _is_kind(of: str, kind: str) -> bool:
-    return of.startswith(WEIGHT) if kind == WEIGHT else of == kind
+    return of.startswith(WEIGHT) if kind == WEIGHT else of == kind or of.startswith(f"{kind} ")
 
 
 def _name(symbol: sympy.Basic) -> str:

@@ -11,7 +11,7 @@ from derivations.any_mechanism.contact_law import ContactStatement
 from derivations.any_mechanism.curve_law import CurveStatement
 from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.friction_law import FrictionStatement
-from derivations.equations_of_motion import MotionMatrices, inputs
+from derivations.equations_of_motion import MotionMatrices, inertial_forces, inputs
 from derivations.latex import escaped, latex, latex_equation
 from derivations.linear_motion import SymbolicMotion
 from derivations.mechanism import elongation, position
@@ -36,6 +36,12 @@ ENDING = {
 POINTS = (
     "A point moves by a weighted sum of these: as the end of a lever by its arm times the angle, or behind a "
     "gear by its ratio. What it is pushed with acts on each body with the same weight. "
+)
+
+STRUCTURES = (
+    "The coordinates of a structure are among them. Its matrices of mass, damping and stiffness are part of "
+    "$M$, $C$ and $K$ below; half of their quadratic forms are part of the energies and of $R$. "
+    "$W$ is the inverse of its mass matrix. "
 )
 
 
@@ -84,7 +90,7 @@ def _parts(derivation: MechanismDerivation) -> NarrativeStep:
             *((each.spring.distance, each.distance) for each in derivation.curves),
         )
     )
-    intermediate = POINTS if mechanism.points else ""
+    intermediate = (POINTS if mechanism.points else "") + (STRUCTURES if mechanism.structures else "")
     return NarrativeStep(
         "parts",
         "Bodies and what joins them",
@@ -128,8 +134,14 @@ def _motion(motion: SymbolicMotion) -> NarrativeStep:
 
 
 def _balances(motion: SymbolicMotion) -> Iterator[Formula]:
-    for body, force in zip(motion.mechanism.bodies, motion.resultant_forces, strict=True):
-        yield Formula(f"{latex(body.mass)} {latex(body.coordinate.diff(t, 2))} = {latex(force)}")
+    coupled = {body for structure in motion.mechanism.structures for body in structure.bodies}
+    listed = zip(
+        motion.mechanism.bodies, inertial_forces(motion.mechanism), motion.resultant_forces, strict=True
+    )
+    for body, inertial, force in listed:
+        mass = "" if body.mass == 1 else f"{latex(body.mass)} "
+        alone = f"{mass}{latex(body.coordinate.diff(t, 2))}"
+        yield Formula(f"{latex(inertial) if body in coupled else alone} = {latex(force)}")
 
 
 def _matrices(motion: SymbolicMotion) -> NarrativeStep:

@@ -55,7 +55,7 @@ def assert_matrices_agree(mechanism):
         "given_force": assembled.forces,
         "contact_force": -directions(mechanism, {**mechanism.plays, **mechanism.stops}),
         "friction_force": -directions(mechanism, mechanism.frictions),
-        "constant_force": np.zeros((len(mechanism.bodies), 1)),
+        "constant_force": np.zeros((len(mechanism.coordinates), 1)),
     }
     assert derived.keys() == expected.keys()
     for name, matrix in expected.items():
@@ -64,7 +64,7 @@ def assert_matrices_agree(mechanism):
 
 def directions(mechanism, joints):
     """Rows of end minus start in the displacements of the bodies, as columns."""
-    rows, bodies = displacement_rows(mechanism), len(mechanism.bodies)
+    rows, bodies = displacement_rows(mechanism), len(mechanism.coordinates)
     listed = [(rows[each.between[1]] - rows[each.between[0]])[:bodies] for each in joints.values()]
     return np.array(listed).reshape(-1, bodies).T
 
@@ -84,7 +84,7 @@ def assert_motion_agrees(mechanism, time):
     """Hold the accelerations of the exact engine, of a state and a time, against the derived ones."""
     symbolic = symbolic_mechanism(mechanism)
     machine, layout = machine_of(mechanism)
-    bodies = len(mechanism.bodies)
+    bodies = len(mechanism.coordinates)
     state = np.random.default_rng(bodies).uniform(-1.0, 1.0, layout.state_count)
     pushed = machine.base[bodies : 2 * bodies] @ np.concatenate([state, layout.forcing_at(time)])
     values = values_at(symbolic, state, time)

@@ -48,6 +48,7 @@ from trimmer.mechanism.curves import is_odd
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
+from trimmer.mechanism.structure_ends import modes_in
 from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
@@ -280,7 +281,8 @@ class MechanismFlow(Flow):
 
     def units_of_body(self, body: str) -> Units:
         """Return the units of a body by its name."""
-        return Units(self.mechanism.kinds[body].unit("m"))
+        modal = body in modes_in(vars(self.mechanism))
+        return Units("m kg^1/2" if modal else self.mechanism.kinds[body].unit("m"))
 
     def units_of_part(self, part: str) -> Units:
         """Return the units of a part between two ends by its name."""
@@ -299,9 +301,8 @@ class MechanismFlow(Flow):
 
     @cached_property
     def accelerations(self) -> Mapping[str, Signal]:
-        """Acceleration of each body, m/s² or rad/s²."""
-        bodies = self.modes.system.layout.coordinates
-        return {name: acceleration(self.modes, body) for body, name in enumerate(bodies)}
+        """Acceleration of each body, and of each point of modes, m/s² or rad/s²."""
+        return {name: acceleration(self.modes, name) for name in self.modes.system.layout.shaken}
 
     def without_rounding(self, sizes: Reals) -> Reals:
         """Return sizes of states, (n,), 0 for what is rounding beside others of its kind.

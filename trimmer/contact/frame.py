@@ -19,8 +19,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.elimination import solutions
-from trimmer.mechanism.coordinates import weights_of_ends
+from trimmer.mechanism.coordinates import rows_of_structures, weights_of_ends
+from trimmer.mechanism.elimination import solutions
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Link, Play, Stop
 
@@ -85,10 +85,12 @@ def frame_of(mechanism: Mechanism, *, without_stops: bool = False) -> Frame:
     weights, pins = weights_of_ends(mechanism), mechanism.pins
     between = list(dict.fromkeys(_leaning(mechanism, without_stops)))
     drifts = {name: pins[name].velocity if name in pins else 0.0 for name in weights}
-    shifts = np.array([weights[end] - weights[start] for start, end in between])
+    shifts = [weights[end] - weights[start] for start, end in between]
+    drifting = [drifts[start] - drifts[end] for start, end in between]
+    strains = list(_strains(mechanism))
     found = solutions(
-        shifts.reshape(-1, len(mechanism.coordinates)),
-        np.array([drifts[start] - drifts[end] for start, end in between]),
+        np.array([*shifts, *strains]).reshape(-1, len(mechanism.coordinates)),
+        np.array([*drifting, *(0.0 for _ in strains)]),
     )
     carried = found.particular if found.consistent else np.zeros_like(found.particular)
     return Frame(found.free, found.directions, carried, follows=True, pulled=not found.consistent)
@@ -100,6 +102,15 @@ def _leaning(mechanism: Mechanism, without_stops: bool) -> Iterator[tuple[str, s
     for part in (*mechanism.links.values(), *mechanism.plays.values(), *stops):
         if leans(part):
             yield part.between
+
+
+def _strains(mechanism: Mechanism) -> Iterator[Reals]:
+    """Yield what structures resist, as sums of all coordinates."""
+    for structure, rows in rows_of_structures(mechanism):
+        for strain in structure.strains:
+            row = np.zeros(len(mechanism.coordinates))
+            row[rows] = strain
+            yield row
 
 
 def leans(part: Link | Play | Stop) -> bool:

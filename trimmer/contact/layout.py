@@ -15,7 +15,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
-from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
+from trimmer.mechanism.coordinates import Inertia, inertia_of, shaken_ends, weights_of_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
 from trimmer.mechanism.waves import mean_of, waves_of
@@ -42,6 +42,7 @@ class Layout:
         ends: Names of the ends.
         end_rows: Displacements of the ends as functionals, (ends, N), without the share of a ramp that
             nothing leans on.
+        shaken: Those ends whose accelerations are told: the coordinates, and in place of modes their points.
         frame: That in which displacements are.
         speeds: By name, how fast each end moves on beyond what its functional says, m/s: with the
             frame, or as a pin that nothing leans on.
@@ -57,6 +58,7 @@ class Layout:
     omega: float
     ends: tuple[str, ...]
     end_rows: Reals
+    shaken: tuple[str, ...]
     frame: Frame
     speeds: Mapping[str, float]
 
@@ -113,6 +115,11 @@ class Layout:
         for place in range(len(self.orders)):
             found[place, 2 * place : 2 * place + 2] = -1j, 1.0
         return found
+
+    def weights(self, end: str) -> Reals:
+        """Return what weighs the coordinates in the displacement of an end, (coordinates,)."""
+        weights: Reals = self.end_rows[self.ends.index(end), : len(self.coordinates)]
+        return weights
 
     def felt(self, distances: Reals) -> Reals:
         """Return distances, (n, columns), without shifts of what leaders lead, where the frame follows."""
@@ -212,6 +219,7 @@ def layout_of(
         omega,
         tuple(speeds),
         np.array([]),
+        shaken_ends(mechanism),
         frame,
         dict.fromkeys(speeds, 0.0) if ramp else speeds,
     )
@@ -291,4 +299,8 @@ class Rows:
 
     def push(self, start: str, end: str) -> Reals:
         """Return the accelerations by 1 N that pushes the end, and its opposite on the start, (n,)."""
-        return self._inertia.accelerations(self.weights(end) - self.weights(start))
+        return self.accelerations(self.weights(end) - self.weights(start))
+
+    def accelerations(self, forces: Reals) -> Reals:
+        """Return the accelerations by forces on the coordinates, (n,) or (n, columns) each."""
+        return self._inertia.accelerations(forces)

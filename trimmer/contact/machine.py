@@ -13,6 +13,7 @@ from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
+from trimmer.mechanism.coordinates import elastic_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 
@@ -101,6 +102,10 @@ def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
     base[:count, -1] -= layout.frame.velocities
     if layout.frame.follows:
         base[:count, count + layout.frame.leading] -= layout.frame.directions
+    if mechanism.structures:
+        stiffness, damping = elastic_matrices(mechanism)
+        base[count : 2 * count, :count] -= rows.accelerations(stiffness)
+        base[count : 2 * count, count : 2 * count] -= rows.accelerations(damping)
     for link in mechanism.links.values():
         start, end = link.between
         force = link.stiffness * (rows.displacement(end) - rows.displacement(start))

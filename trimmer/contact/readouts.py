@@ -50,9 +50,14 @@ def parts_of(system: MechanismSystem) -> tuple[Part, ...]:
     return (*contacts, *frictions, *curves)
 
 
-def acceleration(modes: Modes[MechanismSystem], body: int) -> Signal:
-    """Return the acceleration of a body by its number, m/s²."""
-    return lambda mode: np.asarray(modes[mode].flow[len(modes.system.layout.coordinates) + body])
+def acceleration(modes: Modes[MechanismSystem], end: str) -> Signal:
+    """Return the acceleration of a coordinate, or of a point of modes, m/s²."""
+    layout = modes.system.layout
+    count = len(layout.coordinates)
+    if end in layout.coordinates:
+        return lambda mode: np.asarray(modes[mode].flow[count + layout.coordinates.index(end)])
+    weights = layout.weights(end)
+    return lambda mode: np.asarray(weights @ modes[mode].flow[count : 2 * count])
 
 
 def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures:

@@ -79,7 +79,8 @@ def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) ->
     """
     layout = course.modes.system.layout
     count = min(int(np.ceil(2 * np.pi * HIGHEST / omega)), MOST_LINES)
-    displacements = course.nodes.states[:, : len(layout.coordinates)]
+    weights_of = {name: layout.weights(name) for name in layout.shaken}
+    displacements = course.nodes.states[:, : len(layout.coordinates)] @ np.array(list(weights_of.values())).T
     mean = course.nodes.weights @ displacements / course.duration
     orders = np.arange(1, count + 1)
     waves = fourier(course, displacements - mean, omega, count) * (orders * omega)[:, None] ** 2
@@ -87,7 +88,7 @@ def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) ->
     squares = 0.5 * abs(waves) ** 2
     beyond = _largest_beyond(count * omega / (2 * np.pi))
     found = {}
-    for body, name in enumerate(layout.coordinates):
+    for body, name in enumerate(layout.shaken):
         rest = max(rms[name] ** 2 - squares[:, body].sum(), 0.0)
         weighted = float(np.sqrt(weights**2 @ squares[:, body]))
         left_out = float(np.sqrt(weighted**2 + beyond**2 * rest)) - weighted
@@ -115,8 +116,8 @@ def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -
     frequency = np.fft.rfftfreq(count, course.duration / count)
     weights = abs(hand_arm_weighting(frequency))
     found = {}
-    for body, name in enumerate(course.modes.system.layout.coordinates):
-        signal = along(course, acceleration(course.modes, body), rows, states)
+    for name in course.modes.system.layout.shaken:
+        signal = along(course, acceleration(course.modes, name), rows, states)
         power = abs(np.fft.rfft((signal - signal.mean()) * taper)) ** 2
         share = float(weights**2 @ power / power.sum()) if power.sum() > 0 else 0.0
         weighted = float(np.sqrt(share)) * rms[name]

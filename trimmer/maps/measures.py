@@ -97,20 +97,22 @@ def of_window(flow: Flow, course: Course, periods: int) -> Measures:
     times = course.duration * (np.arange(count) + 0.5) / count
     rows = np.searchsorted(log.start, times, side="right") - 1
     states = course.states(times)
-    accelerations = _accelerations(course, rows, states, bodies)
+    layout = flow.modes.system.layout
+    weights = np.array([layout.weights(name) for name in layout.shaken])
+    accelerations = product(_accelerations(course, rows, states, bodies), weights)
     speeds = abs(product(states, machine.friction_rate))
     first = len(machine.stiffness)
     statuses = flow.modes.tables.statuses[log.mode[rows], first : first + len(machine.kinetic)]
     speeds[statuses == STICK] = 0.0
     means = machine.kinetic * speeds.mean(axis=0)
-    names = flow.modes.system.layout.frictions
+    names = layout.frictions
     for number, name in enumerate(names):
         forces = curve_forces(course, "frictions", name, rows, states)
         means[number] += (forces * product(states, machine.friction_rate[number : number + 1])[:, 0]).mean()
     powers = dict(zip(names, means, strict=True))
     return Measures(
         _swings(flow, course, times, states),
-        dict(zip(mechanism.coordinates, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
+        dict(zip(layout.shaken, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
         {name: float(powers.get(name, 0.0)) for name in mechanism.frictions},
         *_of_events(flow, course, periods),
     )

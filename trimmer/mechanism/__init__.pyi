@@ -16,3 +16,5 @@ from .parts import Pin as Pin
 from .parts import Play as Play
 from .parts import Point as Point
 from .parts import Stop as Stop
+from .structure import ModalModel as ModalModel
+from .structure import Structure as Structure

@@ -16,6 +16,8 @@ from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT, NumberField
+from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structure_checks import problems_of_structure
 from trimmer.mechanism.waves import problems_of_waveform
 
 LONGEST_NAME = 300
@@ -31,7 +33,7 @@ _SYMBOL = re.compile(rf"[{_LETTER}]+[0-9]*(?:_[{_LETTER}0-9]+|_\{{[{_LETTER}0-9]
 Content = Mapping[str, object]
 """Fields of a mechanism, by name."""
 
-OPTIONAL_NUMBERS = {"static", "force", "mass", "inertia"}
+OPTIONAL_NUMBERS = {"static", "force", "mass", "inertia", "damping_ratio"}
 """Numbers that may be None, for what the docstring of the part says."""
 
 
@@ -50,6 +52,8 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
             yield from _name((section,), name)
             if type(part) is kind:
                 yield from _fields((section, str(name)), part, kinds)
+                if isinstance(part, Structure):
+                    yield from problems_of_structure((section, str(name)), part)
             else:
                 yield Problem((section, str(name)), f"give a trimmer.mechanism.{kind.__name__}", part)
     yield from _sums("points", Point, content["points"])

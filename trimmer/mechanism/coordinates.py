@@ -6,7 +6,7 @@ By virtual work, a force F on it acts on each coordinate with F times the weight
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,6 +15,7 @@ import numpy as np
 from trimmer.arrays import Flags, Reals
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
+from trimmer.mechanism.structure import Structure
 
 
 def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:
@@ -32,12 +33,46 @@ def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:
         name: np.array([point.weights.get(each, 0.0) for each in coordinates])
         for name, point in mechanism.points.items()
     }
+    for name, (structure, rows) in zip(mechanism.structures, rows_of_structures(mechanism), strict=True):
+        for point, shape in structure.points.items():
+            weights[f"{name}.{point}"] = np.zeros(len(coordinates))
+            weights[f"{name}.{point}"][rows] = shape
     return weights | {name: weights[pin.on] for name, pin in mechanism.pins.items()}
+
+
+def shaken_ends(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the ends whose accelerations are told: the coordinates, and in place of modes their points."""
+    structures = mechanism.structures.items()
+    return (
+        *mechanism.bodies,
+        *(f"{name}.{own}" for name, each in structures for own in (each.points or each.names)),
+    )
 
 
 def inertia_of(mechanism: Mechanism) -> Inertia:
     """Return the mass matrix of the coordinates."""
-    return Inertia(np.diag([body.generalised_mass for body in mechanism.bodies.values()]))
+    mass = np.zeros((len(mechanism.coordinates),) * 2)
+    bodies = range(len(mechanism.bodies))
+    mass[bodies, bodies] = [body.generalised_mass for body in mechanism.bodies.values()]
+    for structure, rows in rows_of_structures(mechanism):
+        mass[rows, rows] = structure.matrices[0]
+    return Inertia(mass)
+
+
+def rows_of_structures(mechanism: Mechanism) -> Iterator[tuple[Structure, slice]]:
+    """Yield each structure with the places of its coordinates among all, in order."""
+    first = len(mechanism.bodies)
+    for structure in mechanism.structures.values():
+        yield structure, slice(first, first + len(structure.names))
+        first += len(structure.names)
+
+
+def elastic_matrices(mechanism: Mechanism) -> tuple[Reals, Reals]:
+    """Return stiffness and damping of the structures among all coordinates, (n, n) each."""
+    stiffness, damping = (np.zeros((len(mechanism.coordinates),) * 2) for _ in range(2))
+    for structure, rows in rows_of_structures(mechanism):
+        _, damping[rows, rows], stiffness[rows, rows] = structure.matrices
+    return stiffness, damping
 
 
 @dataclass(frozen=True, eq=False)

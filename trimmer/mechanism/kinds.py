@@ -15,6 +15,8 @@ from typing import Any
 from trimmer.mechanism.parts import COUPLINGS, GROUND, Body, Output
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, PARTS, QUANTITIES, VELOCITY, WEIGHT, NumberField
+from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structure_ends import rotations_in
 from trimmer.mechanism.units import UnitError, dimension_of
 
 _OF_ROTATIONS: Mapping[str, str] = MappingProxyType(
@@ -74,6 +76,8 @@ def kinds_of(content: Mapping[str, Any]) -> dict[str, Kind]:
         for name, body in _parts(content, "bodies")
         if entry(body, "mass") is not None or entry(body, "inertia") is not None
     }
+    turning = rotations_in(content)
+    found |= {name: Kind.ROTATION if turns else Kind.TRANSLATION for name, turns in turning.items()}
     points = {name: kind_of_point(found, point) for name, point in _parts(content, "points")}
     found |= {name: kind for name, kind in points.items() if kind is not None}
     grounded = []
@@ -175,6 +179,8 @@ def numbers_of_part(
     kind = kind_of_part(kinds, section, name, part)
     if section == "bodies":
         return _BODIES[kind]
+    if isinstance(part, Structure) and (part.modes is not None or part.damping is not None):
+        return {}
     return _FIELDS[PARTS[section], kind]
 
 

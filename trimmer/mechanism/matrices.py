@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
-from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
+from trimmer.mechanism.coordinates import elastic_matrices, inertia_of, weights_of_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 from trimmer.showing.shown import Shown, counted
@@ -44,7 +44,7 @@ class LinearMatrices(Shown):
 
 
 def linear_matrices(mechanism: Mechanism, *, viscous: bool = False) -> LinearMatrices:
-    """Assemble the matrices of bodies and links; plays, stops and dry friction are left out.
+    """Assemble the matrices of bodies, structures and links; plays, stops and dry friction are left out.
 
     Args:
         mechanism: The mechanism.
@@ -60,6 +60,7 @@ def linear_matrices(mechanism: Mechanism, *, viscous: bool = False) -> LinearMat
         couplings += [(each.between, 0.0, each.viscous) for each in mechanism.frictions.values()]
     coordinates = len(mechanism.coordinates)
     stiffness, damping = (np.zeros((coordinates, len(rows[GROUND]))) for _ in range(2))
+    stiffness[:, :coordinates], damping[:, :coordinates] = elastic_matrices(mechanism)
     for (start, end), k, c in couplings:
         elongation = rows[end] - rows[start]
         pulled = elongation[:coordinates]

@@ -18,6 +18,7 @@ from trimmer.mechanism.problems import Problem, as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
+from trimmer.mechanism.structure import Structure
 from trimmer.showing.shown import Shown, counted
 
 if TYPE_CHECKING:
@@ -37,6 +38,8 @@ class Mechanism(Shown):
         bodies: Their order is the order of the displacements.
         frequency: That of the drive, Hz; None for a mechanism that moves by itself.
         title: What it is.
+        structures: Linear parts given by matrices or modes; their coordinates, such as ``housing.u1``, follow
+            the bodies, and stand wherever a body may.
         start: Displacement, m, and velocity, m/s, of bodies at t = 0; the others are at rest at 0.
         points: Weighted sums of displacements, which stand wherever a body may.
 
@@ -44,7 +47,7 @@ class Mechanism(Shown):
         MechanismError: if a part cannot be used or the parts do not go together; every problem is named.
     """
 
-    bodies: Mapping[str, Body]
+    bodies: Mapping[str, Body] = field(default_factory=dict)
     frequency: float | None = None
     pins: Mapping[str, Pin] = field(default_factory=dict)
     links: Mapping[str, Link] = field(default_factory=dict)
@@ -56,6 +59,7 @@ class Mechanism(Shown):
     start: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     title: str = ""
     points: Mapping[str, Point] = field(default_factory=dict)
+    structures: Mapping[str, Structure] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if problems := problems_with(vars(self)):
@@ -77,8 +81,9 @@ class Mechanism(Shown):
 
     @property
     def coordinates(self) -> tuple[str, ...]:
-        """Names of what it moves by, in the order of all states: the bodies."""
-        return tuple(self.bodies)
+        """Names of what it moves by, in the order of all states: bodies, then coordinates of structures."""
+        structures = self.structures.items()
+        return (*self.bodies, *(f"{name}.{each}" for name, part in structures for each in part.names))
 
     def _taken_point(self, point: Point) -> Point:
         turning = any(self.kinds.get(name) is Kind.ROTATION for name in point.weights)
@@ -129,12 +134,13 @@ class Mechanism(Shown):
         return read_mechanism(file_path("path", path))
 
     @classmethod
-    def from_toml_text(cls, text: str, name: str = "the text") -> Mechanism:
+    def from_toml_text(cls, text: str, name: str = "the text", folder: Path | str = Path()) -> Mechanism:
         """Read a mechanism from the text of a TOML file.
 
         Args:
             text: The text.
             name: What messages call it.
+            folder: Where the files are that it names; the working directory if not given.
 
         Raises:
             MechanismError: as for a file.
@@ -142,7 +148,7 @@ class Mechanism(Shown):
         from trimmer.mechanism.reading import mechanism_of_text
 
         require_instance("text", text, str, "the text of a TOML file")
-        return mechanism_of_text(text, name)
+        return mechanism_of_text(text, name, folder=file_path("folder", folder))
 
     def to_toml(self) -> str:
         """Return the mechanism as the text of a TOML file, which reads back equal."""
@@ -242,6 +248,8 @@ def _taken(part: Any) -> Any:
         for name, quantity in QUANTITIES[type(part)].items()
         if getattr(part, name) is not None
     }
+    if isinstance(part, Structure):
+        return replace(part.taken(), damping_ratio=numbers.get("damping_ratio"))
     others: dict[str, object] = {}
     if hasattr(part, "between"):
         others["between"] = tuple(part.between)

@@ -14,6 +14,7 @@ from trimmer.mechanism.points import ends_in
 from trimmer.mechanism.problems import Problem, no_such
 from trimmer.mechanism.quantities import WEIGHT, NumberField
 from trimmer.mechanism.read_only import ReadOnly
+from trimmer.mechanism.structure_ends import no_such_end
 from trimmer.messages import listed
 
 OF_ENDS = {kind.word: kind for kind in (OutputKind.VELOCITY, OutputKind.ACCELERATION)}
@@ -141,7 +142,7 @@ def problems_of_outputs(content: Mapping[str, Any], known: list[str]) -> Iterato
             if of == GROUND:
                 yield Problem(there, "the ground does not move; leave it out", weight)
             elif of not in known:
-                yield Problem(there, no_such(ends_in(content), of, known), weight)
+                yield Problem(there, no_such_end(content, ends_in(content), of, known), weight)
     yield from _of_names(content, known)
 
 

@@ -15,6 +15,7 @@ from trimmer.mechanism.parts import Friction
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, NumberField
 from trimmer.mechanism.read_only import ReadOnly
+from trimmer.mechanism.structure import Structure
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 
@@ -33,7 +34,7 @@ def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
     for name, output in mechanism.outputs.items():
         for of in output.weights:
             found[weight_place(name, output.kind, of)] = _weight(mechanism, "outputs", name, of)
-    for name in mechanism.bodies:
+    for name in mechanism.coordinates:
         state = zip(STATE, numbers_of_start(mechanism.kinds, name), strict=True)
         found |= {("start", name, key): each for key, each in state}
     return found
@@ -78,6 +79,8 @@ def value_at(mechanism: Mechanism, place: str) -> float:
     part = getattr(mechanism, section)[name]
     if isinstance(part, Friction) and key == "static":
         return part.static_force
+    if isinstance(part, Structure):
+        return part.damping_ratio or 0.0
     return getattr(part, key)  # type: ignore[no-any-return]
 
 
@@ -183,7 +186,7 @@ def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
                 return None
             there = names == weight_place(name, output.kind, body)
             return _weight(mechanism, "outputs", name, body) if there else None
-        case ("start", name, key) if key in STATE and name in mechanism.bodies:
+        case ("start", name, key) if key in STATE and name in mechanism.coordinates:
             return numbers_of_start(mechanism.kinds, name)[STATE.index(key)]
         case (section, name, *end) if section in PARTS and name in getattr(mechanism, section):
             return _of_part(mechanism, section, name).get(tuple(end))

@@ -7,7 +7,8 @@ from typing import Any
 
 from trimmer.mechanism.kinds import Kind, is_length, place_of_weights, weights_of
 from trimmer.mechanism.parts import COUPLINGS, GROUND, Point
-from trimmer.mechanism.problems import Problem, no_such
+from trimmer.mechanism.problems import Problem
+from trimmer.mechanism.structure_ends import coordinates_in, no_such_end, points_in
 
 SAME = 1e-12
 """Difference of two weights, as a share of the largest one, that is taken for rounding."""
@@ -29,8 +30,8 @@ def problems_of_points(content: Mapping[str, Any]) -> Iterator[Problem]:
                 yield Problem(place, reason, weight)
             elif of == GROUND:
                 yield Problem(place, "the ground does not move; leave it out", weight)
-            elif of not in content["bodies"]:
-                yield Problem(place, no_such("body", of, content["bodies"]), weight)
+            elif of not in (known := coordinates_in(content)):
+                yield Problem(place, no_such_end(content, "body", of, known), weight)
 
 
 def problems_of_weights(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> Iterator[Problem]:
@@ -101,6 +102,8 @@ def problems_of_ends(
 def coordinates_of(content: Mapping[str, Any], end: str) -> dict[str, float]:
     """Return the coordinates that move an end, each with its weight."""
     carrier = content["pins"][end].on if end in content["pins"] else end
+    if carrier in (shapes := points_in(content)):
+        return {name: weight for name, weight in shapes[carrier].items() if weight != 0}
     if carrier in content["points"]:
         weights = content["points"][carrier].weights
         return {name: weight for name, weight in weights.items() if weight != 0}
@@ -114,4 +117,5 @@ def ends_in(content: Mapping[str, Any]) -> str:
 
 def is_on_point(content: Mapping[str, Any], end: str) -> bool:
     """Say whether an end is a point, or a pin on one."""
-    return (content["pins"][end].on if end in content["pins"] else end) in content["points"]
+    carrier = content["pins"][end].on if end in content["pins"] else end
+    return carrier in content["points"] or carrier in points_in(content)

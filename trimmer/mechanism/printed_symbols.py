@@ -20,6 +20,8 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import UNITS
 from trimmer.mechanism.parts import Link
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structure_symbols import symbols_of
 
 Place = tuple[str, str, str]
 """Section, part, and what is meant of it."""
@@ -160,12 +162,22 @@ def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
             form = stem.form % letters if "%s" in stem.form else stem.form
             indices = _indices(preferred, name, 1 + parts.index(name))
             found[section, name, stem.of] = _first_free(form, indices, {*TAKEN, *found.values()})
-    return {
+    printed = {
         (section, name, stem.of): PrintedSymbol(found[section, name, stem.of], stem.meaning % name, stem.unit)
         for section, name, _ in _parts(mechanism)
         for stem in stems_of(mechanism, section, name)
         if (section, name, stem.of) in found
     }
+    return printed | dict(_of_structures(mechanism, {*TAKEN, *found.values()}))
+
+
+def _of_structures(mechanism: Mechanism, used: set[str]) -> Iterator[tuple[Place, PrintedSymbol]]:
+    for number, name in enumerate(mechanism.structures, 1):
+        for each in symbols_of(mechanism, name):
+            indices = _indices(f"{name}{each.index}", f"{number}{each.index}", 1)
+            symbol = _first_free(each.letter, indices, used)
+            used.add(symbol)
+            yield ("structures", name, each.of), PrintedSymbol(symbol, each.meaning, each.unit)
 
 
 def _of_harmonics(section: str, part: Any) -> Iterator[Stem]:
@@ -230,6 +242,8 @@ def value_of(mechanism: Mechanism, place: Place) -> float | None:
     """Return the number that a symbol stands for, in SI units; None for a function of time."""
     section, name, of = place
     part = getattr(mechanism, section)[name]
+    if isinstance(part, Structure):
+        return next(each.value for each in symbols_of(mechanism, name) if each.of == of)
     if of == "static":
         return float(part.static_force)
     if of.startswith("harmonics."):

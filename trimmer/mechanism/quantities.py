@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 from trimmer.arguments import scalar
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism.structure import Structure
 
 _LOWEST = 1e-300
 """Hz; thousands of periods of it are still finite."""
@@ -97,6 +98,7 @@ _ORDER = NumberField("1", "2", Range.WHOLE)
 QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
     {
         Body: {"mass": _MASS, "inertia": _INERTIA},
+        Structure: {"damping_ratio": NumberField("1", "0.02", Range.NOT_NEGATIVE)},
         Pin: {
             **{"amplitude": DISPLACEMENT, "phase": _PHASE, "offset": DISPLACEMENT, "velocity": VELOCITY},
             "order": _ORDER,
@@ -116,6 +118,7 @@ QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
 PARTS: Mapping[str, type] = MappingProxyType(
     {
         "bodies": Body,
+        "structures": Structure,
         "pins": Pin,
         "links": Link,
         "plays": Play,

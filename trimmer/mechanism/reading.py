@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -30,6 +30,9 @@ from trimmer.mechanism.points import problems_of_weights
 from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, is_number
 from trimmer.mechanism.sense import NO_MASS
+from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structure_ends import problems_of_dots
+from trimmer.mechanism.structure_reading import problems_of_keys, structure_of
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.mechanism.waves import samples_of
@@ -97,6 +100,9 @@ def mechanism_of_text(
     given = {each.place: values[place] for place, each in left_open.items()}
     content = replaced(content, given)
     problems = list(_problems_of_form(content))
+    written = content
+    if not problems:
+        content = {**content, "structures": _structures(content, folder, problems)}
     if not problems:
         kinds = kinds_of(content)
         problems = [*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds)]
@@ -105,7 +111,7 @@ def mechanism_of_text(
         problems = problems or problems_with(arguments)
         if not problems:
             return Mechanism(**arguments)
-    raise MechanismError(as_message_of_file(name, problems, content, lines_of_keys(text)))
+    raise MechanismError(as_message_of_file(name, problems, written, lines_of_keys(text)))
 
 
 def content_of_text(text: str, name: str) -> dict[str, Any]:
@@ -137,7 +143,8 @@ def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
         elif key in ("points", "outputs"):
             for name, entries in value.items():
                 yield from problems_of_form((key, name), entries)
-    if "bodies" not in content:
+    yield from problems_of_dots(content)
+    if "bodies" not in content and "structures" not in content:
         yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
 
 
@@ -146,18 +153,32 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
     if not isinstance(entries, dict):
         yield Problem(place, f"give its keys in braces, as in {{ {_example(kind)} }}", entries)
         return
-    known = [each.name for each in fields(kind)]
+    known = [each.name for each in fields(kind) if each.name != "files"]
     unknown = [key for key in entries if key not in known]
     for key in unknown:
         reason = _unknown(key, known, f"a part of [{place[0]}]")
         yield Problem((*place, key), reason, _if_plain(entries[key]))
     if unknown:  # what is missing is there perhaps, but misspelt
         return
+    if kind is Structure:
+        yield from problems_of_keys(place, entries)
     if kind is Body and not {"mass", "inertia"} & entries.keys():
         yield Problem((*place, "mass"), NO_MASS)
     for each in fields(kind):
-        if each.default is MISSING and each.name not in entries:
+        if each.default is MISSING is each.default_factory and each.name not in entries:
             yield Problem((*place, each.name), f"missing; add {_example(kind, each.name)}")
+
+
+def _structures(content: Mapping[str, Any], folder: Path, problems: list[Problem]) -> dict[str, Structure]:
+    """Return the structures; what cannot be read is added to the problems."""
+    convert, ratio = _Converter(problems), QUANTITIES[Structure]["damping_ratio"]
+    found = {}
+    for name, entries in content.get("structures", {}).items():
+        place = ("structures", name)
+        structure = structure_of(place, entries, folder, problems)
+        number = convert.number((*place, "damping_ratio"), structure.damping_ratio, ratio)
+        found[name] = replace(structure, damping_ratio=number)
+    return found
 
 
 def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]) -> dict[str, Any]:
@@ -169,6 +190,9 @@ def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]
     for section, kind in PARTS.items():
         rows = number_rows.forms_of(kind)
         for name, entries in content.get(section, {}).items():
+            if isinstance(entries, Structure):
+                arguments[section][name] = entries
+                continue
             numbers = {**QUANTITIES[kind], **numbers_of_part(kinds, section, name, entries)}
             turns = kind_of_part(kinds, section, name, entries)
             form = curves.FORMS.get(kind, curves.FORMS[Link]).of(turns)
@@ -243,5 +267,7 @@ def _if_plain(value: object) -> object:
 
 def _example(kind: type, key: str | None = None) -> str:
     examples = {"on": 'on = "motor"', "between": 'between = ["ground", "motor"]', "mass": "mass = 0.035"}
+    if kind is Structure:
+        return 'mass = "M.mtx", stiffness = "K.mtx", coordinates = ["u1", "u2"]'
     required = ["mass"] if kind is Body else [each.name for each in fields(kind) if each.default is MISSING]
     return ", ".join(examples.get(name, f"{name} = 0.5") for name in ([key] if key else required))

@@ -31,6 +31,13 @@ from trimmer.mechanism.points import (
     problems_of_weights,
 )
 from trimmer.mechanism.problems import Problem, no_such
+from trimmer.mechanism.structure_ends import (
+    coordinates_in,
+    modes_in,
+    no_such_end,
+    points_in,
+    problems_of_names,
+)
 from trimmer.mechanism.waves import is_driven
 
 NO_MASS = 'missing; add mass = 0.035, or for a body that turns inertia = "2e-6 kg m^2"'
@@ -38,10 +45,15 @@ NO_MASS = 'missing; add mass = 0.035, or for a body that turns inertia = "2e-6 k
 
 def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find what does not go together."""
-    if not content["bodies"]:
+    if not content["bodies"] and not content["structures"]:
         yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
         return
-    if clashes := [*_names(content), *_masses(content["bodies"]), *problems_of_points(content)]:
+    if clashes := [
+        *_names(content),
+        *problems_of_names(content),
+        *_masses(content["bodies"]),
+        *problems_of_points(content),
+    ]:
         yield from clashes
         return
     problems = list(_problems_of_parts(content))
@@ -68,7 +80,8 @@ def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
     kinds = kinds_of(content)
     yield from (*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds))
     yield from problems_of_numbers(content)
-    yield from problems_of_outputs(content, [*content["bodies"], *content["pins"], *content["points"]])
+    ends = [*coordinates_in(content), *content["pins"], *content["points"], *points_in(content)]
+    yield from problems_of_outputs(content, [*ends, *modes_in(content)])
     yield from _start(content)
     yield from _symbols(content)
 
@@ -98,7 +111,7 @@ def _masses(bodies: Mapping[str, Body]) -> Iterator[Problem]:
 
 def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
     pins, points = content["pins"], content["points"]
-    bodies = [*content["bodies"], *points]
+    bodies = [*coordinates_in(content), *points, *points_in(content)]
     body = "body or point" if points else "body"
     for name, pin in pins.items():
         place = ("pins", name, "on")
@@ -107,7 +120,7 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
                 place, "a pin sits on a body or on the ground, not on a pin (no loops of pins)", pin.on
             )
         elif pin.on not in bodies and pin.on != GROUND:
-            yield Problem(place, no_such(body, pin.on, [*bodies, GROUND]), pin.on)
+            yield Problem(place, no_such_end(content, body, pin.on, [*bodies, GROUND]), pin.on)
     for name, force in content["forces"].items():
         place = ("forces", name, "on")
         if force.on in pins:
@@ -115,14 +128,15 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
         elif force.on == GROUND:
             yield Problem(place, "a force on the ground moves nothing; name a body", force.on)
         elif force.on not in bodies:
-            yield Problem(place, no_such(body, force.on, bodies), force.on)
+            yield Problem(place, no_such_end(content, body, force.on, bodies), force.on)
 
 
 def _ends(place: tuple[str, ...], between: tuple[str, str], content: Mapping[str, Any]) -> Iterator[Problem]:
-    known = [*content["bodies"], *content["pins"], *content["points"]]
+    known = [*coordinates_in(content), *content["pins"], *content["points"], *points_in(content)]
     unknown = [end for end in dict.fromkeys(between) if end not in known and end != GROUND]
     for end in unknown:
-        yield Problem(place, no_such(ends_in(content), end, [*known, GROUND]), list(between))
+        reason = no_such_end(content, ends_in(content), end, [*known, GROUND])
+        yield Problem(place, reason, list(between))
     if not unknown and not any(is_on_point(content, end) for end in between):
         yield from problems_of_ends(place, between, content)
 
@@ -175,8 +189,11 @@ def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
         elif name in content["points"]:
             reason = "a point starts where its coordinates put it; only bodies have a start"
             yield Problem(("start", name), reason, state)
-        elif name not in content["bodies"]:
-            yield Problem(("start", name), no_such("body", name, content["bodies"]), state)
+        elif name in points_in(content):
+            reason = "a point of modes starts where these put it; give the modes a start"
+            yield Problem(("start", name), reason, state)
+        elif name not in (known := [*coordinates_in(content), *modes_in(content)]):
+            yield Problem(("start", name), no_such("body", name, known), state)
 
 
 def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:

@@ -6,12 +6,16 @@ from collections.abc import Iterator
 from dataclasses import MISSING, fields
 from typing import Any
 
+import numpy as np
+
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import entries_of
 from trimmer.mechanism.parts import ContactLaw
 from trimmer.mechanism.place_text import key_text, quoted
 from trimmer.mechanism.quantities import PARTS
+from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structure_reading import COLUMNS, KEYS
 
 _HEAD = (
     "# Mechanism that moves along one line, in SI units: bodies, and what holds, pushes and rubs them.\n\n"
@@ -47,6 +51,8 @@ def _section(name: str, entries: dict[str, str]) -> str:
 
 def _entries(part: Any) -> dict[str, object]:
     """Return the fields of a part that a file has to hold: needed ones, and what is not as by default."""
+    if isinstance(part, Structure):
+        return _entries_of_structure(part)
     held = {each.name: getattr(part, each.name) for each in fields(part)}
     defaults = {each.name: each.default for each in fields(part)}
     return {
@@ -62,6 +68,19 @@ def _weights(mechanism: Mechanism, name: str) -> dict[str, object]:
     return dict(point.weights)
 
 
+def _entries_of_structure(structure: Structure) -> dict[str, object]:
+    """Return the fields of a structure; what was read from a file stays there."""
+    held: dict[str, object] = {name: getattr(structure, name) for name in KEYS}
+    if structure.modes is not None:
+        numbers = {name: getattr(structure.modes, name) for name in COLUMNS}
+        held["modes"] = {**numbers, **structure.modes.shapes}
+    held |= structure.files
+    absent = [
+        name for name, value in held.items() if value is None or (isinstance(value, tuple) and not value)
+    ]
+    return {name: value for name, value in held.items() if name not in absent}
+
+
 def _inline(entries: dict[str, object]) -> str:
     return "{ " + ", ".join(f"{key_text(key)} = {_value(value)}" for key, value in entries.items()) + " }"
 
@@ -72,6 +91,8 @@ def _value(value: object) -> str:
             return quoted(value.word)
         case str():
             return quoted(value)
+        case np.ndarray():
+            return repr(value.tolist())
         case dict():
             return _inline(value)
         case tuple():

@@ -18,13 +18,13 @@ from trimmer.contact.friction_forces import dry_forces, undetermined
 from trimmer.contact.layout import Rows
 from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import RELAXING, STICK
-from trimmer.mechanism.coordinates import inertia_of, weights_of_ends
+from trimmer.mechanism.coordinates import inertia_of, rows_of_structures, weights_of_ends
 from trimmer.motion.signals import along, while_status
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
@@ -45,6 +45,7 @@ class MechanismEnergy(Tabular):
         dampers: Lost in each link.
         contacts: Lost in each play and stop.
         frictions: Lost in each friction, with its viscous part.
+        structures: Lost in each structure.
         undetermined: Frictions on pins whose force in stick the motion leaves open at some time. The works of
             these pins rest on how they share it (``trimmer.contact.friction_forces``); no other number does.
         residual: What does not close, as a share of the largest term.
@@ -58,13 +59,14 @@ class MechanismEnergy(Tabular):
     contacts: Mapping[str, float]
     frictions: Mapping[str, float]
     undetermined: tuple[str, ...] = ()
+    structures: Mapping[str, float] = field(default_factory=dict)
     residual: float = field(init=False)
 
     def __post_init__(self) -> None:
         terms = [
             *(self.kinetic[1], -self.kinetic[0], self.stored[1], -self.stored[0]),
             *(-work for works in (self.pins, self.forces) for work in works.values()),
-            *(loss for losses in (self.dampers, self.contacts, self.frictions) for loss in losses.values()),
+            *(loss for losses in self._losses for loss in losses.values()),
         ]
         largest = max(map(abs, terms))
         object.__setattr__(self, "residual", abs(sum(terms)) / largest if largest else 0.0)
@@ -77,15 +79,18 @@ class MechanismEnergy(Tabular):
     @property
     def loss(self) -> float:
         """All losses together."""
-        losses = (self.dampers, self.contacts, self.frictions)
-        return sum(sum(each.values()) for each in losses)
+        return sum(sum(each.values()) for each in self._losses)
+
+    @property
+    def _losses(self) -> tuple[Mapping[str, float], ...]:
+        return self.dampers, self.contacts, self.frictions, self.structures
 
     def _told(self) -> str:
         closing = f"it closes to {self.residual:.1e} of its largest term"
         return f"work {self.work:.6g} J, loss {self.loss:.6g} J; {closing}"
 
     def _table(self) -> Table:
-        names = ("pins", "forces", "dampers", "contacts", "frictions")
+        names = ("pins", "forces", "dampers", "contacts", "frictions", "structures")
         parts = [
             (f"{section}.{name}", each) for section in names for name, each in getattr(self, section).items()
         ]
@@ -123,6 +128,7 @@ class _Balance:
                 name for name in undetermined(self.course)
                 if self.mechanism.pins.keys() & set(self.mechanism.frictions[name].between)
             ),
+            dict(self.of_structures()),
         )  # fmt: skip
 
     @cached_property
@@ -163,9 +169,21 @@ class _Balance:
         for curve, (section, _) in enumerate(self.course.modes.system.layout.curves):
             if section == "links":
                 energy += stored_energy(machine, curve, state)
+        for structure, rows in rows_of_structures(self.mechanism):
+            energy += 0.5 * state[rows] @ structure.matrices[2] @ state[rows]
         for contact, stiffness in enumerate(self.course.modes.system.machine.stiffness):
             energy += 0.5 * stiffness * (self.stretch(contact)(mode) @ state) ** 2
         return float(energy)
+
+    def of_structures(self) -> Iterator[tuple[str, float]]:
+        """Yield what each structure loses."""
+        count = len(self.mechanism.coordinates)
+        velocities = self.course.nodes.states[:, count : 2 * count]
+        for name, (structure, rows) in zip(
+            self.mechanism.structures, rows_of_structures(self.mechanism), strict=True
+        ):
+            here = velocities[:, rows]
+            yield name, self.integral(((here @ structure.matrices[1]) * here).sum(axis=1))
 
     def stretch(self, contact: int) -> Signal:
         """Return the stretch of a spring behind a slot as a signal, m."""

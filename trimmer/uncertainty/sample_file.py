@@ -52,12 +52,17 @@ def read_sample_file(path: Path | str, changes: Sequence[tuple[str, float | str]
             problem is named, with file, line, key and value, and what to do.
     """
     path = file_path("path", path)
-    return sample_file_of_text(text_of_file(path), str(path), changes)
+    return sample_file_of_text(text_of_file(path), str(path), changes, path.parent)
 
 
-def sample_file_of_text(text: str, name: str, changes: Sequence[tuple[str, float | str]] = ()) -> SampleFile:
+def sample_file_of_text(
+    text: str,
+    name: str,
+    changes: Sequence[tuple[str, float | str]] = (),
+    folder: Path = Path(),
+) -> SampleFile:
     """Read the text of such a file; see ``read_sample_file``."""
-    design = design_file_of_text(text, name)
+    design = design_file_of_text(text, name, folder)
     content = content_of_text(text, name)
     problems: list[Problem] = []
     mechanism = design.mechanism

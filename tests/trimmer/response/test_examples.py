@@ -24,6 +24,7 @@ REPEATING = {
     "two-mass-stop": 0,
     "oscillator-stop": 0,
     "gear-pair": 0,
+    "housing-modes": 4,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
 OTHERS = {"second-play", "thrown-body"}

@@ -51,6 +51,7 @@ def as_json(motion: MechanismMotion) -> str:
             "dampers": dict(energy.dampers),
             "contacts": dict(energy.contacts),
             "frictions": dict(energy.frictions),
+            "structures": dict(energy.structures),
             "residual": energy.residual,
         },
         "undetermined_frictions": list(motion.undetermined_frictions),
@@ -82,6 +83,7 @@ def _energy_text(energy: MechanismEnergy) -> list[str]:
         *((f"lost in damper {name}", value) for name, value in energy.dampers.items()),
         *((f"lost in contact {name}", value) for name, value in energy.contacts.items()),
         *((f"lost in friction {name}", value) for name, value in energy.frictions.items()),
+        *((f"lost in structure {name}", value) for name, value in energy.structures.items()),
     ]
     gained = energy.kinetic[1] + energy.stored[1] - energy.kinetic[0] - energy.stored[0]
     rows = [*works, *losses, ("gained by bodies and springs", gained)]

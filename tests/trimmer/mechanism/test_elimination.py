@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import null_space
 
-from trimmer.contact.elimination import solutions
+from trimmer.mechanism.elimination import solutions
 
 
 @given(st.integers(0, 2**32 - 1))

@@ -1,0 +1,218 @@
+"""Structures: a machine moves alike in other coordinates, and as SciPy integrates it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.linalg import eigh
+
+from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.quick import quick
+from trimmer import forced_orbit, simulate
+from trimmer.contact.frame import frame_of
+from trimmer.mechanism import (
+    Body,
+    Force,
+    Friction,
+    LinearMatrices,
+    Link,
+    Mechanism,
+    ModalModel,
+    Output,
+    Pin,
+    Point,
+    Stop,
+    Structure,
+    linear_matrices,
+)
+
+CHAIN = Mechanism(
+    {"a": Body(1.0), "b": Body(0.4), "c": Body(2.0)},
+    frequency=2.0,
+    links={
+        "first": Link(("ground", "a"), 400.0, 0.8),
+        "second": Link(("a", "b"), 250.0, 0.5),
+        "third": Link(("b", "c"), 900.0, 1.8),
+    },
+    stops={"wall": Stop(("ground", "c"), 5e4, 20.0, 0.01)},
+    forces={"shaker": Force("b", amplitude=20.0)},
+    outputs={"y": Output({"c": 1.0, "a": -1.0})},
+)
+"""Its damping is 0.002 of its stiffness, so that its modes are damped each by itself."""
+
+
+def links_between_bodies(mechanism: Mechanism) -> dict[str, Link]:
+    return {
+        name: link for name, link in mechanism.links.items() if not mechanism.pins.keys() & set(link.between)
+    }
+
+
+def matrices_of_bodies(mechanism: Mechanism) -> LinearMatrices:
+    """Mass, damping and stiffness of the bodies and the links between them."""
+    touched = {name: Force(name) for name in mechanism.bodies}
+    return linear_matrices(Mechanism(mechanism.bodies, links=links_between_bodies(mechanism), forces=touched))
+
+
+def in_other_coordinates(mechanism: Mechanism, seed: int) -> Mechanism:
+    """Return the mechanism with bodies q = T p that are points of a structure with coordinates p."""
+    random, names = np.random.default_rng(seed), list(mechanism.bodies)
+    turned, _ = np.linalg.qr(random.normal(size=(len(names),) * 2))
+    basis = turned * random.uniform(0.5, 2.0, len(names))
+    own = matrices_of_bodies(mechanism)
+    mass, damping, stiffness = (basis.T @ each @ basis for each in (own.mass, own.damping, own.stiffness))
+    coordinates = [f"p{number}" for number in range(len(names))]
+    ends = [f"other.{each}" for each in coordinates]
+    begun = np.linalg.solve(basis, [mechanism.start.get(name, (0.0, 0.0)) for name in names])
+    inner = links_between_bodies(mechanism)
+    weights = {name: dict(zip(ends, row, strict=True)) for name, row in zip(names, basis, strict=True)}
+    return replace(
+        mechanism,
+        bodies={},
+        structures={"other": Structure(mass, stiffness, damping, coordinates=coordinates)},
+        points={name: Point(each) for name, each in weights.items()},
+        links={name: each for name, each in mechanism.links.items() if name not in inner},
+        start=dict(zip(ends, map(tuple, begun), strict=True)),
+    )
+
+
+@pytest.mark.parametrize("seed", quick((3, 11, 60, 174), 2))
+def test_a_machine_moves_alike_in_other_coordinates(seed: int) -> None:
+    first = random_mechanism(seed)
+    second = in_other_coordinates(first, seed)
+    one, other = (simulate(each, 2 / first.frequency) for each in (first, second))
+    happened = ([(each.part, each.kind) for each in motion.events] for motion in (one, other))
+    assert next(happened) == next(happened)
+    times = np.linspace(0, one.duration, 50)
+    expected, found = (
+        np.array([motion.displacement(name, times) for name in first.bodies]) for motion in (one, other)
+    )
+    assert found == pytest.approx(expected, abs=1e-8 * abs(expected).max())
+    assert other.energy.residual < 1e-11
+    assert other.energy.loss == pytest.approx(one.energy.loss, rel=1e-7)
+    assert other.energy.kinetic == pytest.approx(one.energy.kinetic, rel=1e-7, abs=1e-9 * one.energy.loss)
+
+
+def as_structure(mechanism: Mechanism, structure: Structure) -> Mechanism:
+    """Return the mechanism with bodies and links replaced by a structure whose ends have their names."""
+    ends = {name: f"chain.{name}" for name in mechanism.bodies}
+    stops = {
+        name: replace(stop, between=tuple(ends.get(each, each) for each in stop.between))
+        for name, stop in mechanism.stops.items()
+    }
+    forces = {name: replace(force, on=ends[force.on]) for name, force in mechanism.forces.items()}
+    outputs = {
+        name: Output({ends[of]: weight for of, weight in output.weights.items()})
+        for name, output in mechanism.outputs.items()
+    }
+    return replace(
+        mechanism,
+        bodies={},
+        links={},
+        structures={"chain": structure},
+        stops=stops,
+        forces=forces,
+        outputs=outputs,
+        start={ends[name]: state for name, state in mechanism.start.items()},
+    )
+
+
+def all_modes(mechanism: Mechanism) -> ModalModel:
+    own, names = matrices_of_bodies(mechanism), list(mechanism.bodies)
+    values, shapes = eigh(own.stiffness, own.mass)
+    omega = np.sqrt(np.maximum(values, 0.0))
+    ratios = (shapes.T @ own.damping @ shapes).diagonal() / (2 * np.where(omega > 0.0, omega, 1.0))
+    return ModalModel(omega / (2 * np.pi), ratios, dict(zip(names, shapes, strict=True)))
+
+
+def test_matrices_or_all_modes_of_a_chain_are_the_chain() -> None:
+    own, orbit = matrices_of_bodies(CHAIN), forced_orbit(CHAIN)
+    names = tuple(CHAIN.bodies)
+    whole = Structure(own.mass, own.stiffness, own.damping, coordinates=names)
+    for structure in (whole, Structure(modes=all_modes(CHAIN))):
+        other = forced_orbit(as_structure(CHAIN, structure))
+        assert other.measures.peak_to_peak["y"] == pytest.approx(orbit.measures.peak_to_peak["y"], rel=1e-10)
+        assert sorted(abs(other.multipliers)) == pytest.approx(sorted(abs(orbit.multipliers)), abs=1e-9)
+
+
+def test_a_damping_ratio_is_that_of_each_mode_but_rigid_ones() -> None:
+    own = matrices_of_bodies(CHAIN)
+    free = own.stiffness.copy()
+    free[0, 0] -= 400.0
+    for stiffness, rigid in ((own.stiffness, 0), (free, 1)):
+        structure = Structure(own.mass, stiffness, damping_ratio=0.03, coordinates=("a", "b", "c"))
+        values, shapes = eigh(stiffness, own.mass)
+        damping = shapes.T @ structure.matrices[1] @ shapes
+        expected = 2 * 0.03 * np.sqrt(np.maximum(values, 0.0))
+        expected[:rigid] = 0.0
+        assert damping == pytest.approx(np.diag(expected), abs=1e-9)
+        assert len(structure.shifts.free) == rigid
+
+
+def test_scipy_integrates_a_structure_with_a_stop_to_the_same_motion() -> None:
+    random = np.random.default_rng(5)
+    root, spring, loss = (random.normal(size=(4, 4)) for _ in range(3))
+    mass, stiffness, damping = np.eye(4) + root @ root.T, 200 * spring @ spring.T, loss @ loss.T
+    names = tuple(f"u{number}" for number in range(4))
+    mechanism = Mechanism(
+        structures={"s": Structure(mass, stiffness, damping, coordinates=names)},
+        frequency=2.0,
+        stops={"wall": Stop(("s.u1", "s.u2"), 1e4, 5.0, 0.05, "truncated")},
+        forces={"shaker": Force("s.u0", amplitude=30.0)},
+        outputs={"y": Output({"s.u3": 1.0})},
+    )
+    motion = simulate(mechanism, 1.0)
+    across = np.array([0.0, -1.0, 1.0, 0.0])
+
+    def rates(time: float, state: np.ndarray) -> np.ndarray:
+        stretch, rate = across @ state[:4] - 0.05, across @ state[4:]
+        contact = max(1e4 * stretch + 5.0 * rate, 0.0) if stretch > 0 else 0.0
+        force = -stiffness @ state[:4] - damping @ state[4:] - across * contact
+        force[0] += 30.0 * np.sin(4 * np.pi * time)
+        return np.concatenate([state[4:], np.linalg.solve(mass, force)])
+
+    found = solve_ivp(rates, (0.0, 1.0), np.zeros(8), "DOP853", rtol=1e-11, atol=1e-13, max_step=1e-3)
+    assert motion.events
+    assert motion.states(np.array([1.0]))[:, 0] == pytest.approx(found.y[:, -1], abs=3e-7)
+
+
+def test_a_published_structure_against_a_stop() -> None:
+    """Digits of the public case structure-stop, computed with scalar laws, DOP853 and rtol 1e-13."""
+    mass = np.array([[1.2, 0.3, 0.15], [0.3, 0.9, 0.08], [0.15, 0.08, 1.0]])
+    stiffness = np.array([[40000.0, -15000.0, 0.0], [-15000.0, 30000.0, 0.0], [0.0, 0.0, 250000.0]])
+    damping = np.array([[7.0, -1.5, 0.0], [-1.5, 5.0, 0.0], [0.0, 0.0, 12.0]])
+    mechanism = Mechanism(
+        structures={"housing": Structure(mass, stiffness, damping, coordinates=("u1", "u2", "eta"))},
+        frequency=25.0,
+        stops={"bumper": Stop(("ground", "housing.u2"), 200e3, 40.0, 2e-4)},
+        forces={"shaker": Force("housing.u1", amplitude=30.0)},
+        outputs={f"x{number}": Output({f"housing.u{number}": 1.0}) for number in (1, 2)},
+    )
+    found = forced_orbit(mechanism)
+    assert found.measures.events_per_period == 2
+    assert max(abs(found.multipliers)) == pytest.approx(0.857564295, abs=1e-9)
+    assert found.measures.peak_to_peak["x1"] == pytest.approx(0.00848544370088392, rel=1e-12)
+    assert found.measures.peak_to_peak["x2"] == pytest.approx(0.0070452711822709315, rel=1e-12)
+
+
+def test_a_free_structure_rolls_on_and_its_advance_is_that_of_the_belt_that_drives_it() -> None:
+    """Two coordinates tied by the structure alone, with weights 1 and 2: one direction is free."""
+    strain = np.array([2.0, -1.0])
+    mass, stiffness = np.array([[2.0, 0.3], [0.3, 1.0]]), 500 * np.outer(strain, strain)
+    structure = Structure(mass, stiffness, coordinates=("a", "b"))
+    mechanism = Mechanism(
+        structures={"s": structure},
+        frequency=3.0,
+        pins={"belt": Pin("ground", velocity=0.4)},
+        frictions={"rub": Friction(("belt", "s.b"), 0.0, viscous=2.0)},
+        forces={"shaker": Force("s.a", amplitude=1.0)},
+        outputs={"x": Output({"s.a": 1.0}), "y": Output({"s.b": 1.0})},
+    )
+    frame = frame_of(mechanism)
+    assert frame.leading.tolist() == [0]
+    assert frame.directions[:, 0] == pytest.approx([1.0, 2.0])
+    orbit = forced_orbit(mechanism)
+    assert orbit.measures.outputs["x"].advance == pytest.approx(0.2 / 3, rel=1e-9)
+    assert orbit.measures.outputs["y"].advance == pytest.approx(0.4 / 3, rel=1e-9)
