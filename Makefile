@@ -33,7 +33,7 @@ test: .venv/for-development ## run the tests; ARGS="-k claim" passes options to 
 	@PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 python -m pytest -n auto --maxprocesses 4 --dist loadfile $(ARGS)
 
 test-all: .venv/for-development ## run all tests, the slow ones too
-	@PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
+	@ALL_TESTS=1 PYTHONDONTWRITEBYTECODE= OPENBLAS_NUM_THREADS=1 python -m pytest -n auto --maxprocesses 4 --dist loadfile -m "slow or not slow" $(ARGS)
 
 # Claims and digits are the same on every processor and Python; scripts/kernels says how others are imitated here.
 test-kernels: .venv/for-development ## run the tests that rest on digits as on other processors and Pythons; ARGS="--list" says which; half an hour

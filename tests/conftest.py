@@ -36,8 +36,8 @@ providers.is_local_module_file = lambda _: False
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-SHARING = ("tests/report/figures/", "tests/trimmer/drawing/", "tests/derivations/")
-"""Folders whose tests look at the same pictures or derivations, each made once in a process."""
+SHARING = ("tests/report/figures/", "tests/trimmer/drawing/", "tests/derivations/", "tests/report/rendering/")
+"""Folders whose tests look at the same pictures, derivations or pages, each made once in a process."""
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 POPPLER = ("pdftotext", "pdfinfo", "pdftoppm")
 OCTAVE = ("octave-cli", "octave")

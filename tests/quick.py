@@ -1,5 +1,6 @@
-"""Parameters of which ``make test`` takes some, and ``make test-all`` all."""
+"""What ``make test`` asks of some instances, and ``make test-all`` of all."""
 
+import os
 from collections.abc import Iterable
 from typing import Any
 
@@ -11,3 +12,8 @@ def quick(values: Iterable[Any], *places: int) -> list[Any]:
     each = [value if isinstance(value, tuple) else (value,) for value in values]
     slow = [[] if place in places else [pytest.mark.slow] for place in range(len(each))]
     return [pytest.param(*value, marks=marks) for value, marks in zip(each, slow, strict=True)]
+
+
+def examples(few: int, many: int) -> int:
+    """Return how many examples Hypothesis makes; ``make test-all`` sets ALL_TESTS, and asks of many."""
+    return many if os.environ.get("ALL_TESTS") else few

@@ -12,6 +12,7 @@ from derivations.dimension_checks import dimension_checks, require_consistent
 from derivations.dimensions import DimensionError
 from derivations.linear_trimmer import LinearTrimmer, derive_linear_trimmer
 from derivations.symbols import A, f, m1
+from tests.quick import quick
 
 BODIES = 4
 
@@ -66,7 +67,7 @@ def test_each_coefficient_of_the_denominator_is_checked(place: int) -> None:
 
 
 @pytest.mark.parametrize("name", ["from_displacement", "from_velocity"])
-@pytest.mark.parametrize("body", range(BODIES))
+@pytest.mark.parametrize("body", quick(range(BODIES), 1))
 def test_each_coefficient_of_the_numerators_is_checked(name: str, body: int) -> None:
     transfer = derived().transfer
     numerators = getattr(transfer, name)

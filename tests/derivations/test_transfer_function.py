@@ -46,6 +46,7 @@ def test_static_gain_is_that_of_springs_in_series(derivation):
     assert sympy.simplify(static[3] - static[2]) == 0
 
 
+@pytest.mark.slow
 def test_velocity_acts_through_the_damper_as_displacement_through_the_spring(derivation):
     for displacement, velocity in zip(
         derivation.transfer.from_displacement, derivation.transfer.from_velocity, strict=True

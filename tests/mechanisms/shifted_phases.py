@@ -81,7 +81,7 @@ def differences_of_orbits(ours: MechanismOrbit, theirs: MechanismOrbit) -> Itera
         yield f"events: {ours.events_per_period} / {theirs.events_per_period}"
     for name, scale in (("peak_to_peak", 1.0), ("rms_acceleration", (2.0 * math.pi / ours.flow.period) ** 2)):
         first, second = (getattr(each.measures, name) for each in (ours, theirs))
-        largest = scale * ours.sizes[: len(ours.flow.modes.system.layout.bodies)].max()
+        largest = scale * ours.sizes[: len(ours.flow.modes.system.layout.coordinates)].max()
         for key, value in first.items():
             if abs(second[key] - value) > CLOSE * max(abs(value), largest):
                 yield f"{name} of {key}: {value:.9g} / {second[key]:.9g}"

@@ -10,6 +10,7 @@ from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", quick((12, 4, 6, 8, 26), 0))
 def test_the_energy_of_a_random_mechanism_balances(seed):
     mechanism = random_mechanism(seed)

@@ -9,7 +9,7 @@ import os
 import pickle
 import platform
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -20,6 +20,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from report.cache.content_key import content_key
+from report.folders import templates
 from scripts.kernels.processor import CHOOSING, processor_flags
 
 Made = TypeVar("Made")
@@ -47,9 +48,9 @@ class MadeOnce:
         folder, cache = temporary.getbasetemp().parent, getattr(config, "cache", None)
         return cls(folder, _lasting(cache.mkdir("made_once")) if cache else folder)
 
-    def of_sources(self, name: str, make: Callable[[], Made]) -> Made:
-        """Return what depends on nothing but the sources: as ``get`` does, but of an earlier run too."""
-        return MadeOnce(self.lasting, None).get(name, make)
+    def of_sources(self, name: str, make: Callable[[], Made], *tests: str) -> Made:
+        """Return what depends on nothing but sources, and files of tests: as ``get`` does, but lasting."""
+        return MadeOnce(self.lasting, None).get(f"{name}-{_digest(map(Path, tests))[:16]}", make)
 
     def get(self, name: str, make: Callable[[], Made]) -> Made:
         """Return what another process has made under a name, or make it; who comes meanwhile waits."""
@@ -66,8 +67,12 @@ class MadeOnce:
         return made
 
 
+def _digest(files: Iterable[Path]) -> str:
+    return hashlib.sha256(b"\0".join(each.read_bytes() for each in files)).hexdigest()
+
+
 def _lasting(folder: Path) -> Path:
-    """Return the folder of these sources, libraries and kernels; those not used for longest go."""
+    """Return the folder of these sources, templates, libraries and kernels; those not used for longest go."""
     chosen = sorted(each for each in os.environ.items() if each[0].startswith(CHOOSING))
     rests_on = (
         content_key(),
@@ -75,6 +80,7 @@ def _lasting(folder: Path) -> Path:
         sorted(processor_flags()),
         chosen,
         Path(__file__).read_text(),
+        _digest(each for each in sorted(templates().rglob("*")) if each.is_file()),
     )
     mine = folder / hashlib.sha256(repr(rests_on).encode()).hexdigest()
     mine.mkdir(exist_ok=True)

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from report.copy.reading import read_reader_copy
 from report.judging.changes import read_claims
 from tests.damage import damaged, damaged_data
+from tests.quick import examples
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer import (
     Mechanism,
@@ -116,7 +117,7 @@ def one_damaged(draw: Callable[[st.SearchStrategy], Any], lines: list[str], path
     path.write_text("\n".join([*lines[:at], line, *lines[at + 1 :]]) + "\n", "utf-8")
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(20, 60))
 @given(data=st.data())
 def test_a_damaged_map_is_gone_on_with_or_told(tmp_path: Path, map_lines: list[str], data) -> None:
     path = tmp_path / "map.jsonl"
@@ -131,7 +132,7 @@ def test_a_damaged_map_is_gone_on_with_or_told(tmp_path: Path, map_lines: list[s
     told(path, go_on)
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(15, 40))
 @given(data=st.data())
 def test_damaged_samples_are_gone_on_with_or_told(tmp_path: Path, sample_lines: list[str], data) -> None:
     path = tmp_path / "samples.jsonl"

@@ -14,6 +14,7 @@ from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.mechanism import closed, trimmer
 from derivations.state_space import state_space
 from derivations.symbols import coordinates, t
+from tests.quick import examples
 from tests.trimmer.mechanism.mechanisms import mechanisms as mechanisms_with_any_names
 from tests.trimmer.mechanism_strategy import mechanisms
 from trimmer.code_generation import derive_mechanism_sources, symbolic_mechanism
@@ -74,7 +75,7 @@ def test_derived_matrices_of_the_examples_are_those_that_solvers_assemble(path):
     assert_matrices_agree(Mechanism.from_toml(path))
 
 
-@settings(max_examples=4)
+@settings(max_examples=examples(4, 30))
 @given(mechanisms())
 def test_derived_matrices_of_random_mechanisms_are_those_that_solvers_assemble(mechanism):
     assert_matrices_agree(mechanism)
@@ -118,13 +119,13 @@ def test_engine_moves_the_examples_as_they_are_derived(path):
     assert_motion_agrees(mechanism, 0.3 / (mechanism.frequency or 1.0))
 
 
-@settings(max_examples=3)
+@settings(max_examples=examples(3, 30))
 @given(mechanisms(most_bodies=3))
 def test_engine_moves_random_mechanisms_as_they_are_derived(mechanism):
     assert_motion_agrees(mechanism, 0.4)
 
 
-@settings(max_examples=4)
+@settings(max_examples=examples(2, 30))
 @given(mechanisms(most_bodies=3))
 def test_closed_contacts_are_links(mechanism):
     """With the contacts as links the solvers' matrices are the derived ones of closed contact."""
@@ -163,6 +164,7 @@ def test_file_of_the_thesis_gives_its_equations_and_matrices(thesis):
     assert derive_linear_trimmer(symbolic.mechanism).transfer == expected.transfer
 
 
+@pytest.mark.slow
 def test_file_of_the_thesis_gives_the_generated_module_whatever_its_names_and_order(thesis):
     generated = Path(linear_trimmer.__file__).read_text(encoding="utf-8")
     assert derive_mechanism_sources(thesis).module == generated
@@ -185,7 +187,7 @@ def one_body(**sections):
     return Mechanism(**{"bodies": {"a": Body(1.0)}, "links": mount, **sections})
 
 
-@settings(max_examples=5)
+@settings(max_examples=examples(5, 30))
 @given(mechanisms_with_any_names())
 def test_symbols_and_names_of_random_mechanisms_are_unique(mechanism):
     found = [each.symbol for each in printed_symbols(mechanism).values()]

@@ -75,14 +75,14 @@ def look(store: StageStore) -> Design:
 @pytest.fixture(scope="session")
 def report(design: Design, store: StageStore, made_once: MadeOnce) -> DesignReport:
     """The report on it."""
-    return made_once.get("design_report", lambda: report_on(design, store, "2026-03-01"))
+    return made_once.of_sources("report", lambda: report_on(design, store, "2026-03-01"), __file__)
 
 
 @pytest.fixture(scope="session")
 def files(report: DesignReport, store: StageStore, made_once: MadeOnce) -> Mapping[Format, str | bytes]:
     """Its files."""
     forms = frozenset({Format.HTML, Format.PDF})
-    return made_once.get("design_files", lambda: files_of(report, forms, Paper.A4, store))
+    return made_once.of_sources("files", lambda: files_of(report, forms, Paper.A4, store), __file__)
 
 
 @pytest.fixture(scope="session")

@@ -30,6 +30,7 @@ from report.pages.figure import Figure
 from report.pages.formats import Format, Paper
 from report.pages.html import Look, page
 from report.pages.provenance import provenance
+from tests.quick import quick
 from tests.report.rendering.page_checks import lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
 from trimmer.design.comparison import compared
@@ -157,20 +158,10 @@ def harmless() -> Skeleton:
 SEVERAL = st.lists(TEXTS.filter(words), min_size=len(NASTY), max_size=len(NASTY))
 
 
-@settings(max_examples=3, deadline=None)
-@given(SEVERAL)
-def test_no_text_changes_what_a_page_is_made_of(harmless: Skeleton, texts: list[str]) -> None:
-    changes_nothing(harmless, texts)
-
-
 @pytest.mark.slow
 @settings(max_examples=40, deadline=None, phases=[Phase.generate])  # making it smaller takes long
 @given(SEVERAL)
-def test_no_text_of_many_changes_what_a_page_is_made_of(harmless: Skeleton, texts: list[str]) -> None:
-    changes_nothing(harmless, texts)
-
-
-def changes_nothing(harmless: Skeleton, texts: list[str]) -> None:
+def test_no_text_changes_what_a_page_is_made_of(harmless: Skeleton, texts: list[str]) -> None:
     """Check that a page with these texts has the elements of a harmless one, and shows each as it is."""
     files = files_of_small(texts)
     found = Skeleton(str(files[Format.HTML]))
@@ -223,7 +214,7 @@ def server() -> Iterator[HTTPServer]:
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("stopped", [True, False])
+@pytest.mark.parametrize("stopped", quick([True, False], 0))
 def test_the_policy_of_a_page_stops_what_is_smuggled_into_it(
     browser: Browser, tmp_path: Path, server: HTTPServer, stopped: bool
 ) -> None:

@@ -48,7 +48,12 @@ def octave_run(
     octave: str, programs: tuple[Program, ...], tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
 ) -> OctaveRun:
     folder = tmp_path_factory.mktemp("octave")
-    return made_once.get("octave_run", lambda: run_of(octave, programs, folder))
+    return made_once.of_sources(
+        f"run_{Path(octave).resolve().name}",
+        lambda: run_of(octave, programs, folder),
+        __file__,
+        str(points.__file__),
+    )
 
 
 def run_of(octave: str, programs: tuple[Program, ...], folder: Path) -> OctaveRun:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from report.pages.formulas.latex import Role, atoms, width
 from report.pages.formulas.line_breaking import fit
+from tests.quick import examples
 from tests.report.pages.conversion import converted
 from tests.report.rendering.sample_formulas import (
     CASES,
@@ -97,7 +98,7 @@ def test_a_bracket_that_fits_only_without_its_sign_is_broken() -> None:
     assert max(width(line) for line in lines_of(fit(formula, LINE))) <= LINE
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(20, 60), deadline=None)
 @given(polynomials())
 def test_breaking_loses_nothing_and_every_line_fits(expression: sympy.Expr) -> None:
     formula = f"p = {sympy.latex(expression)}"

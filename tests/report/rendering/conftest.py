@@ -26,9 +26,10 @@ def document() -> Document:
 def rendered(
     document: Document, tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
 ) -> Mapping[Format, Path]:
-    folder = tmp_path_factory.mktemp("report") / "build"
-    store = StageStore(folder.parent / "kept")
-    return made_once.get("rendered", lambda: render(document, folder, store=store))
+    folder = (made_once.lasting or tmp_path_factory.mktemp("report")) / "sample"
+    store = StageStore(folder / "kept")
+    sources = sorted(map(str, Path(__file__).parent.glob("sample*.py")))
+    return made_once.of_sources("rendered", lambda: render(document, folder / "build", store=store), *sources)
 
 
 @pytest.fixture(scope="session")

@@ -88,6 +88,7 @@ def test_the_programs_are_attached(rendered: Mapping[Format, Path], document: Do
     assert all(program.name in listed for program in document.programs)
 
 
+@pytest.mark.slow
 @pytest.mark.poppler
 def test_the_report_can_be_set_on_letter_paper(
     document: Document, tmp_path_factory: pytest.TempPathFactory

@@ -97,6 +97,7 @@ def test_the_draw_notices_an_altered_map(friction):
         check_cells([altered(part, 4, period_count=2)], 7, 6)
 
 
+@pytest.mark.slow
 def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction, evidence):
     """Rounding decides how a long transient ends; some 20 of all cells differ for it."""
     small = Grid("gap-friction", twin(), {GAP: (400e-6, 420e-6, 3), FORCE: (3.0, 3.0, 1)})

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.quick import examples
 from tests.trimmer.balance.loops import (
     FRICTION,
     GAP,
@@ -96,7 +97,7 @@ def test_python_control_finds_the_same_as_far_as_its_grid_allows() -> None:
 
 
 @given(stable_systems(), st.sampled_from([FrictionBacklash(1.0), InertiaBacklash(1.0)]), st.floats(1, 30))
-@settings(max_examples=12)
+@settings(max_examples=examples(6, 40))
 def test_as_many_as_on_a_fine_grid(G, element, gain: float) -> None:
     G = G * gain / max(1.0, abs(response_at(G, 1.0)))
     balance = harmonic_balance(G, element)

@@ -23,6 +23,7 @@ def test_a_simulation_returns_to_the_stable_limit_cycle(factor: float) -> None:
     assert end.omega == pytest.approx(STABLE.omega, rel=0.001)
 
 
+@pytest.mark.slow
 def test_a_simulation_leaves_the_unstable_limit_cycle_on_either_side() -> None:
     below = simulate_play(THESIS_LOOP, GAP, 0.9 * UNSTABLE.amplitude, UNSTABLE.omega, 0.1, 4e-6)
     above = simulate_play(THESIS_LOOP, GAP, 1.2 * UNSTABLE.amplitude, UNSTABLE.omega, 0.1, 4e-6)

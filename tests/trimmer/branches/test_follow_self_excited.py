@@ -173,6 +173,7 @@ def test_orbits_of_two_blocks_return_by_brute_force_with_the_same_multipliers(bl
         assert orbit.stable == (abs(found).max() < 1.0 + 1e-4)
 
 
+@pytest.mark.slow
 def test_doubled_periods_part_and_join_again(blocks: FollowedBranch) -> None:
     doubled = blocks.branches[-1]
     assert doubled.parted is blocks.special[-1]

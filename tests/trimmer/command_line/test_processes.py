@@ -127,6 +127,7 @@ def test_a_file_without_an_end(tmp_path: Path) -> None:
     assert "/dev/zero: cannot be read: a device that gives 64 MiB or more" in done.stderr
 
 
+@pytest.mark.slow
 def test_a_dash_prints_a_derived_module(tmp_path: Path, project_folder: Path) -> None:
     belt = str(project_folder / "examples" / "block-on-belt.toml")
     done = run(tmp_path, "derive", belt, "--module", "-", "--latex", "a.tex")

@@ -144,6 +144,7 @@ def test_two_numbers_do_what_one_cannot() -> None:
     assert mend.change is None and mend.helpless == never.tried
 
 
+@pytest.mark.slow
 def test_numbers_of_influence_are_tried_before_the_others() -> None:
     links = {f"l{number}": Link(ENDS, 1.0 + number) for number in range(20)}
     made = replace(oscillator(), links=links)

@@ -8,6 +8,7 @@ import pytest
 from matplotlib.colors import same_color
 
 import trimmer
+from tests.quick import quick
 from tests.trimmer import results
 from tests.trimmer.drawing.pictures import RELAY, VISCOUS, integrated, lines, new_axes, points, viscous
 from trimmer.balance.limit_cycle import HarmonicBalance
@@ -77,6 +78,7 @@ def test_orbits_are_drawn_in_the_phase_plane() -> None:
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("input of the element, µm", "its rate, m/s")
 
 
+@pytest.mark.slow
 def test_the_load_is_drawn_over_frequency() -> None:
     found = results.identification()
     axes = found.plot(new_axes())
@@ -112,7 +114,7 @@ def test_a_locus_that_goes_to_infinity_is_shown_near_the_limit_cycle() -> None:
     assert points(axes, "−1/N(A)")[:, 0].min() < low  # a relay's locus has no end
 
 
-@pytest.mark.parametrize("near", [False, True])
+@pytest.mark.parametrize("near", quick([False, True], 1))
 def test_all_limit_cycles_are_within_the_axes(near: bool) -> None:
     for balance in (results.balance(), viscous(), integrated()):
         axes = balance.plot(new_axes(), near=near)

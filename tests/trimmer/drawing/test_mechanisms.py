@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 
 import trimmer
+from tests.quick import quick
 from tests.trimmer import results
 from tests.trimmer.drawing.pictures import (
     FIGURES,
@@ -144,6 +145,7 @@ def test_the_section_of_an_orbit_is_in_the_frame_of_its_phase_plane() -> None:
     assert (section.get_xlim(), section.get_ylim()) == (plane.get_xlim(), plane.get_ylim())
 
 
+@pytest.mark.slow
 def test_some_periods_are_shown_of_what_does_not_repeat(chaotic: trimmer.Response) -> None:
     assert chaotic.motion.kind is trimmer.MotionKind.CHAOTIC
     motion, plane, section = response_figure(chaotic).axes
@@ -175,7 +177,7 @@ def test_what_moves_by_itself_has_no_starts_of_periods() -> None:
     assert len(plane.lines) == 1 and plane.get_legend() is None
 
 
-@pytest.mark.parametrize("make", [results.branch, doubled])
+@pytest.mark.parametrize("make", quick([results.branch, doubled], 1))
 def test_a_branch_is_drawn_with_its_stability(make) -> None:
     whole = make()
     axes = whole.plot(new_axes())

@@ -182,6 +182,7 @@ def test_limit_cycles_of_an_element_that_depends_on_frequency() -> None:
     assert "run away with its mean" in balance.certificate.doubts[1]
 
 
+@pytest.mark.slow
 def test_sums_with_own_elements_are_not_certain_either() -> None:
     total = StaticElement(saturated, 0.5, (0.5,)) + 0.1 * DeadZone(0.5)
     balance = harmonic_balance(PLANT, total)

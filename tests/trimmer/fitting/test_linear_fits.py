@@ -194,7 +194,7 @@ def test_a_line_of_something_else_is_no_noise() -> None:
 
 
 @pytest.mark.parametrize(
-    ("off", "told"), [(1.0002, ["+0.02 % off"]), (0.9998, ["-0.02 % off"]), (1.00005, [])]
+    ("off", "told"), quick([(1.0002, ["+0.02 % off"]), (0.9998, ["-0.02 % off"]), (1.00005, [])], 1, 2)
 )
 def test_a_drive_that_differs_from_that_of_the_file_is_told(off: float, told: list[str]) -> None:
     start = oscillator(1.1e4, frequency=DRIVE / off)

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.quick import examples
 from trimmer.hybrid.compilation import kept, sources
 from trimmer.hybrid.first_root import DEEPEST, NOWHERE, first_root
 from trimmer.hybrid.taylor import DEGREE, bernstein_from_taylor
@@ -53,7 +54,7 @@ def with_zeros(zeros: list[float]) -> list[float]:
     return [float(sign * each) for each in product]
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(12, 60))
 @given(st.lists(st.floats(0.01, 3.0), min_size=1, max_size=5, unique=True))
 def test_the_first_zero_is_found_to_its_conditioning(zeros: list[float]) -> None:
     zeros = sorted(zeros)

@@ -28,7 +28,7 @@ def exact_responses(lowest: float, highest: float, velocity_too: bool) -> np.nda
     return np.array([complex(exact_response(omega, velocity_too)) for omega in grid])
 
 
-@pytest.mark.parametrize("build", BUILDERS)
+@pytest.mark.parametrize("build", quick(BUILDERS, 0))
 @pytest.mark.parametrize("channels", InputChannels)
 @pytest.mark.parametrize("level", quick([1.0, 0.956937799 / math.sqrt(2), 5.0], 0))
 def test_gain_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels, level) -> None:
@@ -49,7 +49,7 @@ def test_the_last_crossing_of_0_db_is_the_cutoff_frequency_of_the_thesis() -> No
     assert f"{last:.4e}" == "4.6329e+03"
 
 
-@pytest.mark.parametrize("build", BUILDERS)
+@pytest.mark.parametrize("build", quick(BUILDERS, 1))
 @pytest.mark.parametrize("channels", InputChannels)
 def test_real_axis_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels) -> None:
     velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY

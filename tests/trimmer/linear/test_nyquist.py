@@ -31,7 +31,7 @@ def winding(system: control.lti.LTI, point: float, omega: np.ndarray) -> int:
 
 @pytest.mark.parametrize("build", quick([pin_model, transfer_function], 0))
 @pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("point", quick([-20.0, -5.0, -1.0, -0.1, 0.5, 0.97, 1.2, 5.0], 2, 5, 6))
+@pytest.mark.parametrize("point", quick([-20.0, -5.0, -1.0, -0.1, 0.5, 0.97, 1.2, 5.0], 5))
 def test_encirclements_by_the_thesis_trimmer_are_those_of_python_control(build, channels, point) -> None:
     system = build(THESIS, channels=channels)
     omega = np.geomspace(1, 1e6, 5_001)

@@ -70,6 +70,7 @@ def test_each_motion_of_each_cell_has_a_row(found) -> None:
     assert "16 of 26 cells have several motions" in repr(found)
 
 
+@pytest.mark.slow
 def test_a_map_on_its_side_has_the_same_motions() -> None:
     """Each motion goes to the eight cells around, along rows as along columns."""
     values = {"frequency": OMEGA[3:13:3] / (2 * np.pi), "stops.wall.gap": [9.5, 10.0, 10.5]}

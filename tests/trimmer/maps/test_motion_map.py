@@ -243,6 +243,7 @@ def test_an_error_of_the_program_stops_no_process_behind() -> None:
     assert multiprocessing.active_children() == []
 
 
+@pytest.mark.slow
 def test_chaos_is_named_with_the_periods_that_were_waited() -> None:
     """It may be a transient: what is chaotic over 120 periods may repeat later."""
     wide = TWIN.with_value("plays.bridge.gap", 200e-6)

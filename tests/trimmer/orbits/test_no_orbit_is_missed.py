@@ -31,6 +31,7 @@ def followed(system: control.StateSpace, element: Element, start: list[float], e
     return play(plant, element.gap, np.inf, state, end)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("loop", "duration", "amplitude", "precision"),
     quick([(LOAD, 45.0, 0.15034, 3e-4), (GROWING, 240.0, 247.1, 2e-3), (SECOND, 120.0, 0.6931, 1e-3)], 2),

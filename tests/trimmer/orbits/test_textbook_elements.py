@@ -96,6 +96,7 @@ def test_harmonic_balance_is_certain_and_near_the_exact_orbit(system: control.LT
     assert nearest.stable == largest.stable
 
 
+@pytest.mark.slow
 def test_an_orbit_with_saturation_is_that_of_an_adaptive_integrator() -> None:
     """The loop is followed by scipy.integrate from far away; its last periods are measured by events."""
     A, B, C = (np.asarray(getattr(control.ss(THIRD_ORDER), part)) for part in "ABC")

@@ -65,6 +65,7 @@ def scaled(mechanism: Mechanism, length: float, force: float) -> Mechanism:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", quick([7, 25, 98], 0))
 def test_responses_scale_with_lengths_and_forces(seed: int) -> None:
     mechanism = random_mechanism(seed)

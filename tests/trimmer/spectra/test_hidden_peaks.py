@@ -68,6 +68,7 @@ def test_without_noise_a_small_line_is_exact(level: int) -> None:
         np.testing.assert_allclose(off, 0.0, atol=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("window", "factor"),
     quick(zip(Window, (0.9, 1.5, 2.1, 6.5), strict=True), 1),

@@ -197,6 +197,7 @@ def test_a_grazing_locus_around_a_peak_of_the_amplitude_closes() -> None:
     assert locus.units == ("Hz", "rad")
 
 
+@pytest.mark.slow
 def test_a_period_doubling_is_that_of_a_branch_over_one_number(near: FollowedBranch) -> None:
     point = of_kind(near, SpecialKind.PERIOD_DOUBLING)
     locus = follow_special(near, point, GAP, "9.9 m", settings=LONG)
@@ -228,6 +229,7 @@ def test_without_ranges_a_locus_stays_within_the_branch_and_goes_to_stop(near: F
     assert (np.diff(locus.second) < 0.0).all()
 
 
+@pytest.mark.slow
 def test_a_point_that_is_not_there_is_lost_and_what_lies_beside_it_is_named(near: FollowedBranch) -> None:
     grazing = of_kind(near, SpecialKind.GRAZING)
     torus = replace(grazing, kind=SpecialKind.TORUS, parts=())

@@ -127,6 +127,7 @@ def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
     assert {each.component for each in motion.events if each.time == 0} == {"friction q2", "friction q2-q4"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ring", quick([*RINGS, (some_frictions(4),)], 0))
 def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
     duration, steps = 0.015, 750
