@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from report.pages.formats import Format, Paper, add_form_options
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
+from trimmer.command_line.mechanism_options import add_set_option
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import add_runner_options, check_runner_options, chosen_runner
 from trimmer.deadline import NEVER, Deadline
@@ -36,6 +37,7 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
     )
+    add_set_option(parser)
     add_report_options(parser)
     parser.add_argument(
         "--full",
@@ -159,6 +161,7 @@ def _run(arguments: Namespace) -> int:
     from report.design.building import ReportPlace
     from report.design.origin import today
     from trimmer.design.design_file import read_design_file
+    from trimmer.mechanism.places import assignment
     from trimmer.mechanism.printed_symbols import printed_symbols
     from trimmer.uncertainty.sample_file import with_uncertainty
 
@@ -166,7 +169,7 @@ def _run(arguments: Namespace) -> int:
     if arguments.open and Format.HTML not in formats:
         raise OptionError("--open shows the HTML: add html to --format, or leave one of the two out")
     runner, date = runner_of(arguments), today()
-    file = with_uncertainty(read_design_file(arguments.file))
+    file = with_uncertainty(read_design_file(arguments.file, [assignment(text) for text in arguments.set]))
     printed_symbols(
         file.mechanism
     )  # two that print the same are told now, not when the equations are derived

@@ -22,6 +22,7 @@ from report.design.command import (
 from report.pages.formats import Format, Paper
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import file_to_read, show
+from trimmer.command_line.mechanism_options import add_set_option
 from trimmer.command_line.parser import OptionError
 from trimmer.deadline import NEVER, Deadline
 from trimmer.files import STANDARD_INPUT, write_atomically
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 def _configure(parser: ArgumentParser) -> None:
     parser.add_argument("before", type=file_to_read, metavar="A", help="mechanism before, a TOML file")
     parser.add_argument("after", type=file_to_read, metavar="B", help="mechanism after, a TOML file")
+    add_set_option(parser, " (of B alone)")
     add_report_options(parser)
 
 
@@ -47,10 +49,13 @@ def _run(arguments: Namespace) -> int:
     from trimmer.design.comparison import compared
     from trimmer.design.design_file import read_design_file
     from trimmer.design.settings import USUAL
+    from trimmer.mechanism.places import assignment
     from trimmer.uncertainty.sample_file import with_uncertainty
 
     date = today()
-    files = [with_uncertainty(read_design_file(path)) for path in (arguments.before, arguments.after)]
+    changes = [assignment(text) for text in arguments.set]
+    before_file, after_file = read_design_file(arguments.before), read_design_file(arguments.after, changes)
+    files = [with_uncertainty(each) for each in (before_file, after_file)]
     names = _names(arguments.before, arguments.after)
     place = ReportPlace(arguments.directory, "-".join(names))
     check_files(place, formats, arguments.overwrite)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -17,7 +17,7 @@ from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.parts import OutputKind
-from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.problems import Problem, as_message_of_file, line_of
 from trimmer.mechanism.reading import bytes_of_file, content_of_text, mechanism_of_text
 from trimmer.mechanism.toml_lines import lines_of_keys
@@ -67,7 +67,7 @@ class DesignFile:
     """A mechanism with its targets and unknown numbers, as a file gives them.
 
     Attributes:
-        name: What messages call it.
+        name: What messages call it, with the numbers that were set.
         mechanism: The mechanism, with the middle of each range.
         targets: What is wanted of it.
         held: The body that a hand holds; None if the file does not say.
@@ -96,15 +96,19 @@ class DesignFile:
         return line_of(place, self.lines)
 
 
-def read_design_file(path: Path | str) -> DesignFile:
+def read_design_file(path: Path | str, changes: Sequence[tuple[str, float | str]] = ()) -> DesignFile:
     """Read the file of a design, or standard input if the path is ``-``.
+
+    Args:
+        path: The file.
+        changes: Places, and the numbers that stand there in place of those of the file.
 
     Raises:
         MechanismError: if it cannot be read, or holds what cannot be used. Every problem is named, with file,
             line, key and value, and what to do.
     """
     path = file_path("path", path)
-    return _design_file(bytes_of_file(path), str(path), path.parent)
+    return _design_file(bytes_of_file(path), str(path), path.parent, changes)
 
 
 def design_file_of_text(text: str, name: str, folder: Path = Path()) -> DesignFile:
@@ -112,16 +116,21 @@ def design_file_of_text(text: str, name: str, folder: Path = Path()) -> DesignFi
     return _design_file(text.encode(), name, folder)
 
 
-def _design_file(raw: bytes, name: str, folder: Path) -> DesignFile:
+def _design_file(
+    raw: bytes, name: str, folder: Path, changes: Sequence[tuple[str, float | str]] = ()
+) -> DesignFile:
+    set_values = {place_text(parse_place(place)): value for place, value in changes}
     text = decoded(raw)
     content = content_of_text(text, name)
     lines = lines_of_keys(text)
     problems: list[Problem] = []
-    left_open = tuple(open_values(content))
+    left_open = tuple(each for each in open_values(content) if place_text(each.place) not in set_values)
     ends = dict(_given(left_open, problems))
     _stop_at(problems, name, content, lines)
-    values = {place_text(each.place): _first(each, ends) for each in left_open}
-    mechanism = mechanism_of_text(text, name, values, folder)
+    values: dict[str, float | str] = {place_text(each.place): _first(each, ends) for each in left_open}
+    mechanism = mechanism_of_text(text, name, {**values, **set_values}, folder)
+    for place, value in changes:
+        mechanism = mechanism.with_value(place, value)
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)
@@ -130,9 +139,10 @@ def _design_file(raw: bytes, name: str, folder: Path) -> DesignFile:
     _stop_at(problems, name, content, lines)
     for each in ranges:
         mechanism = mechanism.with_value(each.place, each.middle)
+    told = "".join(f", {place}={value}" for place, value in changes)
     scatter = content.get("uncertainty", {})
     digest = hashlib.sha256(raw).hexdigest()
-    return DesignFile(name, mechanism, targets, held, ranges, lines, author, digest, scatter)
+    return DesignFile(name + told, mechanism, targets, held, ranges, lines, author, digest, scatter)
 
 
 def _no_displacements(mechanism: Mechanism) -> Iterator[Problem]:

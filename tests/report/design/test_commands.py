@@ -134,6 +134,8 @@ def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixt
         (["design", "block.toml", "--jobs", "0"], "--jobs 0"),
         (["design", "block.toml", "--format", "html", "--paper", "a4"], "--paper has no effect without pdf"),
         (["design", "block.toml", "--format", "pdf", "--open"], "--open shows the HTML"),
+        (["design", "block.toml", "--set", "plays.fork.gab=1"], "no number at plays.fork.gab"),
+        (["compare", "block.toml", "block.toml", "--set", "gap"], "sets nothing"),
         (["compare", "-", "-"], "both files are standard input"),
         (["init", "block.toml"], "block.toml is there already"),
     ],

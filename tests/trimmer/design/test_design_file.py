@@ -182,3 +182,15 @@ def test_a_range_that_cannot_be_read_is_the_only_problem() -> None:
         read('mass = "35 g"', 'mass = "1 N..2 N"')
     assert "nothing in the file says" not in str(error.value)
     assert "'N' does not measure what kg does" in str(error.value)
+
+
+def test_numbers_that_are_set_stand_in_place_of_those_of_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(TEXT.replace('"40 um"', '"20 um..60 um"'), encoding="utf-8")
+    left_open, known = read_design_file(path), read_design_file(path, [("plays.bridge.gap", "30 um")])
+    assert [each.place for each in left_open.ranges] == ["plays.bridge.gap"]
+    assert (known.ranges, known.mechanism.value("plays.bridge.gap")) == ((), 30e-6)
+    assert known.name == f"{path}, plays.bridge.gap=30 um"
+    assert known.digest == left_open.digest
+    with pytest.raises(MechanismError, match="damping or gap"):
+        read_design_file(path, [("plays.bridge.gab", 1.0)])
