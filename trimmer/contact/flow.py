@@ -310,13 +310,14 @@ class MechanismFlow(Flow):
         A stretch is a difference of displacements, and known no better than their rounding: its own is at
         least a share of theirs.
         """
-        displacements, velocities = self.modes.system.layout.kinds
-        found = sizes.copy()
+        layout = self.modes.system.layout
+        displacements, velocities = layout.kinds
+        found = layout.lengths * sizes
         for kind in (found[displacements], found[velocities]):
             kind[kind <= NO_MORE * kind.max()] = 0.0
         stretches = found[velocities.stop :]
         np.maximum(stretches, STRETCHED * found[displacements].max(), out=stretches)
-        return found
+        return np.asarray(found / layout.lengths)
 
     def is_alike(self, other: Flow) -> bool:
         """Say whether another mechanism has the same states and parts, and the same leaders."""

@@ -15,7 +15,8 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
-from trimmer.mechanism.coordinates import Inertia, inertia_of, shaken_ends, weights_of_ends
+from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
+from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
 from trimmer.mechanism.waves import mean_of, waves_of
@@ -44,6 +45,8 @@ class Layout:
             nothing leans on.
         shaken: Those ends whose accelerations are told: the coordinates, and in place of modes their points.
         frame: That in which displacements are.
+        lengths: By which states are multiplied to be compared with others, (n,): 1, and of what turns a
+            length, m.
         speeds: By name, how fast each end moves on beyond what its functional says, m/s: with the
             frame, or as a pin that nothing leans on.
     """
@@ -61,6 +64,7 @@ class Layout:
     shaken: tuple[str, ...]
     frame: Frame
     speeds: Mapping[str, float]
+    lengths: Reals
 
     @cached_property
     def state_count(self) -> int:
@@ -136,7 +140,7 @@ class Layout:
             states: At instants of the motion, (instants, n).
             duration: s.
         """
-        sizes: Reals = abs(self.frame.reduced(states)).max(axis=0)
+        sizes: Reals = self.lengths * abs(self.frame.reduced(states)).max(axis=0)
         displacements, velocities = self.kinds
         rate = 2 * np.pi / duration
         longest = max(
@@ -147,11 +151,13 @@ class Layout:
         scale[velocities] = fastest
         sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
         sizes[sizes == 0.0] = 1.0
-        return sizes
+        return sizes / self.lengths
 
     def is_alike(self, other: Layout) -> bool:
         """Say whether another mechanism has the same states, in the same frame, with the same drive."""
-        here, there = ({**vars(each), "frame": None, "end_rows": None} for each in (self, other))
+        here, there = (
+            {**vars(each), "frame": None, "end_rows": None, "lengths": None} for each in (self, other)
+        )
         names = [each.name for each in fields(self)]
         return (
             all(here[name] == there[name] for name in names)
@@ -222,6 +228,7 @@ def layout_of(
         shaken_ends(mechanism),
         frame,
         dict.fromkeys(speeds, 0.0) if ramp else speeds,
+        _lengths(mechanism, contacts, relaxing),
     )
     rows = Rows(mechanism, layout)
     return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
@@ -231,6 +238,14 @@ def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:
     """Return section and name of the parts of a mechanism that have a curve."""
     found = ((section, getattr(mechanism, section)) for section in ("links", "frictions"))
     return tuple((section, name) for section, parts in found for name, part in parts.items() if part.curve)
+
+
+def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], relaxing: tuple[str, ...]) -> Reals:
+    radius, kinds = radius_of(mechanism), mechanism.kinds
+    of = {kind: radius if kind is Kind.ROTATION else 1.0 for kind in Kind}
+    coordinates = [of[kinds[name]] for name in mechanism.coordinates]
+    springs = [of[kind_of_part(kinds, "plays", name, contacts[name])] for name in relaxing]
+    return np.array([*coordinates, *coordinates, *springs])
 
 
 @dataclass(frozen=True, eq=False)

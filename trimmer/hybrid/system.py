@@ -135,6 +135,10 @@ class Layout(Protocol):
         """The states of one kind each, whose sizes may be compared."""
 
     @property
+    def lengths(self) -> Reals:
+        """What each state is multiplied by before that, (n,)."""
+
+    @property
     def rates(self) -> tuple[slice, ...]:
         """Those kinds that are rates of others, where that is known."""
 

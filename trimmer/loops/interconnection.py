@@ -265,6 +265,11 @@ class Layout:
         """Each state is of a kind of its own."""
         return tuple(slice(place, place + 1) for place in range(self.sine))
 
+    @cached_property
+    def lengths(self) -> Reals:
+        """States are compared as they are."""
+        return np.ones(self.sine)
+
     @property
     def rates(self) -> tuple[slice, ...]:
         """It is not known which are rates of others."""

@@ -15,6 +15,8 @@ from trimmer.hybrid.advance import Ending, Instant
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, chosen, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
+from trimmer.mechanism.coordinates import radius_of
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.waves import reach_of
 from trimmer.motion.flow import Flow
@@ -163,17 +165,20 @@ def start_scales(flow: Flow) -> Reals:
     if not isinstance(flow.subject, Mechanism):
         # In the first periods of the drive from rest states become about as large as they will be.
         return np.asarray(FIRST_SCALE * sizes_of(flow.course(flow.rest(), WINDOW)))
-    mechanism = flow.subject
+    mechanism, layout, radius = flow.subject, flow.modes.system.layout, radius_of(flow.subject)
+    amounts = {
+        **{("pins", name): reach_of(pin) for name, pin in mechanism.pins.items()},
+        **{("plays", name): play.gap for name, play in mechanism.plays.items()},
+        **{("stops", name): stop.gap for name, stop in mechanism.stops.items()},
+    }
     lengths = [
-        *(reach_of(pin) for pin in mechanism.pins.values()),
-        *(play.gap for play in mechanism.plays.values()),
-        *(abs(stop.gap) for stop in mechanism.stops.values()),
+        abs(amount) * (radius if mechanism.kind_of(*part) is Kind.ROTATION else 1.0)
+        for part, amount in amounts.items()
     ]
-    length = max(lengths, default=0.0) or 1e-3
-    scales = np.full(flow.size, length)
+    scales = (max(lengths, default=0.0) or 1e-3) / layout.lengths
     bodies = len(mechanism.coordinates)
-    scales[bodies : 2 * bodies] *= flow.modes.system.layout.omega
-    return scales
+    scales[bodies : 2 * bodies] *= layout.omega
+    return np.asarray(scales)
 
 
 def _motion(flow: Flow, found: Callable[[], Settled], keys: tuple[str, ...]) -> CellMotion:

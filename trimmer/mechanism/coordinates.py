@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 from trimmer.mechanism.structure import Structure
@@ -73,6 +74,19 @@ def elastic_matrices(mechanism: Mechanism) -> tuple[Reals, Reals]:
     for structure, rows in rows_of_structures(mechanism):
         _, damping[rows, rows], stiffness[rows, rows] = structure.matrices
     return stiffness, damping
+
+
+def radius_of(mechanism: Mechanism) -> float:
+    """Return the length, m, by which angles are compared with displacements: a radius of gyration.
+
+    It is the root of the mean inertia over the mean mass; 1 where all turns, or nothing does. So what is much
+    smaller than all else does not depend on whether a body is written as an inertia or as its mass at an arm.
+    """
+    turns = np.array([mechanism.kinds[name] is Kind.ROTATION for name in mechanism.coordinates])
+    if turns.all() or not turns.any():
+        return 1.0
+    masses = inertia_of(mechanism).matrix.diagonal()
+    return float(np.sqrt(masses[turns].mean() / masses[~turns].mean()))
 
 
 @dataclass(frozen=True, eq=False)

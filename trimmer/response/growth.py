@@ -70,5 +70,5 @@ def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
 
 def state_sizes(flow: Flow, states: Reals) -> Reals:
     """Return the largest modulus of each kind among states, (kinds,), as of displacements and velocities."""
-    moduli = abs(states).max(axis=0)
+    moduli = flow.modes.system.layout.lengths * abs(states).max(axis=0)
     return np.array([moduli[kind].max(initial=0.0) for kind in flow.modes.system.layout.kinds])

@@ -72,13 +72,14 @@ class LinearMotion:
         """Scale of each state, (n,): those of one kind share theirs."""
         terms = abs(self.mean) + abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
         layout = self.flow.modes.system.layout
+        terms *= layout.lengths
         sizes: Reals = terms.copy()
-        moving = abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
+        moving = layout.lengths * (abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0))
         for kind in layout.kinds:
             sizes[kind] = (moving if kind in layout.rates else terms)[kind].max(initial=0.0)
         sizes[layout.kinds[-1].stop :] = sizes[layout.kinds[0]].max(initial=0.0)
         sizes[sizes == 0.0] = 1.0
-        return sizes
+        return np.asarray(sizes / layout.lengths)
 
     @property
     def alive(self) -> Flags:
@@ -124,8 +125,9 @@ class LinearMotion:
         layout = self.flow.modes.system.layout
         if not layout.travels:
             return False
-        mean, (displacements, velocities) = abs(self.mean), layout.kinds
-        fastest = abs(self.parts[:, velocities]).sum(axis=0) + abs(self.instant.state[velocities])
+        mean, (displacements, velocities) = layout.lengths * abs(self.mean), layout.kinds
+        parts = layout.lengths * abs(self.parts)
+        fastest = parts[:, velocities].sum(axis=0) + (layout.lengths * abs(self.instant.state))[velocities]
         turned = mean[displacements].max(initial=0.0) * abs(self.rates).max(initial=0.0)
         scale = max(fastest.max(initial=0.0), turned)
         return bool((mean[velocities] > NOTHING * scale).any())

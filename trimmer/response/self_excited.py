@@ -183,17 +183,18 @@ def at_rest(course: Course, unit: float) -> bool:
     """
     layout = course.modes.system.layout
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
-    sizes = abs(states).max(axis=0)
+    sizes = layout.lengths * abs(states).max(axis=0)
     for kind in layout.kinds:
         sizes[kind] = sizes[kind].max(initial=0.0)
     flow = course.modes[course.modes.number(course.end.statuses)].flow
     extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
-    rates = abs((flow @ extended)[: layout.state_count]) * unit
+    rates = layout.lengths * abs((flow @ extended)[: layout.state_count]) * unit
+    speeds = layout.lengths * abs(course.end.state) * unit
     for rate in layout.rates:
         displacement = layout.kinds[0]
         sizes[rate] = 2 * np.pi * sizes[displacement] / unit
         # A frame that moves along does not make what moves rest.
-        rates[displacement] = np.maximum(rates[displacement], abs(course.end.state[rate]) * unit)
+        rates[displacement] = np.maximum(rates[displacement], speeds[rate])
     return bool((rates <= RESTING * sizes).all())
 
 
