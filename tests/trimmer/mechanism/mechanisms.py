@@ -14,6 +14,7 @@ from trimmer.mechanism import (
     Output,
     Pin,
     Play,
+    Point,
     Stop,
 )
 
@@ -29,6 +30,7 @@ NOT_NEGATIVE = st.one_of(st.just(0.0), POSITIVE)
 def mechanisms(draw: st.DrawFn) -> Mechanism:
     names = draw(st.lists(NAMES, min_size=2, max_size=6, unique=True))
     count = draw(st.integers(1, len(names) - 1))
+    turns = draw(st.booleans())
     bodies, pins = names[:count], names[count:]
     carriers = {name: draw(st.sampled_from(["ground", *bodies])) for name in pins}
     # A pair of ends moves against each other as bodies, and one of them is a body.
@@ -40,7 +42,11 @@ def mechanisms(draw: st.DrawFn) -> Mechanism:
     return Mechanism(
         title=draw(st.text(max_size=8).filter(str.isprintable)),
         frequency=draw(POSITIVE),
-        bodies={name: Body(draw(POSITIVE)) for name in bodies},
+        bodies={name: Body(inertia=draw(POSITIVE)) if turns else Body(draw(POSITIVE)) for name in bodies},
+        points={
+            f"{name} and more": Point({name: each, bodies[0]: 0.5}, draw(st.booleans()) and turns)
+            for name, each in draw(st.dictionaries(st.sampled_from(bodies), POSITIVE, max_size=2)).items()
+        },
         pins={
             name: draw(st.builds(Pin, st.just(on), NUMBERS, NUMBERS, NUMBERS, NUMBERS, st.integers(1, 9)))
             for name, on in carriers.items()

@@ -53,7 +53,12 @@ def test_a_mechanism_by_hand() -> None:
 def test_matrices_scale_with_masses_springs_and_dampers(mechanism: Mechanism, factor: float) -> None:
     scaled = replace(
         mechanism,
-        bodies={name: Body(factor * body.mass) for name, body in mechanism.bodies.items()},
+        bodies={
+            name: replace(body, **{key: factor * value})
+            for name, body in mechanism.bodies.items()
+            for key in ("mass", "inertia")
+            if (value := getattr(body, key)) is not None
+        },
         links={
             name: Link(link.between, factor**2 * link.stiffness, factor**3 * link.damping)
             for name, link in mechanism.links.items()
