@@ -154,7 +154,7 @@ def kind_of_part(kinds: Mapping[str, Kind], section: str, name: str, part: objec
         ends = entry(part, "between")
     elif section == "forces":
         ends = (entry(part, "on"),)
-    known = (_known(kinds, each) for each in (ends if isinstance(ends, list | tuple) else ()))
+    known = (_known(kinds, each) for each in (ends if _is_list(ends) else ()))
     return next((kind for kind in known if kind is not None), None) or _of_units(section, part)
 
 
@@ -217,7 +217,7 @@ def _joined(content: Mapping[str, Any]) -> Iterator[tuple[str, str, tuple[str, s
     for section in COUPLINGS:
         for name, part in _parts(content, section):
             ends = entry(part, "between")
-            if isinstance(ends, list | tuple) and len(ends) == 2 and all(isinstance(e, str) for e in ends):
+            if _is_list(ends) and len(ends) == 2 and all(isinstance(e, str) for e in ends):
                 yield section, name, (ends[0], ends[1])
 
 
@@ -227,8 +227,15 @@ def _known(kinds: Mapping[str, Kind], end: object) -> Kind | None:
 
 def _of_texts(pin: object) -> Kind | None:
     """Return what the units of a pin measure, None where none is written."""
-    measured = (_measures(entry(pin, key)) for key in ("amplitude", "offset", "velocity"))
+    given = entry(pin, "harmonics")
+    rows = [row for row in given if _is_list(row) and len(row) == 3] if _is_list(given) else []
+    texts = [*(entry(pin, key) for key in ("amplitude", "offset", "velocity")), *(row[1] for row in rows)]
+    measured = map(_measures, texts)
     return next((kind for kind in measured if kind is not None), None)
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, list | tuple)
 
 
 def _measures(value: object) -> Kind | None:
