@@ -70,7 +70,7 @@ class System:
 
     @property
     def masses(self) -> np.ndarray:
-        return np.array([body.mass for body in self.mechanism.bodies.values()])
+        return np.array([body.mass or body.inertia for body in self.mechanism.bodies.values()])
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -113,7 +113,7 @@ class System:
             self._pull(force, link.between, link.stiffness * stretch + link.damping * rate)
         for given in self.mechanism.forces.values():
             row = self.rows.constant(constant(given)) + self.rows.waves(given)
-            force[self.rows.carrier(given.on)] += row
+            force += np.outer(self.rows.weights(given.on), row)
         return force
 
     def _stick(self, places: list[int], force: np.ndarray) -> Sticking:

@@ -119,7 +119,7 @@ def _supplied(motion: BruteMotion) -> float:
         total = np.zeros(len(times))
         for force in system.mechanism.forces.values():
             given = rows.constant(constant(force)) + rows.waves(force)
-            total += (given @ y) * y[count + rows.carrier(force.on)]
+            total += (given @ y) * (rows.weights(force.on) @ y[count : 2 * count])
         for between, tension in _tensions(motion, piece):
             start, end = (rows.prescribed(name) @ clock for name in between)
             total += (tension @ y) * ((end - start) @ y)

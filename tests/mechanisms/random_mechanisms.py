@@ -25,6 +25,7 @@ from trimmer.mechanism.parts import (
     Output,
     Pin,
     Play,
+    Point,
     Stop,
 )
 
@@ -246,3 +247,63 @@ def all_with(parts: Mapping[str, Any], **factors: float) -> dict[str, Any]:
         )
 
     return {name: changed(part) for name, part in parts.items()}
+
+
+COUPLINGS = ("links", "plays", "stops", "frictions")
+
+
+def levered(mechanism: Mechanism, seed: int) -> Mechanism:
+    """Return a mechanism in which some ends of its parts are points on levers between two bodies."""
+    random, names = np.random.default_rng(seed), list(mechanism.bodies)
+    points: dict[str, Point] = {}
+
+    def lever(end: str) -> str:
+        if end not in mechanism.bodies or random.random() < 0.4:
+            return end
+        name = f"point {len(points)}"
+        other = str(random.choice(names))
+        share = float(random.uniform(0.5, 1.5))
+        points[name] = Point(
+            {end: share} if other == end else {end: share, other: float(random.normal() * 0.5)}
+        )
+        return name
+
+    sections = {
+        section: {
+            name: replace(part, between=tuple(map(lever, part.between)))
+            for name, part in getattr(mechanism, section).items()
+        }
+        for section in COUPLINGS
+    }
+    forces = {name: replace(force, on=lever(force.on)) for name, force in mechanism.forces.items()}
+    pins = {name: replace(pin, on=lever(pin.on)) for name, pin in mechanism.pins.items()}
+    return replace(mechanism, **sections, forces=forces, pins=pins, points=points)
+
+
+def turned(mechanism: Mechanism, arms: np.ndarray) -> Mechanism:
+    """Return the mechanism with bodies that turn at arms, whose ends are where the bodies were."""
+    arm = dict(zip(mechanism.bodies, map(float, arms), strict=True))
+
+    def moved(end: str) -> str:
+        return f"end of {end}" if end in arm else end
+
+    def turn(body: str, part: Any) -> Body:
+        return Body(inertia=part.mass * arm[body] ** 2)
+
+    sections = {
+        section: {
+            name: replace(part, between=tuple(map(moved, part.between)))
+            for name, part in getattr(mechanism, section).items()
+        }
+        for section in COUPLINGS
+    }
+    return replace(
+        mechanism,
+        **sections,
+        bodies={name: turn(name, body) for name, body in mechanism.bodies.items()},
+        points={moved(name): Point({name: length}, by_length=True) for name, length in arm.items()},
+        forces={name: replace(force, on=moved(force.on)) for name, force in mechanism.forces.items()},
+        pins={name: replace(pin, on=moved(pin.on)) for name, pin in mechanism.pins.items()},
+        outputs={},
+        start={name: (q / arm[name], v / arm[name]) for name, (q, v) in mechanism.start.items()},
+    )

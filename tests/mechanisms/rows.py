@@ -18,7 +18,7 @@ import numpy as np
 
 from tests.mechanisms.waves import constant, waves
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, ContactLaw, Force, Pin
+from trimmer.mechanism.parts import ContactLaw, Force, Pin
 
 
 @dataclass
@@ -99,11 +99,19 @@ class Rows:
             functions[2 + 2 * place], functions[3 + 2 * place] = np.sin(angle), np.cos(angle)
         return functions
 
-    def carrier(self, end: str) -> int | None:
-        """Number of the body that takes the force on an end; None for the ground."""
+    def weights(self, end: str) -> np.ndarray:
+        """What weighs the bodies in the displacement of an end, and shares a force on it among them."""
         if end in self.mechanism.pins:
             end = self.mechanism.pins[end].on
-        return None if end == GROUND else self.bodies.index(end)
+        if end in self.mechanism.points:
+            weights = self.mechanism.points[end].weights
+            return np.array([weights.get(body, 0.0) for body in self.bodies])
+        return np.array([float(body == end) for body in self.bodies])
+
+    def moved(self, end: str, first: int) -> np.ndarray:
+        row = np.zeros(self.size)
+        row[first : first + len(self.bodies)] = self.weights(end)
+        return row
 
     def prescribed(self, end: str) -> np.ndarray:
         """Displacement of a pin relative to its carrier; zero for a body."""
@@ -115,12 +123,10 @@ class Rows:
         return row
 
     def displacement(self, end: str) -> np.ndarray:
-        row, carrier = self.prescribed(end), self.carrier(end)
-        return row if carrier is None else row + self.unit(carrier)
+        return self.prescribed(end) + self.moved(end, 0)
 
     def velocity(self, end: str) -> np.ndarray:
-        row, carrier = self.prescribed(end) @ self.clock(), self.carrier(end)
-        return row if carrier is None else row + self.unit(len(self.bodies) + carrier)
+        return self.prescribed(end) @ self.clock() + self.moved(end, len(self.bodies))
 
     def distance(self, between: tuple[str, str]) -> np.ndarray:
         start, end = between
@@ -138,9 +144,5 @@ class Rows:
 
     def direction(self, between: tuple[str, str]) -> np.ndarray:
         """Generalised force of a unit force on ``end`` and its opposite on ``start``."""
-        force = np.zeros(len(self.bodies))
-        for name, sign in zip(between, (-1.0, 1.0), strict=True):
-            carrier = self.carrier(name)
-            if carrier is not None:
-                force[carrier] += sign
-        return force
+        start, end = between
+        return self.weights(end) - self.weights(start)

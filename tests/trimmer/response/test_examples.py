@@ -24,7 +24,9 @@ REPEATING = {
     "two-mass-stop": 0,
     "oscillator-stop": 0,
     "gear-pair": 0,
+    "gear-rattle": 8,
     "housing-modes": 4,
+    "lever-valve": 6,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
 OTHERS = {"second-play", "thrown-body"}

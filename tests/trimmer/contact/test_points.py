@@ -1,0 +1,247 @@
+"""Points and rotations move as levers and gears do: laws, closed forms, and digits found elsewhere."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.mechanisms.random_mechanisms import levered, random_mechanism, turned
+from tests.quick import quick
+from tests.trimmer.contact.test_against_brute_force import compare
+from trimmer import Mechanism, forced_orbit, respond, simulate
+from trimmer.mechanism import (
+    Body,
+    Force,
+    Friction,
+    Link,
+    Output,
+    Pin,
+    Play,
+    Point,
+    Stop,
+    linear_matrices,
+)
+
+LEVER = """
+frequency = 40.0
+[bodies]
+arm = { inertia = "2e-5 kg m^2" }
+housing = { mass = 0.2 }
+slide = { mass = 0.05 }
+[points]
+tip = { arm = 0.05, housing = 1 }
+[links]
+torsion = { between = ["ground", "arm"], stiffness = "2 N m/rad", damping = "1e-3 N m s/rad" }
+mount = { between = ["ground", "housing"], stiffness = 20e3, damping = 8.0 }
+return = { between = ["ground", "slide"], stiffness = 2e3, damping = 1.5 }
+[plays]
+joint = { between = ["tip", "slide"], stiffness = 15e3, damping = 2.0, gap = "0.1 mm" }
+[forces]
+moment = { on = "arm", amplitude = 0.06 }
+[outputs]
+x = { slide = 1 }
+tip = { tip = 1 }
+angle = { arm = 1 }
+contact = { force = "joint" }
+"""
+LEVER_DIGITS = {
+    "x": (0.0022237886723595595, 0.0007896460609898731),
+    "tip": (0.0020216855133655, 0.0006932570296734807),
+    "angle": (0.03459521534199539, 0.011951857402184437),
+    "contact": (3.351602257441405, 1.0087997745464414),
+}
+GEARS = """
+frequency = 30.0
+[bodies]
+drive = { inertia = 5e-4 }
+gear = { inertia = 1.2e-3 }
+[points]
+pinion = { drive = 0.5 }
+[links]
+"drive shaft" = { between = ["ground", "drive"], stiffness = "50 N m/rad", damping = "0.02 N m s/rad" }
+"gear shaft" = { between = ["ground", "gear"], stiffness = "5 N m/rad", damping = "0.02 N m s/rad" }
+[plays]
+mesh = { between = ["pinion", "gear"], stiffness = 300.0, damping = 0.05, gap = "0.4 deg" }
+[forces]
+ripple = { on = "drive", amplitude = 1.0, harmonics = [[2, 0.5, 0.3], [4, 0.2, -1.0]] }
+[outputs]
+drive = { drive = 1 }
+gear = { gear = 1 }
+mesh = { force = "mesh" }
+"""
+GEAR_DIGITS = {
+    "drive": (0.09737885315474595, 0.0336022298335718),
+    "gear": (0.06325864802551545, 0.021874309613463837),
+    "mesh": (4.92833621179104, 1.2107947187257664),
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "digits"), [(LEVER, LEVER_DIGITS), (GEARS, GEAR_DIGITS)], ids=["lever", "gears"]
+)
+def test_digits_of_another_integrator(text: str, digits: dict[str, tuple[float, float]]) -> None:
+    """Peak to peak and rms by DOP853 at 1e-13 of scalar laws, as the definition of machines has them."""
+    response = respond(Mechanism.from_toml_text(text))
+    assert response.period_count == 1 and response.motion.events_per_period == 4
+    found = {n: (response.motion.peak_to_peak[n], response.motion.rms[n].value) for n in digits}
+    for name, expected in digits.items():
+        assert found[name] == pytest.approx(expected, rel=2e-12)
+
+
+def test_a_lever_multiplies_stiffness_and_damping_by_the_square_of_its_arm() -> None:
+    """J theta'' + c r² theta' + k r² theta = M cos: the closed form."""
+    inertia, r, k, c, moment, frequency = 3e-4, 0.06, 900.0, 0.8, 0.02, 11.0
+    lever = Mechanism(
+        {"arm": Body(inertia=inertia)},
+        frequency,
+        points={"tip": Point({"arm": r}, by_length=True)},
+        links={"spring": Link(("ground", "tip"), k, c)},
+        forces={"moment": Force("arm", amplitude=moment)},
+        outputs={"angle": Output({"arm": 1.0}), "tip": Output({"tip": 1.0})},
+    )
+    w = math.tau * frequency
+    amplitude = moment / abs(complex(k * r * r - inertia * w * w, c * r * r * w))
+    measures = forced_orbit(lever).measures.outputs
+    assert measures["angle"].peak_to_peak == pytest.approx(2 * amplitude, rel=1e-13)
+    assert measures["tip"].peak_to_peak == pytest.approx(2 * r * amplitude, rel=1e-13)
+
+
+def test_a_gear_pair_without_backlash_is_one_axis() -> None:
+    """With a stiff mesh the inertias add as J_1 + n² J_2; the ratio is that of a rigid gear to J / k."""
+    first, second, ratio, shaft, mesh = 4e-4, 9e-4, -1.7, 30.0, 1e9
+    pair = Mechanism(
+        {"a": Body(inertia=first), "b": Body(inertia=second)},
+        points={"driven": Point({"a": ratio})},
+        links={"shaft": Link(("ground", "a"), shaft), "mesh": Link(("driven", "b"), mesh)},
+    )
+    matrices = linear_matrices(pair)
+    squares = np.linalg.eigvals(np.linalg.solve(matrices.mass, matrices.stiffness))
+    assert squares.min() == pytest.approx(shaft / (first + ratio**2 * second), rel=1e-6)
+
+
+def slider(arm: float | None) -> Mechanism:
+    """A body with friction that knocks on another one, as a mass or as what turns at an arm."""
+    by = 1.0 if arm is None else arm
+    body = Body(0.05) if arm is None else Body(inertia=0.05 * by**2)
+    end = "body" if arm is None else "end"
+    return Mechanism(
+        {"body": body, "slide": Body(0.03)},
+        40.0,
+        points={} if arm is None else {"end": Point({"body": by}, by_length=True)},
+        links={
+            "hold": Link(("ground", "body"), 3e3 * by**2, 1.2 * by**2),
+            "return": Link(("ground", "slide"), 2e3, 1.0),
+        },
+        plays={"joint": Play((end, "slide"), 15e3, 2.0, 1e-4)},
+        frictions={"rub": Friction(("ground", "body"), 0.3 * by, 0.4 * by)},
+        forces={"push": Force("body", amplitude=3.0 * by)},
+        outputs={"slide": Output({"slide": 1.0}), "end": Output({end: 1.0})},
+    )
+
+
+@pytest.mark.parametrize("arm", quick((1e-4, 1.0, 1e3), 0))
+def test_an_arm_of_any_length_gives_the_motion_of_the_mass_at_its_end(arm: float) -> None:
+    plain, lever = respond(slider(None)), respond(slider(arm))
+    assert plain.motion.drive_periods == lever.motion.drive_periods
+    assert plain.motion.events_per_period == lever.motion.events_per_period
+    assert lever.motion.peak_to_peak == pytest.approx(plain.motion.peak_to_peak, rel=1e-12)
+    moduli = [sorted(abs(each.motion.orbit.multipliers)) for each in (plain, lever)]
+    np.testing.assert_allclose(*moduli, rtol=1e-8, atol=1e-12)
+
+
+def test_power_is_kept_by_points_with_every_part_on_them() -> None:
+    """Pins, forces, frictions, contacts and links on levers: what goes in is stored or lost."""
+    mechanism = Mechanism(
+        {"arm": Body(inertia=2e-3), "a": Body(0.3), "b": Body(0.2)},
+        25.0,
+        points={"tip": Point({"arm": 0.1, "a": 1.0}), "mid": Point({"a": 0.5, "b": 0.5})},
+        pins={"eccentric": Pin("tip", 1e-3, order=2), "base": Pin("ground", 2e-3)},
+        links={
+            "twist": Link(("ground", "arm"), 60.0, 0.02),
+            "rod": Link(("eccentric", "b"), 4e3, 2.0),
+            "foot": Link(("base", "a"), 8e3, 3.0),
+        },
+        plays={"slot": Play(("mid", "tip"), 2e4, 5.0, 2e-4)},
+        stops={"end": Stop(("ground", "mid"), 3e4, 4.0, 1e-4)},
+        frictions={
+            "rub": Friction(("base", "mid"), 1.5, 2.0, 0.3),
+            "drag": Friction(("ground", "arm"), 0.05),
+        },
+        forces={"push": Force("mid", 1.0, 12.0), "moment": Force("arm", amplitude=0.8)},
+    )
+    energy = simulate(mechanism, 0.3).energy
+    assert energy.residual < 1e-12
+    assert all(energy.pins.values()) and all(energy.frictions.values()) and all(energy.contacts.values())
+
+
+def test_a_gear_that_is_carried_on_advances_by_its_ratio() -> None:
+    gears = Mechanism(
+        {"shaft": Body(inertia=1e-3), "gear": Body(inertia=2e-3)},
+        20.0,
+        pins={"engine": Pin("ground", velocity=50.0, amplitude=0.01)},
+        points={"pinion": Point({"shaft": -2.5})},
+        links={
+            "coupling": Link(("engine", "shaft"), 200.0, 0.1),
+            "mesh": Link(("pinion", "gear"), 5e3, 0.5),
+        },
+        frictions={"drag": Friction(("ground", "gear"), 0.2)},
+        outputs={"shaft": Output({"shaft": 1.0}), "gear": Output({"gear": 1.0})},
+    )
+    response = respond(gears)
+    assert (response.motion.kind.word, response.period_count) == ("periodic", 1)
+    turn = 50.0 / 20.0
+    assert response.motion.advance == pytest.approx({"shaft": turn, "gear": -2.5 * turn}, rel=1e-12)
+
+
+def test_a_right_hand_side_by_hand_gives_the_same_motion() -> None:
+    """The lever with play, free of friction, by scipy from a start: laws written out, relaxing left out."""
+    mechanism = replace(Mechanism.from_toml_text(LEVER), start={"arm": (0.01, 0.0), "slide": (0.0, 0.3)})
+    mechanism = replace(mechanism, plays={"joint": replace(mechanism.plays["joint"], damping=0.0)})
+
+    def rates(time: float, y: np.ndarray) -> list[float]:
+        theta, u, x, dtheta, du, dx = y
+        s = x - (0.05 * theta + u)
+        tension = 15e3 * (s - min(max(s, -5e-5), 5e-5))
+        moment = 0.06 * math.sin(math.tau * 40 * time) - 2 * theta - 1e-3 * dtheta + 0.05 * tension
+        return [
+            dtheta, du, dx, moment / 2e-5, (tension - 20e3 * u - 8 * du) / 0.2,
+            (-tension - 2e3 * x - 1.5 * dx) / 0.05,
+        ]  # fmt: skip
+
+    motion = simulate(mechanism, 0.05)
+    solved = solve_ivp(
+        rates, (0, 0.05), [0.01, 0, 0, 0, 0, 0.3], "DOP853", rtol=1e-12, atol=1e-15, max_step=1e-5
+    )
+    for name, place in (("arm", 0), ("housing", 1), ("slide", 2)):
+        size = abs(solved.y[place]).max()
+        assert float(motion.displacement(name, 0.05)) == pytest.approx(solved.y[place, -1], abs=1e-9 * size)
+
+
+@pytest.mark.parametrize("seed", quick((5, 11, 60, 174), 1))
+def test_random_levers_against_brute_force(seed: int) -> None:
+    compare(levered(random_mechanism(seed), seed), 2, known=0.5)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(120))
+def test_many_random_levers_against_brute_force(seed: int) -> None:
+    compare(levered(random_mechanism(seed), seed), 3)
+
+
+@pytest.mark.parametrize("seed", quick(range(40), 3))
+def test_bodies_that_turn_at_an_arm_move_as_masses_do(seed: int) -> None:
+    """Each body of a random mechanism becomes one that turns at an arm of its own, its ends points on it."""
+    mechanism = random_mechanism(seed)
+    arms = np.exp(np.random.default_rng(seed).normal(0.0, 2.0, len(mechanism.bodies)))
+    duration = 1 / mechanism.frequency
+    plain, turns = (simulate(each, duration) for each in (mechanism, turned(mechanism, arms)))
+    assert [(e.kind, e.part) for e in plain.events] == [(e.kind, e.part) for e in turns.events]
+    times = np.linspace(0, duration, 50)
+    for name, arm in zip(mechanism.bodies, arms, strict=True):
+        expected = plain.displacement(name, times)
+        size = max(abs(plain.displacement(each, times)).max() for each in mechanism.bodies)
+        np.testing.assert_allclose(arm * turns.displacement(name, times), expected, rtol=0, atol=1e-9 * size)
