@@ -9,19 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from trimmer.arrays import Complexes
 from trimmer.mechanism.number_table import TableError, columns_of
 from trimmer.mechanism.parts import Force, Pin
-from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import is_number
-
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
 ORDERS = 20
 """Orders of a waveform that are taken if no number is given."""
@@ -79,25 +75,6 @@ def left_out(part: Pin | Force) -> float:
     spectrum[1 : (len(samples) + 1) // 2] *= 2.0
     whole = float(spectrum.sum())
     return float(np.sqrt(spectrum[_orders(part) + 1 :].sum() / whole)) if whole else 0.0
-
-
-def waveforms_left_out(mechanism: Mechanism) -> dict[str, float]:
-    """Return that share of each waveform of a mechanism, by the place of its part."""
-    return {
-        place_text((section, name)): left_out(part)
-        for section in ("pins", "forces")
-        for name, part in getattr(mechanism, section).items()
-        if part.waveform
-    }
-
-
-def told_of_waveforms(mechanism: Mechanism) -> list[str]:
-    """Return a sentence for each waveform of a mechanism."""
-    return [
-        f"The waveform of {place} is cut off at its highest order: the rms of what is left out is {share:.3g}"
-        " of that of its samples about their mean."
-        for place, share in waveforms_left_out(mechanism).items()
-    ]
 
 
 def _orders(part: Pin | Force) -> int:

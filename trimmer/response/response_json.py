@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from trimmer.mechanism.cut_waveforms import waveforms_left_out
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.waves import waveforms_left_out
 
 if TYPE_CHECKING:
     from trimmer.motion.measures import Measures

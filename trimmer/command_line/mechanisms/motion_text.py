@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
-from trimmer.mechanism.waves import told_of_waveforms, waveforms_left_out
+from trimmer.mechanism.cut_waveforms import told_of_waveforms, waveforms_left_out
 from trimmer.messages import listed
 from trimmer.motion.units import with_unit
 from trimmer.response.response_json import rest_json

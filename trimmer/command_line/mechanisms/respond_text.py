@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.table import table
+from trimmer.mechanism.cut_waveforms import told_of_waveforms
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.waves import told_of_waveforms
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
 from trimmer.response.response_json import response_json
