@@ -92,13 +92,19 @@ def _known(flow: Flow) -> Iterator[ChosenMeasure]:
         for size in SIZES:
             yield ChosenMeasure(f"outputs.{name}.{size}", output.unit, _size(name, size))
     for name in flow.accelerations:
-        yield ChosenMeasure(f"bodies.{name}.rms_acceleration", "m/s²", _acceleration(name))
+        yield ChosenMeasure(
+            f"bodies.{name}.rms_acceleration", flow.units_of_body(name).acceleration, _acceleration(name)
+        )
     for part in (each.name for each in flow.parts if each.touches):
         for word, (of, unit) in CONTACT.items():
-            yield ChosenMeasure(f"contacts.{part}.{word}", unit(flow.units), _part("contacts", part, of))
+            yield ChosenMeasure(
+                f"contacts.{part}.{word}", unit(flow.units_of_part(part)), _part("contacts", part, of)
+            )
     for part in flow.rubbing:
         for word, (of, unit) in FRICTION.items():
-            yield ChosenMeasure(f"frictions.{part}.{word}", unit(flow.units), _part("frictions", part, of))
+            yield ChosenMeasure(
+                f"frictions.{part}.{word}", unit(flow.units_of_part(part)), _part("frictions", part, of)
+            )
     yield ChosenMeasure("events_per_period", "", lambda each: each.events_per_period)
     yield ChosenMeasure("impacts_per_period", "", _impacts)
     yield ChosenMeasure(

@@ -28,6 +28,7 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
 from trimmer.motion.motion import Motion
 from trimmer.motion.signals import Signal, Steady, along
+from trimmer.response.closings import Closing, closings
 from trimmer.response.energy import MechanismEnergy, energy_of
 from trimmer.response.rest import Rest
 from trimmer.showing.shown import Tabular, counted
@@ -228,6 +229,11 @@ class MechanismMotion(Motion):
         """Displacement, m, and velocity, m/s, of each body at its end."""
         state = self.course.end.state
         return {name: tuple(state[list(places)].tolist()) for name, places in self.flow.axes.items()}
+
+    @property
+    def closings(self) -> Mapping[str, Closing]:
+        """How contacts close whose sides meet: when, bouncing for how long, how hard, with which force."""
+        return closings(self.flow, self.course, self.events)
 
     @cached_property
     def rest(self) -> Rest | None:

@@ -9,7 +9,7 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.response.mechanisms import example, twin
-from trimmer import ContactLaw, MechanismError, simulate
+from trimmer import Body, ContactLaw, Force, Link, Mechanism, MechanismError, Stop, simulate
 
 LAWS = list(ContactLaw)
 NAMES = ("thesis-play", "second-play", "foil-shaver", "held", "servo", "den-hartog", "thesis", "gear-pair")
@@ -53,6 +53,28 @@ def test_events_have_the_speed_at_which_contact_begins_and_ends() -> None:
     assert broken.speed == -broken.rate
     back = broken.speed * (0.2 / 1.0 - (5.0 - broken.time))  # It lets go where k x + c v = 0.
     assert motion.final["body"] == pytest.approx((back, broken.rate), abs=1e-12)
+
+
+def test_a_relay_closes_after_it_bounced() -> None:
+    """At rest (100 + 50e3) x = 50e3 · 0.5 mm - 0.4 N, which the seat's spring bears but for 100 x."""
+    relay = Mechanism(
+        {"relay": Body(mass=0.01)},
+        links={"spring": Link(("ground", "relay"), stiffness=100.0, damping=0.05)},
+        stops={"seat": Stop(("relay", "ground"), stiffness=50e3, damping=2.0, gap=-0.5e-3)},
+        forces={"bias": Force("relay", constant=-0.4)},
+        start={"relay": (3e-3, 0.0)},
+    )
+    motion, early = simulate(relay, 2.0), simulate(relay, 0.02)
+    met = [event for event in motion.events if event.kind.word == "contact-made"]
+    closing, place = motion.closings["seat"], (50e3 * 0.5e-3 - 0.4) / (100.0 + 50e3)
+    assert (closing.closing_time, closing.touches) == (met[0].time, len(met))
+    assert closing.bounce_time == met[-1].time - met[0].time > 0.1
+    assert closing.impact_speed == met[0].speed
+    assert (closing.closed, early.closings["seat"].closed) == (True, False)
+    assert closing.force == pytest.approx(0.4 + 100.0 * place, rel=1e-9)
+    assert motion.rest is not None
+    assert motion.rest.positions["relay"] == pytest.approx(place)
+    assert (early.rest, early.closings["seat"].force) == (None, 0.0)
 
 
 def test_contact_forces_and_accelerations_are_one() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from trimmer.command_line.json_values import document
+from trimmer.command_line.mechanisms.respond_text import rest_lines
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
 from trimmer.mechanism.cut_waveforms import told_of_waveforms, waveforms_left_out
@@ -28,6 +29,9 @@ def as_text(motion: MechanismMotion) -> str:
         (name if alike else with_unit(name, units[name]), f"{v:.6g}") for name, v in _ranges(motion).items()
     ]
     lines += table(("output", next(iter(units.values()), "m") if alike else ""), rows)
+    lines += _closings(motion)
+    if motion.rest is not None:
+        lines += ["It is at rest:", *rest_lines(motion.rest)]
     return "\n".join([*lines, *told_of_waveforms(motion.mechanism), *_energy_text(motion.energy)])
 
 
@@ -41,6 +45,7 @@ def as_json(motion: MechanismMotion) -> str:
         "message": motion.message,
         "events": [_event(each) for each in motion.events],
         "final": {name: list(state) for name, state in motion.final.items()},
+        "closings": {name: vars(each) for name, each in motion.closings.items()},
         "rest": None if motion.rest is None else rest_json(motion.rest),
         "last_amplitudes": _ranges(motion),
         "energy": {
@@ -70,6 +75,25 @@ def _event(event: MechanismEvent) -> dict[str, Any]:
         "rate": event.rate,
         "impulse": event.impulse,
     }
+
+
+def _closings(motion: MechanismMotion) -> list[str]:
+    """Return how contacts close, as of a machine that switches; nothing where a drive goes on for ever."""
+    if (motion.mechanism.frequency is not None and motion.rest is None) or not motion.closings:
+        return []
+    units = {name: motion.flow.units_of_part(name) for name in motion.closings}
+    rows = [
+        (
+            name,
+            f"{each.closing_time:.6g}",
+            str(each.touches),
+            f"{each.bounce_time:.6g}",
+            f"{each.impact_speed:.6g} {units[name].speed}",
+            f"{'closed' if each.closed else 'open'}, {each.force:.6g} {units[name].force}",
+        )
+        for name, each in motion.closings.items()
+    ]
+    return table(("contact", "closes at, s", "touches", "bounces for, s", "impact speed", "at the end"), rows)
 
 
 def _ranges(motion: MechanismMotion) -> dict[str, float]:

@@ -62,7 +62,7 @@ def _with_unit(size: float, unit: str) -> str:
 
 def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
     if motion.rest is not None:
-        yield from _rest(motion.rest)
+        yield from rest_lines(motion.rest)
         return
     if motion.orbit is None and motion.window is None and motion.linear is None:
         return
@@ -120,7 +120,7 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
         yield f"  {motion.events_per_period:.4g} events per drive period; figures are those of the window"
 
 
-def _rest(rest: Rest) -> Iterator[str]:
+def rest_lines(rest: Rest) -> Iterator[str]:
     """Return where all rests, and what each part bears there."""
     flow = rest.flow
     bodies = isinstance(flow.subject, Mechanism)
