@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -13,10 +13,6 @@ from trimmer.motion.part import TOUCHING
 if TYPE_CHECKING:
     from trimmer.motion.course import Course
     from trimmer.motion.flow import Flow
-    from trimmer.response.motion import MechanismEvent
-
-TOUCHES = frozenset(("contact-made", "impact"))
-"""Words of the events at which the sides of a contact meet."""
 
 
 @dataclass(frozen=True)
@@ -40,19 +36,25 @@ class Closing:
     force: float
 
 
-def closings(flow: Flow, course: Course, events: Iterable[MechanismEvent]) -> Mapping[str, Closing]:
-    """Return how the contacts close whose sides meet in a motion, by their names."""
-    events = tuple(events)
+def closings(
+    flow: Flow, course: Course, meetings: Mapping[str, Sequence[tuple[float, float]]]
+) -> Mapping[str, Closing]:
+    """Return how the contacts close whose sides meet in a motion, by their names.
+
+    Args:
+        flow: What moves.
+        course: Its motion.
+        meetings: By part, time, s, and speed, m/s, of each event at which its sides meet.
+    """
     forces = flow.forces(course, np.array([course.duration]))
     found = {}
     for part, status in zip(flow.parts, course.end.statuses, strict=False):
-        met = [each for each in events if each.part == part.name and each.kind.word in TOUCHES]
-        if met and part.touches:
+        if part.touches and (met := meetings.get(part.name)):
             found[part.name] = Closing(
-                met[0].time,
+                met[0][0],
                 len(met),
-                met[-1].time - met[0].time,
-                max(each.speed for each in met),
+                met[-1][0] - met[0][0],
+                max(speed for _, speed in met),
                 status in part.statuses(*TOUCHING),
                 float(forces[part.name][0]),
             )

@@ -53,6 +53,9 @@ KINDS = {
     system.HOLD_ENDED: MechanismEventKind.STICK_ENDED,
 }
 
+MEETINGS = (MechanismEventKind.CONTACT_MADE,)
+"""Events at which the sides of a contact meet."""
+
 
 @dataclass(frozen=True)
 class MechanismEvent:
@@ -233,7 +236,11 @@ class MechanismMotion(Motion):
     @property
     def closings(self) -> Mapping[str, Closing]:
         """How contacts close whose sides meet: when, bouncing for how long, how hard, with which force."""
-        return closings(self.flow, self.course, self.events)
+        met: dict[str, list[tuple[float, float]]] = {}
+        for event in self.events:
+            if event.kind in MEETINGS:
+                met.setdefault(event.part, []).append((event.time, event.speed))
+        return closings(self.flow, self.course, met)
 
     @cached_property
     def rest(self) -> Rest | None:
