@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from report.design.diagram import symbols
-from report.design.diagram.layout import DiagramLayout, Run, layout_of
+from report.design.diagram.layout import DiagramLayout, Run, box_of, layout_of
 from report.design.quantities import shown
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
@@ -48,7 +48,9 @@ def mechanism_diagram(mechanism: Mechanism) -> Figure:
     layout = layout_of(mechanism)
     lanes = [lane for span in layout.spans.values() for lane in span] + [run.lane for run in layout.runs]
     low, high = min(lanes, default=0), max(lanes, default=0)
-    geometry = _Geometry.of(layout, mechanism.pins, low, high)
+    ends = {end for run in layout.runs for end in run.joint.ends}
+    named = {end for end in ends if end in mechanism.pins or box_of(mechanism, end) != end}
+    geometry = _Geometry.of(layout, named, low, high)
     forced = any(_pushes(force) for force in mechanism.forces.values())
     figure, axes = canvas(geometry.width, geometry.height + (HEAD if forced else 0.0))
     _Drawing(axes, mechanism, layout, geometry).draw()
@@ -75,9 +77,9 @@ class _Geometry:
     height: float
 
     @classmethod
-    def of(cls, layout: DiagramLayout, pins: Collection[str], low: int, high: int) -> _Geometry:
+    def of(cls, layout: DiagramLayout, named: Collection[str], low: int, high: int) -> _Geometry:
         left, right = layout.walls
-        spaces = _spaces(layout, pins)
+        spaces = _spaces(layout, named)
         bodies = len(layout.bodies)
         widths = [WALL if left else 0.0, *[BOX] * bodies, WALL if right else 0.0]
         edges, x = [], 0.05
@@ -92,7 +94,7 @@ class _Geometry:
         return 0.05 + (lane - self.low + 0.5) * LANE
 
 
-def _spaces(layout: DiagramLayout, pins: Collection[str]) -> list[float]:
+def _spaces(layout: DiagramLayout, named: Collection[str]) -> list[float]:
     """Return the widths of the spaces between columns: as wide as what stands in each needs."""
     count = len(layout.bodies) + 1
     needed = [NARROWEST] * count
@@ -101,7 +103,7 @@ def _spaces(layout: DiagramLayout, pins: Collection[str]) -> list[float]:
     for run in layout.runs:
         if run.right - run.left == 1:
             contact = CONTACT if run.joint.section in ("plays", "stops") else 0.0
-            own = NARROWEST + contact + PIN * sum(end in pins for end in run.joint.ends)
+            own = NARROWEST + contact + PIN * sum(end in named for end in run.joint.ends)
             needed[run.left] = max(needed[run.left], own)
     boxes = len(layout.bodies) * BOX + sum(layout.walls) * WALL + 0.1
     spare = max(WIDTH - boxes - sum(needed), 0.0)
@@ -131,13 +133,16 @@ class _Drawing:
     def body(self, name: str, number: int) -> None:
         left, right = self.geometry.edges[number + 1]
         bottom, top = self.ends(name)
-        words = plain_label("\n".join(textwrap.wrap(name, 9, max_lines=4, placeholder="…")))
+        words = plain_label("\n".join(textwrap.wrap(name.removesuffix("."), 9, max_lines=4, placeholder="…")))
         if name in self.mechanism.points:
             self.point(words, (left + right) / 2, bottom, top)
             return
-        data, kind = self.mechanism.bodies[name], self.mechanism.kinds[name]
-        mass = shown(data.generalised_mass, kind.unit("kg"))
         fill = COLOURS[number % len(COLOURS)]
+        if (structure := self.mechanism.structures.get(name.removesuffix("."))) and name.endswith("."):
+            kind, mass = Kind.TRANSLATION, f"{len(structure.names)} {'modes' if structure.modes else 'dof'}"
+        else:
+            kind = self.mechanism.kinds[name]
+            mass = shown(self.mechanism.bodies[name].generalised_mass, kind.unit("kg"))
         if kind is Kind.ROTATION:
             symbols.disc(self.axes, (left, bottom), (right - left, top - bottom), fill)
         else:
@@ -190,6 +195,11 @@ class _Drawing:
     def port(self, end: str, edge: float, y: float, sign: int) -> float:
         """Return where a part begins: at a pin, which is drawn, or at the edge."""
         if end not in self.mechanism.pins:
+            if box_of(self.mechanism, end) != end:
+                own = end.removeprefix(box_of(self.mechanism, end))
+                side = "left" if sign > 0 else "right"
+                words = plain_label(own, SHORT)
+                self.axes.text(edge + 0.03 * sign, y + 0.03, words, ha=side, va="bottom", fontsize=SMALL)
             return edge
         at = symbols.pin(self.axes, edge, y, sign, PIN)
         # The name lies over the arrow, where nothing else is.
@@ -253,10 +263,12 @@ class _Drawing:
 
     def force(self, name: str, on: str) -> None:
         """Draw a force above its body."""
-        column = self.layout.bodies.index(on) + 1
+        box = box_of(self.mechanism, on)
+        column = self.layout.bodies.index(box) + 1
         left, right = self.geometry.edges[column]
-        top = self.ends(on)[1]
-        others = [each for each, force in self.mechanism.forces.items() if force.on == on]
+        top = self.ends(box)[1]
+        forces = self.mechanism.forces.items()
+        others = [each for each, force in forces if box_of(self.mechanism, force.on) == box]
         y = top + 0.12 + 0.2 * others.index(name)
         arrow(self.axes, (left, y), (right, y), shrinkA=0, shrinkB=0, mutation_scale=9)
         self.axes.text(

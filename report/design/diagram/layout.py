@@ -65,7 +65,7 @@ class DiagramLayout:
     """Places of all parts.
 
     Attributes:
-        bodies: Names of the bodies and points from left to right.
+        bodies: Names of the bodies, points and structures from left to right.
         runs: The parts between them.
         spans: Lowest and highest lane of each body.
     """
@@ -100,20 +100,34 @@ def joints_of(mechanism: Mechanism) -> Iterator[Joint]:
         for name, part in getattr(mechanism, section).items():
             sizes = ("force", "viscous") if section == "frictions" else ("stiffness", "damping")
             if any(getattr(part, size) for size in sizes):
-                first, second = (_carrier(mechanism, end) for end in part.between)
-                yield Joint(section, name, part.between, (first, second))
+                first, second = (box_of(mechanism, end) for end in part.between)
+                if first != second:  # what joins two ends of a structure is inside of its box
+                    yield Joint(section, name, part.between, (first, second))
     for name, point in mechanism.points.items():
         for of, weight in point.weights.items():
             if weight != 0:
-                yield Joint("points", name, (name, of), (name, of))
+                yield Joint("points", name, (name, of), (name, box_of(mechanism, of)))
 
 
-def _carrier(mechanism: Mechanism, end: str) -> str:
-    return mechanism.pins[end].on if end in mechanism.pins else end
+def box_of(mechanism: Mechanism, end: str) -> str:
+    """Return the box that an end is part of: its carrier, or the structure of this."""
+    carrier = mechanism.pins[end].on if end in mechanism.pins else end
+    return next((f"{name}." for name in mechanism.structures if _has(mechanism, name, carrier)), carrier)
+
+
+def boxes_of(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return bodies, points and structures, whose names have a dot behind them here."""
+    return (*mechanism.bodies, *mechanism.points, *(f"{name}." for name in mechanism.structures))
+
+
+def _has(mechanism: Mechanism, name: str, end: str) -> bool:
+    own = end.removeprefix(f"{name}.")
+    structure = mechanism.structures[name]
+    return own != end and (own in structure.names or own in structure.points)
 
 
 def _orders(mechanism: Mechanism, joints: Sequence[Joint]) -> Iterable[tuple[str, ...]]:
-    bodies = (*mechanism.bodies, *mechanism.points)
+    bodies = boxes_of(mechanism)
     return permutations(bodies) if len(bodies) <= MOST_ORDERS else (_from_ground(bodies, joints),)
 
 

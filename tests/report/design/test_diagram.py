@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from report.design.diagram.diagram import mechanism_diagram
@@ -12,10 +14,12 @@ from trimmer.design.design_file import design_file_of_text
 from trimmer.examples import example_text, examples
 from trimmer.mechanism.parts import GROUND
 
+FOLDER = Path(__file__).parents[3] / "examples"
+
 
 @pytest.fixture(params=examples())
 def mechanism(request: pytest.FixtureRequest) -> Mechanism:
-    return design_file_of_text(example_text(request.param), request.param).mechanism
+    return design_file_of_text(example_text(request.param), request.param, FOLDER).mechanism
 
 
 def test_no_part_runs_through_a_body_or_another_part(mechanism: Mechanism) -> None:
@@ -50,7 +54,7 @@ def test_names_of_parts_stand_in_the_drawing(mechanism: Mechanism) -> None:
     words = " ".join(" ".join(text.get_text().split()) for text in axes.texts)
     for joint in joints_of(mechanism):
         assert joint.name in words
-    for name in mechanism.bodies:
+    for name in (*mechanism.bodies, *mechanism.structures):
         assert name.split()[0] in words
 
 
