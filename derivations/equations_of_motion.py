@@ -153,10 +153,27 @@ def resultant_forces(mechanism: Mechanism) -> tuple[sympy.Expr, ...]:
 
 
 def _collected(force: sympy.Expr, variables: list[sympy.Expr]) -> sympy.Expr:
-    terms = [_term(sympy.diff(force, variable), variable) for variable in variables]
-    constant = sympy.Add(*(term for term in sympy.Add.make_args(force) if not term.has(t)))
-    kept = [term for term in (*terms, constant) if term != 0]
+    coefficients, rest = _linear(force, variables)
+    terms = (_term(coefficients[each], each) for each in variables if each in coefficients)
+    kept = [term for term in (*terms, rest) if term != 0]
     return sympy.Add(*kept, evaluate=False) if kept else sympy.S.Zero
+
+
+def _linear(
+    expression: sympy.Expr, variables: list[sympy.Expr]
+) -> tuple[dict[sympy.Expr, sympy.Expr], sympy.Expr]:
+    """Return the coefficient of each variable that occurs in an expanded sum, and what is left of the sum."""
+    found: dict[sympy.Expr, list[sympy.Expr]] = {}
+    rest, known = [], set(variables)
+    for term in sympy.Add.make_args(expression):
+        factors = sympy.Mul.make_args(term)
+        moved = [factor for factor in factors if factor in known]
+        if len(moved) == 1:
+            others = (factor for factor in factors if factor != moved[0])
+            found.setdefault(moved[0], []).append(sympy.Mul(*others))
+        else:
+            rest.append(term)
+    return {each: sympy.Add(*terms) for each, terms in found.items()}, sympy.Add(*rest)
 
 
 def _term(coefficient: sympy.Expr, variable: sympy.Expr) -> sympy.Expr:
@@ -171,26 +188,28 @@ def motion_matrices(mechanism: Mechanism) -> MotionMatrices:
     Raises:
         ValueError: if the equations of motion are not linear in coordinates and inputs.
     """
-    balances = sympy.Matrix(force_balances(mechanism))
     positions = [body.coordinate for body in mechanism.bodies]
     rates = [position.diff(t) for position in positions]
     second_rates = [position.diff(t, 2) for position in positions]
-    variables = [second_rates, rates, positions, *map(list, inputs(mechanism))]
-    matrices = [_jacobian(balances, each) for each in variables]
-    remainder = balances
-    for matrix, each in zip(matrices, variables, strict=True):
-        if each:
-            remainder -= matrix * sympy.Matrix(each)
-    constant = sympy.ImmutableMatrix(-remainder.expand())
+    kinds = [second_rates, rates, positions, *map(list, inputs(mechanism))]
+    variables = [each for kind in kinds for each in kind]
+    balances = [_linear(balance, variables) for balance in force_balances(mechanism)]
+    constant = sympy.ImmutableMatrix([-rest for _, rest in balances])
     if constant.has(t):
         raise ValueError("the equations of motion are not linear in the coordinates and the inputs")
-    mass, damping, stiffness, displacement, velocity, given, contact, friction = matrices
+    mass, damping, stiffness, displacement, velocity, given, contact, friction = (
+        _jacobian([coefficients for coefficients, _ in balances], kind) for kind in kinds
+    )
     return MotionMatrices(
         mass, damping, stiffness, -displacement, -velocity, -given, -contact, -friction, constant
     )
 
 
-def _jacobian(balances: sympy.Matrix, variables: list[sympy.Expr]) -> sympy.ImmutableMatrix:
+def _jacobian(
+    coefficients: list[dict[sympy.Expr, sympy.Expr]], variables: list[sympy.Expr]
+) -> sympy.ImmutableMatrix:
     return sympy.ImmutableMatrix(
-        balances.rows, len(variables), lambda row, column: sympy.diff(balances[row], variables[column])
+        len(coefficients),
+        len(variables),
+        lambda row, column: coefficients[row].get(variables[column], sympy.S.Zero),
     )
