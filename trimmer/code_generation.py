@@ -219,7 +219,8 @@ class _Translation:
         unbalance = self._number("forces", name, "unbalance", force.unbalance)
         height = total(amplitude, unbalance * (force.order * symbols.omega) ** 2)
         wave = product(height, self._wave("forces", name, force))
-        law = total(constant, wave if height != 0 else 0, *self._further("forces", name, force))
+        profile = [self._function("forces", name, "profile")] if force.profile else []
+        law = total(constant, wave if height != 0 else 0, *self._further("forces", name, force), *profile)
         return parts.Force(moved[force.on], self._function("forces", name, "value"), law)
 
     def _output(self, name: str, output: Output, ends: Mapping[str, Any]) -> parts.Output:

@@ -33,6 +33,11 @@ def example_text(name: str = USUAL) -> str:
     return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
 
 
+def example_tables(name: str) -> dict[str, str]:
+    """Return the text of the tables that an example names, by their names; they are to stand beside it."""
+    return {path.name: path.read_text(encoding="utf-8") for path in sorted(_folder().glob(f"{name}*.csv"))}
+
+
 def _folder() -> Path:
     """Return their folder: in an installed package inside of it, in a checkout at the top."""
     installed = _PACKAGE / "examples"

@@ -126,10 +126,11 @@ class MechanismFlow(Flow):
                 one too; the state is made to fit.
         """
         machine, layout = self.modes.system.machine, self.modes.system.layout
-        extended = np.concatenate([state, layout.forcing_at(phase)])
+        periods = like.periods if like is not None and layout.drifts else 0
+        extended = np.concatenate([state, layout.forcing_at(phase, periods * layout.period)])
         if like is not None:
             held = self.modes[self.modes.number(like.statuses)].hold @ extended
-            return replace(like, state=held[: self.size], periods=0, phase=phase)
+            return replace(like, state=held[: self.size], periods=periods, phase=phase)
         contacts = [self._contact(contact, extended, stretched) for contact in range(len(machine.stiffness))]
         negligible = 2.0**-56 * abs(machine.contact_distance @ extended)
         speeds = machine.friction_rate @ extended

@@ -1,7 +1,8 @@
 """Names and places in the extended state of a mechanism, and its ends as functionals of it.
 
 It holds displacements q and velocities v of the coordinates, the springs z of relaxing contacts, sine and
-cosine of each order of the drive, the time if a pin that something leans on moves on for ever, and one.
+cosine of each order of the drive, each profile and its rate, the time if a pin that something leans on moves
+on for ever, and one.
 Displacements are those in a frame, which may move.
 """
 
@@ -18,13 +19,16 @@ from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
 from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
+from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Row, Stop
 from trimmer.mechanism.waves import mean_of, waves_of
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
 STILL = 1e-1
 """Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
+
+SOON = 1e-12
+"""Share of the last time of a profile up to which two times are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +42,8 @@ class Layout:
         curves: Section and name of the parts with a curve.
         relaxing: Names of those contacts whose z is a state.
         orders: Multiples of the drive's frequency that occur.
+        profiles: Points of the profiles that occur, time, s, and force, N; entries are the force of each and
+            its rate.
         ramp: Whether the time is an entry.
         omega: Angular frequency of the drive, rad/s; 0 without one.
         ends: Names of the ends.
@@ -57,6 +63,7 @@ class Layout:
     curves: tuple[tuple[str, str], ...]
     relaxing: tuple[str, ...]
     orders: tuple[int, ...]
+    profiles: tuple[tuple[Row, ...], ...]
     ramp: bool
     omega: float
     ends: tuple[str, ...]
@@ -74,7 +81,7 @@ class Layout:
     @cached_property
     def size(self) -> int:
         """Number of entries of the extended state."""
-        return self.state_count + 2 * len(self.orders) + int(self.ramp) + 1
+        return self.state_count + 2 * len(self.orders) + 2 * len(self.profiles) + int(self.ramp) + 1
 
     @cached_property
     def period(self) -> float:
@@ -111,6 +118,33 @@ class Layout:
     def travels(self) -> bool:
         """Whether the frame moves."""
         return self.frame.follows or bool(self.frame.velocities.any())
+
+    @property
+    def drifts(self) -> bool:
+        """Whether each period is forced in a way of its own."""
+        return self.ramp or bool(self.profiles)
+
+    @cached_property
+    def breaks(self) -> tuple[float, ...]:
+        """Times of all points of profiles, s, rising."""
+        return tuple(sorted({float(time) for profile in self.profiles for time, _ in profile}))
+
+    def changes_after(self, time: float) -> bool:
+        """Say whether something else than waves forces the states differently after a time, s."""
+        return self.ramp or any(each > time + SOON * abs(self.breaks[-1]) for each in self.breaks)
+
+    @cached_property
+    def steady(self) -> Reals:
+        """The entries that force the states without waves, once nothing else changes, (forcing,)."""
+        values = np.zeros(self.forcing)
+        values[-1] = 1.0
+        for profile in self.profiles:
+            values[self.profile(profile) - self.state_count] = profile[-1][1]
+        return values
+
+    def profile(self, points: tuple[Row, ...]) -> int:
+        """Return the place of the force of a profile; its rate follows."""
+        return self.state_count + 2 * len(self.orders) + 2 * self.profiles.index(points)
 
     @cached_property
     def phasors(self) -> Complexes:
@@ -174,15 +208,31 @@ class Layout:
 
         Args:
             time: s.
-            before: Whole drive periods that were before, s, which count for ramps alone.
+            before: Whole drive periods that were before, s, which count for ramps and profiles alone.
         """
         values = np.ones(self.forcing)
         for place, order in enumerate(self.orders):
             angle = order * self.omega * time
             values[2 * place : 2 * place + 2] = np.sin(angle), np.cos(angle)
+        for profile in self.profiles:
+            place = self.profile(profile) - self.state_count
+            values[place : place + 2] = _along(profile, before + time)
         if self.ramp:
             values[-2] = before + time
         return values
+
+
+def _along(profile: tuple[Row, ...], time: float) -> tuple[float, float]:
+    """Return force, N, and its rate, N/s, of a profile at a time, s: just after it, at a point."""
+    points = np.array(profile)
+    after = int(np.searchsorted(points[:, 0], time + SOON * abs(points[:, 0]).max(), side="right"))
+    if after == 0:
+        return 0.0, 0.0
+    begin, force = points[after - 1]
+    if after == len(points):
+        return float(force), 0.0
+    slope = (points[after, 1] - force) / (points[after, 0] - begin)
+    return float(force + slope * (time - begin)), float(slope)
 
 
 def layout_of(
@@ -221,6 +271,7 @@ def layout_of(
         curves_of(mechanism),
         relaxing,
         tuple(orders),
+        tuple(dict.fromkeys(force.profile for force in mechanism.forces.values() if force.profile)),
         ramp,
         omega,
         tuple(speeds),
@@ -310,6 +361,8 @@ class Rows:
         row[-1] += mean_of(force)
         for wave in waves_of(force, self.layout.omega):
             self._add_wave(row, *wave)
+        if force.profile:
+            row[self.layout.profile(force.profile)] += 1.0
         return row
 
     def push(self, start: str, end: str) -> Reals:

@@ -122,6 +122,8 @@ def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
         sine = layout.sine(order)
         base[sine, sine + 1] = order * layout.omega
         base[sine + 1, sine] = -order * layout.omega
+    for profile in layout.profiles:
+        base[layout.profile(profile), layout.profile(profile) + 1] = 1.0
     if layout.ramp:
         base[-2, -1] = 1.0
     return base

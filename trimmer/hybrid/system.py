@@ -116,6 +116,21 @@ class Layout(Protocol):
         """Whether the time itself forces the states."""
 
     @property
+    def drifts(self) -> bool:
+        """Whether each period is forced in a way of its own."""
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which what forces the states changes its course, s, rising."""
+
+    def changes_after(self, time: float) -> bool:
+        """Say whether something else than waves forces the states differently after a time, s."""
+
+    @property
+    def steady(self) -> Reals:
+        """The entries that force the states without waves, once nothing else changes, (forcing,)."""
+
+    @property
     def omega(self) -> float:
         """Angular frequency of what forces the states, rad/s; 0 for none."""
 

@@ -212,6 +212,25 @@ class Layout:
         return False
 
     @property
+    def drifts(self) -> bool:
+        """Each period of the drive is as the others."""
+        return False
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Nothing forces a loop but its drive."""
+        return ()
+
+    def changes_after(self, time: float) -> bool:
+        """Nothing forces a loop but its drive."""
+        return False
+
+    @property
+    def steady(self) -> Reals:
+        """The entries that force the states without the drive, (forcing,)."""
+        return np.asarray(np.eye(1, self.forcing, self.forcing - 1)[0])
+
+    @property
     def independent(self) -> Places:
         """Places of all states but the share of a velocity that is left, on which nothing depends."""
         return np.delete(np.arange(self.sine), self.following)

@@ -1,4 +1,4 @@
-"""Lists of rows of numbers in a part, as the ``harmonics`` of a pin or a force."""
+"""Lists of rows of numbers in a part, as ``harmonics``, or the ``profile`` of a force."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, NumberField, Range
 
 FORCE = NumberField("N", "500 mN")
+TIME = NumberField("s", "10 ms")
 _ORDER = NumberField("1", "2", Range.WHOLE)
 _PHASE = NumberField("rad", "90 deg")
 
@@ -41,7 +42,10 @@ def _harmonics(amplitude: NumberField, example: str) -> RowForm:
 FORMS: Mapping[type, Mapping[str, RowForm]] = MappingProxyType(
     {
         Pin: {"harmonics": _harmonics(DISPLACEMENT, "[[2, 0.4e-3, 0.9]]")},
-        Force: {"harmonics": _harmonics(FORCE, "[[2, 0.5, 0.3]]")},
+        Force: {
+            "harmonics": _harmonics(FORCE, "[[2, 0.5, 0.3]]"),
+            "profile": RowForm({"time": TIME, "force": FORCE}, "[[0.01, 0.0], [0.012, 1.5]]"),
+        },
     }
 )
 """The lists that parts may have, by their kind and key."""

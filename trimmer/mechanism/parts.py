@@ -224,6 +224,8 @@ class Force:
         order: Multiple of the drive's frequency.
         unbalance: kg m; it adds unbalance (2 pi order frequency)² to the amplitude.
         symbol: Symbol of the force in printed equations.
+        profile: Time, s, and force, N, of points of a force beside these: straight between them, constant
+            after the last, zero before the first.
         harmonics: Order, amplitude, N, and phase, rad, of further waves.
         waveform: Force beside these, N, at even phases of a period of the drive from 0 on.
         orders: Highest order of the waveform; None for 20, or fewer if there are not so many.
@@ -236,6 +238,7 @@ class Force:
     order: int = 1
     unbalance: float = 0.0
     symbol: str | None = None
+    profile: tuple[Row, ...] | None = None
     harmonics: tuple[Row, ...] | None = None
     waveform: tuple[float, ...] | None = None
     orders: int | None = None

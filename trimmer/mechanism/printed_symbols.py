@@ -121,6 +121,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("phase", r"\psi", "phase of %s", "rad"),
             Stem("unbalance", "epsilon", "unbalance of %s", "kg m"),
             Stem("waveform", "W", "waveform of %s", "N"),
+            Stem("profile", "Q", "profile of %s over time", "N"),
         ),
         "points": (Stem("displacement", "p", "displacement of %s", "m"),),
         "outputs": (Stem("value", "y", "output %s", "m"),),
@@ -191,8 +192,8 @@ def _of_harmonics(section: str, part: Any) -> Iterator[Stem]:
 
 def _occurs(part: Any, stem: Stem) -> bool:
     """Say whether a part has what a stem stands for; only a curve has a tension beside a link."""
-    if stem.of == "waveform":
-        return bool(part.waveform)
+    if stem.of in ("waveform", "profile"):
+        return bool(getattr(part, stem.of))
     return not (isinstance(part, Link) and stem.of in ("elongation", "tension")) or part.curve is not None
 
 
@@ -248,7 +249,7 @@ def value_of(mechanism: Mechanism, place: Place) -> float | None:
         return float(part.static_force)
     if of.startswith("harmonics."):
         return number_rows.value_at(part, *of.split("."))
-    if of == "waveform":
+    if of in ("waveform", "profile"):
         return None
     value = part.weights[of.removeprefix(WEIGHT)] if of.startswith(WEIGHT) else getattr(part, of, None)
     return None if value is None else float(value)

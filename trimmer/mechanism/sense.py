@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import Any
 
 from trimmer.mechanism.curves import problems_of_points as problems_of_curves
@@ -69,6 +70,8 @@ def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
         for name, part in content[section].items():
             yield from problems_of_curves((section, name), part)
     yield from _drive(content)
+    for name, force in content["forces"].items():
+        yield from _rises(("forces", name, "profile"), force.profile or ())
     yield from problems_of_moving(content)
 
 
@@ -179,6 +182,13 @@ def _drive(content: Mapping[str, Any]) -> Iterator[Problem]:
                 reason = "but no frequency; give one, as in frequency = 110.0 (Hz), before the bodies"
                 article = {"harmonics": "are", "waveform": "is a"}.get(key, "is an")
                 yield Problem((section, name, key), f"there {article} {key}, {reason}")
+
+
+def _rises(place: tuple[str, ...], profile: tuple[tuple[float, ...], ...]) -> Iterator[Problem]:
+    for number, ((before, _), (after, _)) in enumerate(pairwise(profile), start=2):
+        if not before < after:
+            reason = f"the time must rise from point to point, and that before is {float(before)!r} s"
+            yield Problem((*place, str(number), "time"), reason, after)
 
 
 def _start(content: Mapping[str, Any]) -> Iterator[Problem]:

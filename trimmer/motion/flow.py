@@ -244,7 +244,7 @@ class Flow(ABC):
     def strobe(self, instant: Instant, periods: int, most_steps: int = MOST_STEPS) -> Strobe:
         """Go on for a number of drive periods, at least 1, and keep the state between them."""
         # What moves on for ever forces each period in a way of its own.
-        portions = ([1] * periods if self.modes.system.layout.ramp else []) or [periods]
+        portions = ([1] * periods if self.modes.system.layout.drifts else []) or [periods]
         states, counts, end = [instant.state[None]], [], instant
         for portion in portions:
             stretch = advance(self.modes, end, portion, self.period, False, most_steps)
@@ -262,9 +262,26 @@ class Flow(ABC):
 
     def timed(self, instant: Instant, duration: float, most_steps: int = MOST_STEPS) -> Course:
         """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
+        begin, end, ending, logs = 0.0, instant, Ending.REACHED_END, list[Log]()
+        for until in (*self._breaks(instant, duration), duration):
+            parts, end, ending = self._until(end, until - begin, most_steps)
+            logs += [each._replace(start=each.start + begin) for each in parts] if begin else parts
+            begin = until
+            if ending is not Ending.REACHED_END:
+                break
+        return self._joined(instant, end, ending, logs, duration)
+
+    def _breaks(self, instant: Instant, duration: float) -> list[float]:
+        """Return the times from an instant on, s, at which what forces the states changes its course."""
+        now = instant.periods * self.period + instant.phase
+        times = (each - now for each in self.modes.system.layout.breaks)
+        return [each for each in times if 0.0 < each < duration]
+
+    def _until(self, instant: Instant, duration: float, most_steps: int) -> tuple[list[Log], Instant, Ending]:
+        """Go on for a duration, s, in which what forces the states keeps its course."""
         if not self.period:
             stretch = advance(self.modes, instant, 1, duration, True, most_steps)
-            return self._joined(instant, stretch.end, stretch.ending, [stretch.log], duration)
+            return [stretch.log], stretch.end, stretch.ending
         whole = int(duration / self.period)
         parts, end, ending = self._periods(instant, whole, most_steps)
         rest = duration - whole * self.period
@@ -272,7 +289,7 @@ class Flow(ABC):
             stretch = advance(self.modes, end, 1, rest, True, most_steps)
             parts.append(stretch.log._replace(start=stretch.log.start + whole * self.period))
             end, ending = stretch.end, stretch.ending
-        return self._joined(instant, end, ending, parts, duration)
+        return parts, end, ending
 
     def _periods(self, instant: Instant, periods: int, most_steps: int) -> tuple[list[Log], Instant, Ending]:
         """Go on for whole periods; returns the logs of the motion, its end, and why it ends."""
@@ -280,7 +297,7 @@ class Flow(ABC):
         done, count = 0, 1
         while done < periods and ending is Ending.REACHED_END:
             # What moves on for ever forces each period in a way of its own.
-            count = 1 if self.modes.system.layout.ramp else min(count, periods - done)
+            count = 1 if self.modes.system.layout.drifts else min(count, periods - done)
             stretch = advance(self.modes, end, count, self.period, True, most_steps, done)
             logs.append(stretch.log)
             end, ending, done = stretch.end, stretch.ending, done + count

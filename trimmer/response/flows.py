@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from trimmer.arguments import require_instance
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import place_text
 
 if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
@@ -18,6 +19,7 @@ def flow_of(subject: Subject) -> Flow:
     if isinstance(subject, Mechanism):
         from trimmer.contact.flow import MechanismFlow
 
+        require_no_profile(subject)
         return MechanismFlow.returning(subject)
     from trimmer.loops.flow import LoopFlow
     from trimmer.loops.loops import Loop
@@ -29,6 +31,20 @@ def flow_of(subject: Subject) -> Flow:
             "the drives have no period in common, so that no motion repeats with them; simulate() follows it"
         )
     return LoopFlow(subject)
+
+
+def require_no_profile(mechanism: Mechanism) -> None:
+    """Check that no force of a mechanism follows a profile, with which nothing repeats.
+
+    Raises:
+        UnsupportedMotionError: if one does; it is named.
+    """
+    for name, force in mechanism.forces.items():
+        if force.profile:
+            raise UnsupportedMotionError(
+                f"{place_text(('forces', name, 'profile'))}: the force follows times, with which nothing "
+                "repeats; 'trimmer simulate' follows it, or leave it out"
+            )
 
 
 def called(subject: Subject) -> str:

@@ -147,7 +147,7 @@ class LinearMotion:
         forcing, waves = row[size:], self.waves @ row[:size]
         turns = np.exp(1j * np.array(layout.orders) * layout.omega * self.instant.phase)
         waves += layout.phasors @ forcing * turns
-        return float(row[:size] @ self.mean + forcing[-1]), waves, self.parts @ row[:size]
+        return float(row[:size] @ self.mean + forcing @ layout.steady), waves, self.parts @ row[:size]
 
     def _stays_positive(self, row: Reals) -> bool:
         constant, waves, free = self.seen_by(row)
@@ -163,12 +163,16 @@ def linear_motion(flow: Flow, instant: Instant) -> LinearMotion | None:
         flow: The motion of the mechanism.
         instant: Where it is.
     """
-    if flow.modes.system.layout.ramp:
+    if flow.modes.system.layout.changes_after(_now(flow, instant)):
         return None
     mode = _mode(flow, instant)
     held = _Held.of(flow, mode)
     modal = _modal(flow, mode, held)
     return None if modal is None else _motion(flow, instant, held, modal)
+
+
+def _now(flow: Flow, instant: Instant) -> float:
+    return instant.periods * flow.period + instant.phase
 
 
 def lasting_motion(flow: Flow, instant: Instant) -> LinearMotion | None:
@@ -184,7 +188,7 @@ def grows_for_ever(flow: Flow, instant: Instant) -> bool:
     damps.
     """
     mode = _mode(flow, instant)
-    if flow.modes.system.layout.ramp or mode.functions:
+    if flow.modes.system.layout.changes_after(_now(flow, instant)) or mode.functions:
         return False
     held = _Held.of(flow, mode)
     modal = _modal(flow, mode, held)
@@ -223,7 +227,7 @@ class _Held(NamedTuple):
         rank = round(float(np.trace(hold)))
         basis = np.eye(size) if rank == size else np.linalg.svd(hold)[0][:, :rank]
         forcing = np.zeros((1 + len(layout.orders), layout.forcing), dtype=complex)
-        forcing[0, -1], forcing[1:] = 1.0, layout.phasors
+        forcing[0], forcing[1:] = layout.steady, layout.phasors
         omegas = np.array([0.0, *(order * layout.omega for order in layout.orders)])
         moved = 1j * omegas[:, None] * (forcing @ shift.T)
         push = (forcing @ (A @ shift + B).T - moved) @ basis

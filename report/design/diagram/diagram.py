@@ -58,7 +58,7 @@ def mechanism_diagram(mechanism: Mechanism) -> Figure:
 
 
 def _pushes(force: Force) -> bool:
-    return bool(mean_of(force)) or is_driven(force)
+    return bool(mean_of(force) or force.profile) or is_driven(force)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from itertools import pairwise
 
 import pytest
 
@@ -27,10 +28,11 @@ REPEATING = {
     "gear-rattle": 8,
     "housing-modes": 4,
     "lever-valve": 6,
+    "cam-drive": 2,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
-OTHERS = {"second-play", "thrown-body"}
-"""A torus, see ``test_respond``; and a body that flies away."""
+OTHERS = {"second-play", "thrown-body", "contactor"}
+"""A torus, see ``test_respond``; a body that flies away; and what is switched, and only simulated."""
 
 
 def test_each_example_is_here() -> None:
@@ -50,6 +52,15 @@ def test_what_flies_away_diverges() -> None:
     response = respond(example("thrown-body"))
     assert (response.kind, response.success) == (MotionKind.DIVERGING, True)
     assert "in proportion to the time" in response.message
+
+
+def test_the_contactor_bounces_twice_and_opens_again() -> None:
+    motion = simulate(example("contactor"), 0.12)
+    made = [each for each in motion.events if (each.part, each.kind.word) == ("contact", "contact-made")]
+    assert [each.time > 0.008 for each in made] == [True] * 3
+    assert [a.speed > b.speed for a, b in pairwise(made)] == [True] * 2
+    assert motion.rest is not None
+    assert motion.rest.forces["contact"] == 0.0
 
 
 def test_results_are_the_same_after_pickling() -> None:

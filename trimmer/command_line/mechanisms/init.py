@@ -30,11 +30,15 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    from trimmer.examples import example_text
+    from trimmer.examples import example_tables, example_text
     from trimmer.files import write_atomically
 
     target: Path = arguments.file
-    keep(target)
+    tables = {target.parent / name: text for name, text in example_tables(arguments.example).items()}
+    for path in (target, *tables):
+        keep(path)
+    for path, text in tables.items():
+        write_atomically(path, text)
     write_atomically(target, example_text(arguments.example))
     show(f"wrote {target}; change it, then: trimmer design {target}", target)
     return 0
