@@ -75,6 +75,12 @@ class MapInputs:
         return tuple(values[at] for values, at in zip(self.values, places, strict=False))
 
     @property
+    def _settings(self) -> dict[str, Any]:
+        """The settings, without measures where none are asked for, so that older files are gone on with."""
+        asked = {"measures": list(self.settings.measures)} if self.settings.measures else {}
+        return {**{name: each for name, each in asdict(self.settings).items() if name != "measures"}, **asked}
+
+    @property
     def header(self) -> dict[str, Any]:
         """The header of the file."""
         from trimmer import __version__
@@ -83,7 +89,7 @@ class MapInputs:
             "mechanism": described(self.subject),
             "places": list(self.places),
             "values": [list(values) for values in self.values],
-            "settings": {**asdict(self.settings), "measures": list(self.settings.measures)},
+            "settings": self._settings,
         }
         digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
         return {"trimmer map": FORMAT, "program": __version__, **content, "inputs": digest}

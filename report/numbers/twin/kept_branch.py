@@ -89,7 +89,7 @@ def read_branches(courses: tuple[KeptCourse, ...], path: Path) -> tuple[KeptBran
 def inputs_of(courses: tuple[KeptCourse, ...]) -> str:
     """Return the SHA-256 of all that the branches depend on, beside the program."""
     described = [
-        [each.name, _described(each.subject), each.place, each.start, each.stop, asdict(settings_of(each))]
+        [each.name, _described(each.subject), each.place, each.start, each.stop, _settings_as_data(each)]
         for each in courses
     ]
     return hashlib.sha256(json.dumps(described, sort_keys=True).encode()).hexdigest()
@@ -98,6 +98,11 @@ def inputs_of(courses: tuple[KeptCourse, ...]) -> str:
 def settings_of(course: KeptCourse) -> FollowSettings:
     """Return how a branch is followed."""
     return FollowSettings(largest_step=course.largest_step, bounds=course.bounds, switches=1, quiet=True)
+
+
+def _settings_as_data(course: KeptCourse) -> dict[str, Any]:
+    """Return how a branch is followed as data, without the deadline, of which there is none."""
+    return {name: each for name, each in asdict(settings_of(course)).items() if name != "deadline"}
 
 
 def _described(subject: Mechanism | TrimmerLoop) -> str | list[object]:
