@@ -26,7 +26,7 @@ def to_markdown(report: DesignReport) -> dict[str, str]:
     content: dict[str, Any] = {
         "report": report,
         "design": report.design,
-        "contacts": {**mechanism.plays, **mechanism.stops},
+        "contacts": {**mechanism.plays, **mechanism.stops, **mechanism.walls},
     }
     template = environment().get_template
     return {name: template(f"design/{name}.md.j2").render(content) for name in PIECES}

@@ -103,6 +103,7 @@ def inventory(design: Design) -> str:
         (len(mechanism.links), "spring or damper", "springs and dampers"),
         (len(mechanism.plays), "play", "plays"),
         (len(mechanism.stops), "stop", "stops"),
+        (len(mechanism.walls), "wall", "walls"),
         (len(live), "friction", "frictions"),
         (len(mechanism.forces), "force", "forces"),
     ]

@@ -23,11 +23,12 @@ from trimmer.contact.statuses import (
     RELAXING,
     RELEASED_MINUS,
     RELEASED_PLUS,
+    RESTS,
     RETURNED,
     STICK,
 )
 from trimmer.hybrid.dry_friction import elementary_vectors, independent
-from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, EventFunction, Mode
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, Mode
 
 PUSHING = (PLUS, MINUS, ALWAYS)
 """Statuses of a contact that exerts a force."""
@@ -37,12 +38,13 @@ ROUNDING = 16 * float(np.finfo(float).eps)
 """Rounding of a sum of products as a share of the moduli of its terms."""
 
 
-def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
+def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -> Mode:
     """Return the equations of a mode.
 
     Args:
         machine: The mechanism.
-        statuses: Of all contacts, then of all frictions, then of all curves.
+        statuses: Of all contacts, then of all frictions, curves and walls.
+        period: That of the drive, s; 1 without one.
     """
     contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
     flow = flow_without_stick(machine, statuses)
@@ -54,11 +56,14 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
         elif statuses[contact] == FREE:
             hold[z] = 0.0
     functions = list(_of_contacts(machine, statuses))
-    rubbing = machine.of_frictions(statuses)
-    sticking = np.array([i for i, each in enumerate(rubbing) if each == STICK], dtype=np.intp)
+    rubbing, resting = (
+        machine.of_frictions(statuses),
+        np.array(machine.of_walls(statuses), dtype=int) == RESTS,
+    )
+    sticking = np.flatnonzero([*(each == STICK for each in rubbing), *resting])
     if len(sticking):
-        tree = sticking[independent(machine.friction_rate[sticking, bodies : 2 * bodies])]
-        rates, push = machine.friction_rate[tree], machine.friction_push[tree]
+        tree = sticking[independent(machine.hold_rate[sticking, bodies : 2 * bodies])]
+        rates, push = machine.hold_rate[tree], machine.hold_push[tree]
         inverse = np.linalg.inv(rates[:, bodies : 2 * bodies] @ push.T)
         forces = inverse @ (rates @ flow)
         velocities, shares = slice(bodies, 2 * bodies), abs(push.T) @ abs(inverse) @ abs(rates)
@@ -71,14 +76,15 @@ def assemble(machine: Machine, statuses: tuple[int, ...]) -> Mode:
             row = direction * machine.friction_rate[friction]
             functions.append(EventFunction(contacts + friction, ARRIVED, row))
     functions += functions_of_curves(machine, statuses)
+    functions += functions_of_walls(machine, statuses, period)
     relaxing = {contact: _rate(machine, contact) for contact, _ in relaxing_springs(machine)}
     decay = [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
     return Mode(
         statuses,
         flow,
         tuple(functions),
-        hold,
-        held=tuple(contacts + int(friction) for friction in sticking),
+        hold if not resting.any() else hold @ at_walls(machine, np.flatnonzero(resting)),
+        held=tuple(int(machine.holds[hold]) for hold in sticking),
         settled=(*(FREE if each == RELAXING else each for each in statuses[:contacts]), *statuses[contacts:]),
         decay=np.array(decay),
         decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
@@ -176,20 +182,48 @@ def _beyond(machine: Machine, contact: int, side: int) -> Reals:
     return np.asarray(row)
 
 
+SCREEN = 1e-7
+"""Share of the drive's period that is left of a chatter, below which impacts are decided one by one."""
+
+
+def functions_of_walls(machine: Machine, statuses: tuple[int, ...], period: float) -> Iterator[EventFunction]:
+    """Yield how far the ends of each wall are from its gap, unless they rest there."""
+    first = len(statuses) - len(machine.restitution)
+    for wall, status in enumerate(machine.of_walls(statuses)):
+        if status != RESTS:
+            rebound = max(machine.restitution[wall], np.finfo(float).tiny)
+            # What is left of a chatter lasts 2 e v / (a (1 - e)) where it comes with the rate v.
+            shortest = SCREEN * period * (1.0 - machine.restitution[wall]) / (2.0 * rebound)
+            row = -machine.wall_distance[wall]
+            yield EventFunction(first + wall, STRUCK, row, shortest=shortest)
+
+
+def at_walls(machine: Machine, resting: Places) -> Reals:
+    """Return the state with walls at rest exactly at their gaps, (N, N)."""
+    bodies = machine.contact_push.shape[1]
+    tree = resting[independent(machine.wall_distance[resting, :bodies])]
+    distance, push = machine.wall_distance[tree], machine.wall_push[tree]
+    moved = np.eye(distance.shape[1])
+    moved[:bodies] -= push.T @ np.linalg.inv(distance[:, :bodies] @ push.T) @ distance
+    return moved
+
+
 def _of_stick(machine: Machine, sticking: Places, tree: Places, forces: Reals) -> Iterator[EventFunction]:
     """Yield how far what sticks is from its limits; rings share their forces in any admissible way."""
-    bodies, count = machine.contact_push.shape[1], len(machine.kinetic)
+    bodies, rubbing = machine.contact_push.shape[1], sticking < len(machine.kinetic)
     vectors = np.eye(len(sticking))
     if len(tree) < len(sticking):
-        vectors = elementary_vectors(machine.friction_rate[sticking, bodies : 2 * bodies])
+        vectors = elementary_vectors(machine.hold_rate[sticking, bodies : 2 * bodies])
     every = np.zeros((len(sticking), forces.shape[1]))
     every[np.searchsorted(sticking, tree)] = forces
     for vector in vectors:
-        limit, across = abs(vector) @ machine.static[sticking], vector @ every
+        limit, across = abs(vector[rubbing]) @ machine.held[sticking[rubbing]], vector @ every
         involved = np.flatnonzero(vector)
-        owner = len(machine.stiffness) + int(sticking[involved[0]]) if len(involved) == 1 else JOINTLY
+        owner = int(machine.holds[sticking[involved[0]]]) if len(involved) == 1 else JOINTLY
         for side in (1, -1):
-            signs = np.zeros(count, dtype=np.int64)
+            if (side * vector[~rubbing] > 0).any():
+                continue  # A wall holds against this with any force.
+            signs = np.zeros(len(machine.held), dtype=np.int64)
             signs[sticking] = side * np.sign(vector)
             row = -side * across
             row[-1] += limit

@@ -41,6 +41,7 @@ def curve_arrays(mechanism: Mechanism, rows: Rows) -> dict[str, Any]:
         "curve_over": np.array([_over(rows, *each) for each in ends]).reshape(-1, size),
         "curve_push": np.array([-rows.push(*part.between) for _, part in parts]).reshape(-1, count),
         "curve_knots": _padded([each.knots for each in forces], most, np.inf),
+        "curve_by_speed": np.array([not is_link for is_link, _ in ends], dtype=np.int64),
         "curve_slopes": _padded([each.slopes for each in forces], most + 1, 0.0),
         "curve_heights": _padded([each.heights for each in forces], most + 1, 0.0),
     }

@@ -13,6 +13,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.contact.assembly import force_of
 from trimmer.contact.curves import add_least_curves, segments_at
 from trimmer.contact.frame import Frame, frame_of
+from trimmer.contact.impacts import impact_at
+from trimmer.contact.impulses import NEARLY, at_gap
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
 from trimmer.contact.outputs import forces_at, outputs_of
@@ -21,6 +23,7 @@ from trimmer.contact.readouts import (
     contact_measures,
     friction_measures,
     parts_of,
+    wall_measures,
 )
 from trimmer.contact.statuses import (
     ALWAYS,
@@ -28,6 +31,8 @@ from trimmer.contact.statuses import (
     CONTACT_MADE,
     FORWARD,
     FREE,
+    IMPACT,
+    LOOSE,
     MINUS,
     PLUS,
     RELAXES,
@@ -38,9 +43,11 @@ from trimmer.contact.statuses import (
     TRUNCATES,
 )
 from trimmer.contact.system import MechanismSystem
+from trimmer.contact.transitions import held_parts
+from trimmer.errors import MechanismError
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
-from trimmer.hybrid.system import ARRIVED, NO_STATE, Mode, System
+from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.coordinates import inertia_of
@@ -48,6 +55,7 @@ from trimmer.mechanism.curves import is_odd
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
+from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.structure_ends import modes_in
 from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
@@ -111,7 +119,21 @@ class MechanismFlow(Flow):
         for name, (displacement, velocity) in {**self.mechanism.start, **(start or {})}.items():
             body = layout.coordinates.index(name)
             state[body], state[count + body] = displacement, velocity
+        self._require_within_walls(state)
         return self.at(state, stretched=False)
+
+    def _require_within_walls(self, state: Reals) -> None:
+        machine, layout = self.modes.system.machine, self.modes.system.layout
+        extended = np.concatenate([state, layout.forcing_at(0.0)])
+        beyond = machine.wall_distance @ extended
+        allowed = NEARLY * (abs(machine.wall_distance) @ abs(extended))
+        for name, far, rounding in zip(layout.walls, beyond.tolist(), allowed.tolist(), strict=True):
+            if far > rounding:
+                start, end = self.mechanism.walls[name].between
+                raise MechanismError(
+                    f"{place_text(('walls', name))}: at the start {end!r} is {far:.6g} beyond where this wall "
+                    f"holds it, in SI units; give {start!r} or {end!r} another [start], or the wall another gap"
+                )
 
     def at(
         self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None
@@ -128,6 +150,8 @@ class MechanismFlow(Flow):
         machine, layout = self.modes.system.machine, self.modes.system.layout
         periods = like.periods if like is not None and layout.drifts else 0
         extended = np.concatenate([state, layout.forcing_at(phase, periods * layout.period)])
+        for wall in range(len(machine.restitution)):
+            extended = at_gap(machine, wall, extended)
         if like is not None:
             held = self.modes[self.modes.number(like.statuses)].hold @ extended
             return replace(like, state=held[: self.size], periods=periods, phase=phase)
@@ -141,12 +165,19 @@ class MechanismFlow(Flow):
         frictions = [
             STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)
         ]
-        statuses = (*contacts, *frictions, *segments_at(machine, extended))
-        if slow.any():
-            statuses = decide(machine, statuses, extended, np.flatnonzero(slow))
+        distances, rates = machine.wall_distance @ extended, machine.wall_rate @ extended
+        reached = abs(distances) <= NEARLY * (abs(machine.wall_distance) @ largest)
+        resting = reached & (abs(rates) <= AT_REST * (abs(machine.wall_rate) @ largest))
+        walls = (LOOSE for _ in machine.restitution)
+        statuses = (*contacts, *frictions, *segments_at(machine, extended), *walls)
+        at_rest = np.flatnonzero([*slow, *resting])
+        if len(at_rest):
+            statuses = decide(machine, statuses, extended, at_rest)
         zeros = np.zeros((len(statuses), self.modes.system.action_count), dtype=np.int64)
-        begun = [len(contacts) + i for i in np.flatnonzero(slow) if statuses[len(contacts) + i] != STICK]
+        held, holds = held_parts(machine, statuses), machine.holds
+        begun = [part for part in holds[at_rest].tolist() if part not in held]
         zeros[begun, ARRIVED] = 1
+        zeros[holds[len(frictions) :], STRUCK] = np.where(reached, 1 + resting, 0)
         return Instant(extended[: self.size], statuses, 0, phase, zeros, negligible)
 
     def _contact(self, contact: int, extended: Reals, stretched: bool) -> int:
@@ -292,7 +323,7 @@ class MechanismFlow(Flow):
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """The contacts, then the frictions, then the curves."""
+        """The contacts, then the frictions, the curves and the walls."""
         return parts_of(self.modes.system)
 
     @cached_property
@@ -323,8 +354,8 @@ class MechanismFlow(Flow):
     def is_alike(self, other: Flow) -> bool:
         """Say whether another mechanism has the same states and parts, and the same leaders."""
         own, layout = self.modes.system.layout, other.modes.system.layout
-        alike = (layout.size, layout.contacts, layout.frictions, layout.curves) == (
-            *(own.size, own.contacts, own.frictions, own.curves),
+        alike = (layout.size, layout.contacts, layout.frictions, layout.curves, layout.walls) == (
+            *(own.size, own.contacts, own.frictions, own.curves, own.walls),
         )
         return alike and np.array_equal(layout.frame.leading, own.frame.leading)
 
@@ -352,12 +383,15 @@ class MechanismFlow(Flow):
         """Return how fast the sides of contacts meet at each impact of a motion, m/s, (impacts,)."""
         log, rates = course.log, self.modes.system.machine.contact_rate
         made = np.flatnonzero(log.kind == CONTACT_MADE)
-        return np.asarray(abs((rates[log.part[made]] * log.state[made]).sum(axis=1)))
+        speeds = abs((rates[log.part[made]] * log.state[made]).sum(axis=1))
+        hit = [impact_at(course, row)[0] for row in np.flatnonzero(log.kind == IMPACT).tolist()]
+        return np.append(speeds, hit)
 
     def contacts(self, course: Course, periods: int) -> Mapping[str, ContactMeasures]:
-        """Return what each play and stop that exerts a force does."""
-        names = self.modes.system.layout.contacts
-        return {name: contact_measures(course, part, periods) for part, name in enumerate(names)}
+        """Return what each play and stop that exerts a force does, and each wall."""
+        layout = self.modes.system.layout
+        contacts = {name: contact_measures(course, n, periods) for n, name in enumerate(layout.contacts)}
+        return contacts | {name: wall_measures(course, n, periods) for n, name in enumerate(layout.walls)}
 
     def frictions(self, course: Course, periods: int) -> Mapping[str, FrictionMeasures]:
         """Return what each friction that exerts a force does."""
@@ -391,7 +425,14 @@ class MechanismFlow(Flow):
         pushed = any(mean_of(force) != 0 for force in mechanism.forces.values()) or not all(
             is_odd(link.curve or ()) for link in mechanism.links.values()
         )
-        return bool(mechanism.frequency) and odd and centred and not pushed and not mechanism.stops
+        return (
+            bool(mechanism.frequency)
+            and odd
+            and centred
+            and not pushed
+            and not mechanism.stops
+            and not mechanism.walls
+        )
 
     @property
     def is_bounded(self) -> bool:

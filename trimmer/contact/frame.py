@@ -22,7 +22,7 @@ from trimmer.arrays import Integers, Reals
 from trimmer.mechanism.coordinates import rows_of_structures, weights_of_ends
 from trimmer.mechanism.elimination import solutions
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Link, Play, Stop
+from trimmer.mechanism.parts import ContactLaw, Link, Play, Stop, Wall
 
 SAME = 1e-12
 """Difference of two velocities, as a share of the largest one, that is taken for rounding."""
@@ -80,7 +80,7 @@ def frame_of(mechanism: Mechanism, *, without_stops: bool = False) -> Frame:
 
     Args:
         mechanism: The mechanism.
-        without_stops: Whether stops are left out: they hold against one direction alone.
+        without_stops: Whether stops and walls are left out: they hold against one direction alone.
     """
     weights, pins = weights_of_ends(mechanism), mechanism.pins
     between = list(dict.fromkeys(_leaning(mechanism, without_stops)))
@@ -98,7 +98,7 @@ def frame_of(mechanism: Mechanism, *, without_stops: bool = False) -> Frame:
 
 def _leaning(mechanism: Mechanism, without_stops: bool) -> Iterator[tuple[str, str]]:
     """Yield the ends of all parts whose force depends on where these are."""
-    stops = () if without_stops else mechanism.stops.values()
+    stops = () if without_stops else (*mechanism.stops.values(), *mechanism.walls.values())
     for part in (*mechanism.links.values(), *mechanism.plays.values(), *stops):
         if leans(part):
             yield part.between
@@ -113,10 +113,12 @@ def _strains(mechanism: Mechanism) -> Iterator[Reals]:
             yield row
 
 
-def leans(part: Link | Play | Stop) -> bool:
+def leans(part: Link | Play | Stop | Wall) -> bool:
     """Say whether the force of a part depends on where its ends are, and not on their velocities alone."""
     if isinstance(part, Play) and part.gap == 0 and part.law is not ContactLaw.TRUNCATED:
         return part.stiffness > 0
+    if isinstance(part, Wall):
+        return True
     if isinstance(part, Link):
         return part.stiffness > 0 or len({force for _, force in part.curve or ()}) > 1
     return part.stiffness > 0 or part.damping > 0

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import flow_without_stick
-from trimmer.contact.statuses import FORWARD, STICK
+from trimmer.contact.statuses import FORWARD
 from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, independent, least_shares
 
 if TYPE_CHECKING:
@@ -36,8 +36,19 @@ def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:
     Returns:
         Array (count, frictions), in the order of the layout.
     """
+    return hold_forces(course, rows, states)[:, : len(course.modes.system.machine.kinetic)]
+
+
+def hold_forces(course: Course, rows: Integers, states: Reals) -> Reals:
+    """Return the dry force of each friction, then of each wall, N, positive where it pulls its ends together.
+
+    Args:
+        course: The motion.
+        rows: Rows of its log, (count,).
+        states: Extended states in them, (count, N).
+    """
     modes = course.modes
-    forces = np.empty((len(rows), len(modes.system.machine.kinetic)))
+    forces = np.empty((len(rows), len(modes.system.machine.held)))
     mode_of_each = course.log.mode[rows]
     for mode in np.unique(mode_of_each):
         here = mode_of_each == mode
@@ -54,23 +65,25 @@ def undetermined(course: Course) -> tuple[str, ...]:
         if len(sticking) > 1:
             _, free = _shares(modes, sticking, np.zeros((len(sticking), 1)))
             found |= set(sticking[(abs(free) > DEPENDENT).any(axis=1)].tolist())
-    return tuple(name for number, name in enumerate(modes.system.layout.frictions) if number in found)
+    names = (*modes.system.layout.frictions, *modes.system.layout.walls)
+    return tuple(name for number, name in enumerate(names) if number in found)
 
 
 def _forces_in_mode(modes: Modes[MechanismSystem], mode: int, states: Reals) -> Reals:
     machine, statuses = modes.system.machine, modes[mode].statuses
     directions = np.array(machine.of_frictions(statuses))
     slides = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
-    forces = np.tile(slides, (len(states), 1))
+    forces = np.tile(np.append(slides, np.zeros(len(machine.restitution))), (len(states), 1))
     sticking = _sticking(modes, mode)
     if not len(sticking):
         return forces
-    limits = machine.static[sticking]
+    limits, walls = _limits(modes, sticking), sticking >= len(machine.kinetic)
     shares, free = _shares(modes, sticking, _some_split(modes, mode, sticking))
     split = limits * (states @ shares.T)
     if free.shape[1]:
-        for place in np.flatnonzero((abs(split) > limits).any(axis=1)):
-            within = admissible_split(_directions(modes, sticking), limits, split[place])
+        beyond = np.where(walls, split < 0, abs(split) > limits)
+        for place in np.flatnonzero(beyond.any(axis=1)):
+            within = admissible_split(_directions(modes, sticking), limits, split[place], walls)
             if within is not None:
                 split[place] = within
     forces[:, sticking] = split
@@ -78,34 +91,41 @@ def _forces_in_mode(modes: Modes[MechanismSystem], mode: int, states: Reals) -> 
 
 
 def rows_in_mode(modes: Modes[MechanismSystem], mode: int) -> Reals:
-    """Return the dry forces in a mode as functionals, N, (frictions, N).
+    """Return the dry forces in a mode as functionals, N, (frictions + walls, N).
 
     In stick they are those with the least sum of squares relative to the limits, which some may exceed.
     """
     machine = modes.system.machine
     directions = np.array(machine.of_frictions(modes[mode].statuses))
-    rows = np.zeros((len(directions), modes.system.layout.size))
-    rows[:, -1] = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
+    rows = np.zeros((len(machine.held), modes.system.layout.size))
+    rows[: len(directions), -1] = np.where(directions == FORWARD, machine.kinetic, -machine.kinetic)
     sticking = _sticking(modes, mode)
     if len(sticking):
         shares, _ = _shares(modes, sticking, _some_split(modes, mode, sticking))
-        rows[sticking] = machine.static[sticking, None] * shares
+        rows[sticking] = _limits(modes, sticking)[:, None] * shares
     return rows
 
 
+def _limits(modes: Modes[MechanismSystem], sticking: Places) -> Reals:
+    """Return the static forces of frictions, N; of walls, which have no limit, what theirs compare with."""
+    limits: Reals = modes.system.machine.held[sticking]
+    finite = limits[np.isfinite(limits)]
+    return np.where(np.isfinite(limits), limits, finite.max(initial=0.0) or 1.0)
+
+
 def _sticking(modes: Modes[MechanismSystem], mode: int) -> Places:
-    statuses = modes.system.machine.of_frictions(modes[mode].statuses)
-    return np.flatnonzero(np.array(statuses, dtype=np.int64) == STICK)
+    """Return the numbers of what holds: frictions, then walls."""
+    return np.flatnonzero(np.isin(modes.system.machine.holds, modes[mode].held))
 
 
 def _directions(modes: Modes[MechanismSystem], sticking: Places) -> Reals:
     bodies = len(modes.system.layout.coordinates)
-    directions: Reals = modes.system.machine.friction_rate[sticking, bodies : 2 * bodies]
+    directions: Reals = modes.system.machine.hold_rate[sticking, bodies : 2 * bodies]
     return directions
 
 
 def _shares(modes: Modes[MechanismSystem], sticking: Places, split: Reals) -> tuple[Reals, Reals]:
-    return least_shares(_directions(modes, sticking), modes.system.machine.static[sticking], split)
+    return least_shares(_directions(modes, sticking), _limits(modes, sticking), split)
 
 
 def _some_split(modes: Modes[MechanismSystem], mode: int, sticking: Places) -> Reals:
@@ -113,7 +133,7 @@ def _some_split(modes: Modes[MechanismSystem], mode: int, sticking: Places) -> R
     machine, bodies = modes.system.machine, len(modes.system.layout.coordinates)
     flow = flow_without_stick(machine, modes[mode].statuses)
     tree = sticking[independent(_directions(modes, sticking))]
-    rates, push = machine.friction_rate[tree], machine.friction_push[tree]
+    rates, push = machine.hold_rate[tree], machine.hold_push[tree]
     split = np.zeros((len(sticking), len(flow)))
     split[np.searchsorted(sticking, tree)] = np.linalg.solve(
         rates[:, bodies : 2 * bodies] @ push.T, rates @ flow

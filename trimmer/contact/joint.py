@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arrays import Places, Reals
 from trimmer.contact.assembly import flow_without_stick
 from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import BACKWARD, FORWARD, STICK
+from trimmer.contact.statuses import BACKWARD, FORWARD, LOOSE, RESTS, STICK
 from trimmer.hybrid.dry_friction import complementary_forces
 from trimmer.hybrid.system import ARRIVED, EventFunction
 
@@ -36,7 +36,7 @@ def after_event(
         state: The extended state, (N,).
         function: The event function that fell to zero.
         jumped: Whether it was negative at once.
-        at_rest: Numbers of the frictions whose velocity is zero.
+        at_rest: Numbers of the holds whose velocity is zero: frictions, then walls that are reached.
 
     Returns:
         The statuses of all parts, and how many derivatives of the velocities vanish that begin.
@@ -48,16 +48,17 @@ def after_event(
         after = decide(machine, statuses, state, at_rest)
         if function.action == ARRIVED or after != statuses:
             return after, 1
-    sliding = [friction for friction, sign in enumerate(function.signs) if sign]
-    drops = bool((machine.static[sliding] > machine.kinetic[sliding]).any())
+    sliding = [hold for hold, sign in enumerate(function.signs) if sign]
+    rubbing = [hold for hold in sliding if hold < len(machine.kinetic)]
+    drops = bool((machine.static[rubbing] > machine.kinetic[rubbing]).any())
     if drops:
         after = decide(machine, statuses, state, at_rest, np.array(sliding, dtype=np.intp))
         if after != statuses:
             return after, 1
     # Without a drop accelerations begin at zero; and where the drop is rounding, the limit decides.
-    contacts, decided = len(machine.stiffness), list(statuses)
-    for friction in sliding:
-        decided[contacts + friction] = FORWARD if function.signs[friction] > 0 else BACKWARD
+    decided, holds = list(statuses), machine.holds
+    for hold in sliding:
+        decided[holds[hold]] = _going(machine, hold, function.signs[hold])
     return tuple(decided), 1 if drops else 2
 
 
@@ -77,36 +78,44 @@ def decide(
         machine: The mechanism.
         statuses: Of all parts; those of the frictions at rest do not count.
         state: The extended state, (N,).
-        at_rest: Numbers of the frictions whose velocity is zero, those that stick among them.
+        at_rest: Numbers of the holds whose velocity is zero, those that hold among them.
         broken: Those of them that are beyond their static force; none if not given.
 
     Raises:
         ArithmeticError: if rounding keeps the problem from being solved.
     """
-    contacts, decided, limits = len(machine.stiffness), list(statuses), machine.static.copy()
+    decided, limits, holds = list(statuses), machine.held, machine.holds
+    kinetic = np.concatenate([machine.kinetic, np.full(len(machine.restitution), np.inf)])
     if broken is not None:
-        limits[broken] = machine.kinetic[broken]
+        limits[broken] = kinetic[broken]
     while True:
         accelerations = _accelerations(machine, statuses, state, at_rest, limits[at_rest])
-        breaking = at_rest[(accelerations != 0) & (limits[at_rest] > machine.kinetic[at_rest])]
+        breaking = at_rest[(accelerations != 0) & (limits[at_rest] > kinetic[at_rest])]
         if not len(breaking):
             break
-        limits[breaking] = machine.kinetic[breaking]
-    for friction, acceleration in zip(at_rest, accelerations, strict=True):
-        status = STICK if acceleration == 0 else FORWARD if acceleration > 0 else BACKWARD
-        decided[contacts + friction] = status
+        limits[breaking] = kinetic[breaking]
+    for hold, acceleration in zip(at_rest.tolist(), accelerations.tolist(), strict=True):
+        decided[holds[hold]] = _going(machine, hold, acceleration)
     return tuple(decided)
+
+
+def _going(machine: Machine, hold: int, direction: float) -> int:
+    """Return the status of a friction or a wall whose end begins to go in a direction; 0 for none."""
+    if hold >= len(machine.kinetic):
+        return RESTS if direction == 0 else LOOSE
+    return STICK if direction == 0 else FORWARD if direction > 0 else BACKWARD
 
 
 def _accelerations(
     machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places, limits: Reals
 ) -> Reals:
-    """Return the relative accelerations of frictions at rest, zero where they stick within their limits."""
+    """Return the relative accelerations of holds at rest, zero where they hold within their limits."""
     bodies = machine.contact_push.shape[1]
     flow = flow_without_stick(machine, statuses, at_rest)
-    rates, push = machine.friction_rate[at_rest], machine.friction_push[at_rest]
+    rates, push = machine.hold_rate[at_rest], machine.hold_push[at_rest]
+    lowest = np.where(at_rest < len(machine.kinetic), -limits, 0.0)  # Walls only push.
     noise = NOISE * (abs(rates) @ (abs(flow) @ abs(state)))
     _, accelerations = complementary_forces(
-        rates[:, bodies : 2 * bodies] @ push.T, rates @ (flow @ state), -limits, limits, noise
+        rates[:, bodies : 2 * bodies] @ push.T, rates @ (flow @ state), lowest, limits, noise
     )
     return accelerations

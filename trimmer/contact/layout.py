@@ -40,6 +40,7 @@ class Layout:
         contacts: Names of plays and stops that exert a force.
         frictions: Names of the frictions that exert a force.
         curves: Section and name of the parts with a curve.
+        walls: Names of the walls.
         relaxing: Names of those contacts whose z is a state.
         orders: Multiples of the drive's frequency that occur.
         profiles: Points of the profiles that occur, time, s, and force, N; entries are the force of each and
@@ -61,6 +62,7 @@ class Layout:
     contacts: tuple[str, ...]
     frictions: tuple[str, ...]
     curves: tuple[tuple[str, str], ...]
+    walls: tuple[str, ...]
     relaxing: tuple[str, ...]
     orders: tuple[int, ...]
     profiles: tuple[tuple[Row, ...], ...]
@@ -258,7 +260,7 @@ def layout_of(
         speeds[name] += pin.velocity
     ramp = any(
         abs(speeds[part.between[1]] - speeds[part.between[0]]) > SAME * max(map(abs, speeds.values()))
-        for part in (*mechanism.links.values(), *contacts.values())
+        for part in (*mechanism.links.values(), *contacts.values(), *mechanism.walls.values())
         if leans(part)
     )
     relaxing = tuple(
@@ -269,6 +271,7 @@ def layout_of(
         tuple(contacts),
         frictions,
         curves_of(mechanism),
+        tuple(mechanism.walls),
         relaxing,
         tuple(orders),
         tuple(dict.fromkeys(force.profile for force in mechanism.forces.values() if force.profile)),

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from trimmer.arrays import Integers, Reals
+from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.curve_arrays import curve_arrays
 from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of
@@ -40,7 +40,11 @@ class Machine(NamedTuple):
         curve_over: Distances or velocities that the forces of c curves go by, as functionals, (c, N).
         curve_push: Accelerations by a force of 1 N that pulls the ends together, (c, n).
         curve_knots: Where one segment ends and the next begins, infinite for none, (c, knots).
+        curve_by_speed: Whether each goes by a velocity, (c,).
         curve_slopes, curve_heights: The force of a segment is slope x + height, N, (c, knots + 1).
+        wall_distance, wall_rate: s = end - start of w walls and its rate as functionals, less the gap, (w, N).
+        wall_push: Accelerations by a force of 1 N on the end, (w, n).
+        restitution: Of the walls, (w,).
     """
 
     base: Reals
@@ -62,11 +66,42 @@ class Machine(NamedTuple):
     curve_knots: Reals
     curve_slopes: Reals
     curve_heights: Reals
+    curve_by_speed: Integers
+    wall_distance: Reals
+    wall_rate: Reals
+    wall_push: Reals
+    restitution: Reals
 
     def of_frictions(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
         """Return the statuses of the frictions out of those of all parts."""
         first = len(self.stiffness)
         return statuses[first : first + len(self.kinetic)]
+
+    def of_walls(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
+        """Return the statuses of the walls out of those of all parts: they come last."""
+        return statuses[len(statuses) - len(self.restitution) :]
+
+    @property
+    def holds(self) -> Places:
+        """Numbers among all parts of what may hold two ends together: frictions, then walls."""
+        contacts, frictions, walls = len(self.stiffness), len(self.kinetic), len(self.restitution)
+        first = contacts + frictions + len(self.curve_over)
+        return np.concatenate([contacts + np.arange(frictions), first + np.arange(walls)])
+
+    @property
+    def hold_rate(self) -> Reals:
+        """Velocities of end relative to start of what may hold, as functionals, (p + w, N)."""
+        return np.concatenate([self.friction_rate, self.wall_rate])
+
+    @property
+    def hold_push(self) -> Reals:
+        """Accelerations by a force of 1 N on the end of what may hold, (p + w, n)."""
+        return np.concatenate([self.friction_push, self.wall_push])
+
+    @property
+    def held(self) -> Reals:
+        """Largest forces in stick, N, of walls infinite, (p + w,); those of walls hold one way only."""
+        return np.concatenate([self.static, np.full(len(self.restitution), np.inf)])
 
 
 def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
@@ -81,6 +116,7 @@ def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machin
         **_contacts(contacts, layout, rows),
         **_frictions(mechanism, frictions, layout, rows),
         **curve_arrays(mechanism, rows),
+        **_walls(mechanism, layout, rows),
     )
     return machine, layout
 
@@ -179,6 +215,22 @@ def _frictions(
         "friction_push": _stacked([rows.push(start, end) for start, end in between], len(layout.coordinates)),
         "kinetic": np.array([part.kinetic_force for part in parts], dtype=np.float64),
         "static": np.array([part.static_force for part in parts], dtype=np.float64),
+    }
+
+
+def _walls(mechanism: Mechanism, layout: Layout, rows: Rows) -> dict[str, Any]:
+    walls = list(mechanism.walls.values())
+    between = [wall.between for wall in walls]
+    distances = [rows.displacement(end) - rows.displacement(start) for start, end in between]
+    for distance, wall in zip(distances, walls, strict=True):
+        distance[-1] -= wall.gap
+    return {
+        "wall_distance": _stacked(distances, layout.size),
+        "wall_rate": _stacked(
+            [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
+        ),
+        "wall_push": _stacked([rows.push(start, end) for start, end in between], len(layout.coordinates)),
+        "restitution": np.array([wall.restitution for wall in walls], dtype=np.float64),
     }
 
 

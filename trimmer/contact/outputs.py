@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.contact.assembly import PUSHING, force_of
 from trimmer.contact.curve_forces import force_signal as curve_signal
-from trimmer.contact.friction_forces import dry_forces, rows_in_mode
+from trimmer.contact.friction_forces import hold_forces, rows_in_mode
 from trimmer.contact.layout import Rows
 from trimmer.mechanism.outputs import UNITS
 from trimmer.mechanism.parts import OutputKind
@@ -69,7 +69,7 @@ def _displacement(layout: Layout, name: str) -> Reals:
 
 
 def force_signal(mechanism: Mechanism, modes: Modes[MechanismSystem], part: str) -> Signal:
-    """Return the force of a link, play, stop or friction, N, positive where it pulls its ends together.
+    """Return the force of a link, play, stop, wall or friction, N, positive where it pulls its ends together.
 
     Forces of frictions that hold the same bodies are shared as by ``MechanismMotion.friction_force``.
     """
@@ -85,8 +85,11 @@ def force_signal(mechanism: Mechanism, modes: Modes[MechanismSystem], part: str)
         viscous = Steady(_between(ends, friction.between, 0.0, friction.viscous))
         smooth = _with_curve(modes, viscous, "frictions", part)
         if part in layout.frictions:
-            return FrictionForce(modes, layout.frictions.index(part), smooth)
+            return HoldForce(modes, layout.frictions.index(part), smooth)
         return smooth
+    if part in layout.walls:
+        number = len(layout.frictions) + layout.walls.index(part)
+        return HoldForce(modes, number, Steady(np.zeros(layout.size)))
     return Steady(np.zeros(layout.size))
 
 
@@ -112,12 +115,12 @@ def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
 
 
 @dataclass(frozen=True, eq=False)
-class FrictionForce(OwnValues):
-    """The force of a friction, N.
+class HoldForce(OwnValues):
+    """The force of a friction or a wall, N.
 
     Attributes:
         modes: The modes.
-        number: Of the friction.
+        number: Of the friction, or behind all of them of the wall.
         smooth: Its share beside dry friction: the viscous one, and that of a curve beyond the force at rest.
         known: Functionals of modes that were asked for.
     """
@@ -136,14 +139,14 @@ class FrictionForce(OwnValues):
     def along(self, course: Course, rows: Integers, states: Reals) -> Reals:
         """Return the force at states, (count, N), in rows of the log: that of an admissible share."""
         smooth = along(course, self.smooth, rows, states)
-        return np.asarray(smooth + dry_forces(course, rows, states)[:, self.number])
+        return np.asarray(smooth + hold_forces(course, rows, states)[:, self.number])
 
 
 def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:
-    """Return the force of each link, play, stop and friction, N, at times, s, that do not decrease."""
+    """Return the force of each link, play, stop, wall and friction, N, at times, s, that do not decrease."""
     states = course.states(times)
     rows = np.searchsorted(course.log.start, times, side="right") - 1
-    parts = (*mechanism.links, *mechanism.plays, *mechanism.stops, *mechanism.frictions)
+    parts = (*mechanism.links, *mechanism.plays, *mechanism.stops, *mechanism.walls, *mechanism.frictions)
     return {name: along(course, force_signal(mechanism, course.modes, name), rows, states) for name in parts}
 
 

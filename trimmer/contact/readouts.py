@@ -9,16 +9,21 @@ import numpy as np
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.curves import mirror_of
+from trimmer.contact.friction_forces import hold_forces
+from trimmer.contact.impacts import IMPULSES, impact_at
+from trimmer.contact.impulses import first_wall
 from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
     CONTACT_MADE,
     FORWARD,
+    IMPACT,
     MINUS,
     PLUS,
     RELEASED_MINUS,
     RELEASED_PLUS,
+    RESTS,
     STICK,
 )
 from trimmer.hybrid.system import NOTHING
@@ -40,14 +45,15 @@ _OTHER_WAY = {FORWARD: BACKWARD, BACKWARD: FORWARD}
 
 
 def parts_of(system: MechanismSystem) -> tuple[Part, ...]:
-    """Return the contacts, then the frictions, then the curves."""
+    """Return the contacts, then the frictions, the curves and the walls."""
     layout = system.layout
     contacts = (Part(name, _SIDES, _OTHER_SIDE) for name in layout.contacts)
     frictions = (Part(name, {STICK: Phase.STICK}, _OTHER_WAY) for name in layout.frictions)
     curves = (
         Part(name, {}, mirror_of(system.machine, number)) for number, (_, name) in enumerate(layout.curves)
     )
-    return (*contacts, *frictions, *curves)
+    walls = (Part(name, {RESTS: Phase.UPPER}) for name in layout.walls)
+    return (*contacts, *frictions, *curves, *walls)
 
 
 def acceleration(modes: Modes[MechanismSystem], end: str) -> Signal:
@@ -75,6 +81,21 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
     )
 
 
+def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
+    """Return what a wall, by its number, does over a motion that spans some periods; forces are those at rest."""
+    part, log = first_wall(course.modes.system.machine) + number, course.log
+    hit = np.flatnonzero((log.part == part) & (log.kind == IMPACT)).tolist()
+    resting = while_status(course, part, (RESTS,))
+    largest = 0.0
+    if resting.any():
+        held = hold_forces(course, course.nodes.rows, course.nodes.states)
+        largest = float(held[:, len(course.modes.system.machine.kinetic) + number].max())
+    share = float(durations(course)[resting].sum() / course.duration)
+    return ContactMeasures(
+        len(hit) / periods, tuple(impact_at(course, row)[0] for row in hit), largest, share
+    )
+
+
 def friction_measures(course: Course, number: int, periods: int) -> FrictionMeasures:
     """Return what a friction, by its number, does over a motion that spans some periods."""
     machine, nodes = course.modes.system.machine, course.nodes
@@ -94,12 +115,17 @@ def friction_measures(course: Course, number: int, periods: int) -> FrictionMeas
     return FrictionMeasures(lost / periods, lost / course.duration, stick)
 
 
-def event_rates(course: Course) -> Reals:
-    """Return the rate of end less start at each event that counts, m/s, (events,); 0 for frictions."""
+def event_rates(course: Course) -> list[tuple[float, float | None]]:
+    """Return the rate of end less start at each event that counts, m/s, 0 for frictions, and the impulse, N s.
+
+    That of an impact is the rate before it; an impulse is None for what gives none.
+    """
     log, rates = course.log, course.modes.system.machine.contact_rate
-    rows = np.flatnonzero(log.kind != NOTHING)
-    found = np.zeros(len(rows))
-    of_contact = log.part[rows] < len(rates)
-    touching = rows[of_contact]
-    found[of_contact] = (rates[log.part[touching]] * log.state[touching]).sum(axis=1)
+    found: list[tuple[float, float | None]] = []
+    for row in np.flatnonzero(log.kind != NOTHING).tolist():
+        part = int(log.part[row])
+        if int(log.kind[row]) in IMPULSES:
+            found.append(impact_at(course, row))
+        else:
+            found.append((float(rates[part] @ log.state[row]) if part < len(rates) else 0.0, None))
     return found

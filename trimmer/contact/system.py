@@ -9,18 +9,19 @@ import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.assembly import assemble, flow_without_stick
-from trimmer.contact.curves import first_curve
+from trimmer.contact.impulses import first_wall, impulse_of
 from trimmer.contact.joint import after_event
 from trimmer.contact.layout import Layout
 from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import ACTIONS, CONTACT_BROKEN
+from trimmer.contact.statuses import ACTIONS, COMPLETED, IMPACT, KIND_COUNT, TOGETHER
 from trimmer.contact.transitions import transition
-from trimmer.hybrid.system import EventFunction, Mode, Transition
+from trimmer.contact.walls import strike
+from trimmer.hybrid.system import STRUCK, Decision, EventFunction, Mode, Transition
 
 
 @dataclass(frozen=True, eq=False)
 class MechanismSystem:
-    """The exact motion of a mechanism; its parts are its contacts, then its frictions, then its curves.
+    """The exact motion of a mechanism; its parts are its contacts, then its frictions, curves and walls.
 
     Attributes:
         machine: Its arrays.
@@ -37,13 +38,13 @@ class MechanismSystem:
 
     @property
     def part_count(self) -> int:
-        """Number of contacts, frictions and curves."""
-        return first_curve(self.machine) + len(self.machine.curve_over)
+        """Number of contacts, frictions, curves and walls."""
+        return first_wall(self.machine) + len(self.machine.restitution)
 
     @property
     def kind_count(self) -> int:
         """Number of kinds of events, and of what counts as none."""
-        return CONTACT_BROKEN + 1
+        return KIND_COUNT
 
     @property
     def action_count(self) -> int:
@@ -63,8 +64,8 @@ class MechanismSystem:
         return widths
 
     def mode(self, statuses: tuple[int, ...]) -> Mode:
-        """Return the equations of the mode with given statuses: of contacts, frictions, curves."""
-        return assemble(self.machine, statuses)
+        """Return the equations of the mode with given statuses: of contacts, frictions, curves, walls."""
+        return assemble(self.machine, statuses, self.layout.period or 1.0)
 
     def terms(self, mode: Mode) -> Reals:
         """Return the moduli of what the flow of a mode is made of, (N, N): stick takes forces away."""
@@ -74,12 +75,33 @@ class MechanismSystem:
         """Return what follows an event; None where several frictions at rest decide it together."""
         return transition(self.machine, mode.statuses, function, jumped)
 
-    def reset(self, mode: Mode, function: EventFunction) -> None:
-        """Return nothing: contacts have springs, so that the state is continuous."""
+    def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
+        """Return what an impact on a wall makes of the state, (N, N); at a contact it goes on."""
+        if function.action != STRUCK:
+            return None
+        wall = function.owner - first_wall(self.machine)
+        return impulse_of(self.machine, wall, self.machine.restitution[wall])
+
+    def impulse(self, part: int, kind: int) -> tuple[Reals, Reals] | None:
+        """Return what an impulse of a wall makes of the state, (N, N), and how far it is from its gap, (N,).
+
+        None where what happened to the part was no impulse.
+        """
+        if kind not in (IMPACT, COMPLETED, TOGETHER):
+            return None
+        wall = part - first_wall(self.machine)
+        restitution = self.machine.restitution[wall] if kind == IMPACT else 0.0
+        return impulse_of(self.machine, wall, restitution), -self.machine.wall_distance[wall]
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
-    ) -> tuple[tuple[int, ...], int, Reals]:
-        """Return what frictions at rest do: see ``trimmer.contact.joint.after_event``."""
-        frictions = at_rest - self.contact_count
-        return *after_event(self.machine, mode.statuses, state, function, jumped, frictions), state
+    ) -> Decision:
+        """Return what frictions and walls at rest do, or what follows an impact.
+
+        See ``trimmer.contact.joint.after_event`` and ``trimmer.contact.walls.strike``.
+        """
+        if function.action == STRUCK:
+            wall = function.owner - first_wall(self.machine)
+            return strike(self.machine, mode.statuses, state, wall, self.layout.period or 1.0)
+        holds = np.flatnonzero(np.isin(self.machine.holds, at_rest))
+        return Decision(*after_event(self.machine, mode.statuses, state, function, jumped, holds), state)

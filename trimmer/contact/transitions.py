@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trimmer.contact.curves import beyond_knot
+from trimmer.contact.impulses import impulse_of
 from trimmer.contact.statuses import (
     ABOVE_KNOT,
     BACKWARD,
@@ -14,7 +17,9 @@ from trimmer.contact.statuses import (
     CONTACT_MADE,
     FORWARD,
     FREE,
+    IMPACT,
     LEFT,
+    LOOSE,
     MADE_MINUS,
     MADE_PLUS,
     MINUS,
@@ -24,10 +29,20 @@ from trimmer.contact.statuses import (
     RELAXING,
     RELEASED_MINUS,
     RELEASED_PLUS,
+    RESTS,
     RETURNED,
     STICK,
 )
-from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, HOLD_ENDED, JOINTLY, NOTHING, Transition
+from trimmer.hybrid.system import (
+    ARRIVED,
+    AT_LIMIT,
+    HOLD_BEGUN,
+    HOLD_ENDED,
+    JOINTLY,
+    NOTHING,
+    STRUCK,
+    Transition,
+)
 
 if TYPE_CHECKING:
     from trimmer.contact.machine import Machine
@@ -50,18 +65,20 @@ def transition(
     """
     if function.action in (ABOVE_KNOT, BELOW_KNOT):
         return beyond_knot(statuses, function)
+    if function.action == STRUCK:
+        return _of_impact(machine, statuses, function, jumped)
     if function.action not in (ARRIVED, AT_LIMIT):
         return _of_contact(machine, statuses, function, jumped)
     contacts = len(machine.stiffness)
-    others = [
-        part
-        for part in range(contacts, contacts + len(machine.kinetic))
-        if part != function.owner and statuses[part] == STICK
-    ]
+    others = [part for part in held_parts(machine, statuses) if part != function.owner]
     if function.action == ARRIVED:
         return None if others else Transition(_with(statuses, function.owner, STICK), HOLD_BEGUN)
     if function.owner == JOINTLY:
         return None
+    if function.owner >= contacts + len(machine.kinetic):
+        if others and jumped:
+            return None
+        return Transition(_with(statuses, function.owner, LOOSE), HOLD_ENDED, ((STRUCK, 2 if jumped else 3),))
     friction = function.owner - contacts
     drops = machine.static[friction] > machine.kinetic[friction]
     if others and (drops or jumped):
@@ -69,6 +86,28 @@ def transition(
     direction = FORWARD if function.signs[friction] > 0 else BACKWARD
     zeros = 1 if drops or jumped else 2
     return Transition(_with(statuses, function.owner, direction), HOLD_ENDED, ((ARRIVED, zeros),))
+
+
+def held_parts(machine: Machine, statuses: tuple[int, ...]) -> list[int]:
+    """Return the parts that hold two ends together: frictions that stick, walls at rest."""
+    contacts = len(machine.stiffness)
+    sticking = [contacts + k for k, each in enumerate(machine.of_frictions(statuses)) if each == STICK]
+    first = len(statuses) - len(machine.restitution)
+    return sticking + [first + k for k, each in enumerate(machine.of_walls(statuses)) if each == RESTS]
+
+
+def _of_impact(
+    machine: Machine, statuses: tuple[int, ...], function: EventFunction, jumped: bool
+) -> Transition | None:
+    """Return an impact that concerns neither friction nor another wall; None for any other."""
+    wall = function.owner - (len(statuses) - len(machine.restitution))
+    bodies = machine.contact_push.shape[1]
+    concerned = machine.hold_rate[:, bodies : 2 * bodies] @ machine.wall_push[wall] != 0.0
+    concerned[len(machine.kinetic) :] &= np.array(machine.of_walls(statuses), dtype=int) == RESTS
+    if jumped or concerned.any():
+        return None
+    reset = impulse_of(machine, wall, machine.restitution[wall])
+    return Transition(statuses, IMPACT, ((STRUCK, 1),), reset)
 
 
 def _with(statuses: tuple[int, ...], part: int, status: int) -> tuple[int, ...]:

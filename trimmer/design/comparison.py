@@ -97,7 +97,7 @@ def _differ(one: float | None, other: float | None) -> bool:
 def _others(first: Mechanism, second: Mechanism) -> tuple[str, ...]:
     """Return parts whose ends, carriers or laws differ."""
     found = []
-    for section in ("pins", "links", "plays", "stops", "frictions", "forces"):
+    for section in ("pins", "links", "plays", "stops", "walls", "frictions", "forces"):
         ours, theirs = getattr(first, section), getattr(second, section)
         for name in ours:
             if name in theirs and _form(ours[name]) != _form(theirs[name]):

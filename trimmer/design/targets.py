@@ -134,7 +134,7 @@ def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:
         case Measure.RMS_ACCELERATION:
             return tuple(mechanism.bodies)
         case _:
-            return (*mechanism.plays, *mechanism.stops)
+            return (*mechanism.plays, *mechanism.stops, *mechanism.walls)
 
 
 def _number(

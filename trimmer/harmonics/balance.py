@@ -94,6 +94,11 @@ def require_balanceable(mechanism: Mechanism) -> None:
             f"harmonic balance does not know curves, such as that of {place_text(curved[0])}; "
             "'trimmer respond' does"
         )
+    if mechanism.walls:
+        name = place_text(("walls", next(iter(mechanism.walls))))
+        raise UnsupportedMotionError(
+            f"harmonic balance does not know impacts on walls, such as {name}; 'trimmer respond' does"
+        )
     moving = [name for name, pin in mechanism.pins.items() if pin.velocity != 0.0]
     parts: list[Link | Play | Stop] = [*mechanism.links.values()]
     parts += [*mechanism.plays.values(), *mechanism.stops.values()]

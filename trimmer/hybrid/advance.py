@@ -21,8 +21,18 @@ from trimmer.hybrid.integration import (
     integrate,
 )
 from trimmer.hybrid.step_event import NO_EVENT
-from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, HOLD_ENDED, NOTHING, REVERSED, Mode
-from trimmer.hybrid.tables import Modes
+from trimmer.hybrid.system import (
+    ARRIVED,
+    AT_LIMIT,
+    HOLD_BEGUN,
+    HOLD_ENDED,
+    NOTHING,
+    REVERSED,
+    STRUCK,
+    Decision,
+    Mode,
+)
+from trimmer.hybrid.tables import UNKNOWN, Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.work import ROWS, Log, work_for
 from trimmer.progress import progress_bar
@@ -274,32 +284,38 @@ class _Integration:
         """Tabulate what follows an event, or do it where several parts at rest have a say."""
         if place.row >= len(self.log.start):
             self.log = self.log.longer(most_events + 1)
-        mode, event = self.modes[self.mode], (self.mode, place.fired, place.jumped)
+        mode, event = self.modes[self.mode], (self.mode, place.fired, int(place.jumped))
         function = mode.functions[place.fired]
         at_rest, alone = None, function.action not in (ARRIVED, AT_LIMIT)
+        if function.action == STRUCK and self.modes.tables.target[event] != UNKNOWN:
+            # What the tables say was not enough to go on.
+            return self._together(place, most_events, self._at_rest(None))
         if not alone:
             at_rest = self._at_rest(function.owner if function.action == ARRIVED else None)
             alone = not {*at_rest.tolist()} - {*mode.held, function.owner}
         if alone or (function.action == AT_LIMIT and not place.jumped):
-            self.modes.follow(*event)
-            if self.modes.tables.target[self.mode, place.fired, int(place.jumped)] >= 0:
+            self.modes.follow(self.mode, place.fired, place.jumped)
+            if self.modes.tables.target[event] >= 0:
                 return place
         return self._together(place, most_events, self._at_rest(None) if at_rest is None else at_rest)
 
     def _together(self, place: Place, most_events: int, at_rest: Places, dropped: int = 0) -> Place:
         """Let parts at rest decide together what they do, in place of some rows of the log."""
-        while place.row + len(self.instant.statuses) >= len(self.log.start):
-            self.log = self.log.longer(max(most_events, place.row + len(self.instant.statuses)) + 1)
-        mode, log = self.modes[self.mode], self.log
+        mode = self.modes[self.mode]
         function = mode.functions[place.fired]
         decide, state = self.modes.system.decide, self.work.state
-        after, zeros, state[:] = decide(mode, state, function, place.jumped, at_rest)
+        decision = decide(mode, state, function, place.jumped, at_rest)
+        state[:] = decision.state
+        while place.row + len(decision.statuses) + len(decision.impulses) >= len(self.log.start):
+            more = place.row + len(decision.statuses) + len(decision.impulses)
+            self.log = self.log.longer(max(most_events, more) + 1)
+        log = self.log
         if dropped:
             first = place.row - dropped
             np.subtract.at(self.counts[place.done], log.kind[first : place.row], 1)
             mode = self.modes[int(log.mode[first - 1])]
             place = place._replace(row=first, fired=int(log.function[first]))
-        row = self._change_together(place, mode, after, zeros, at_rest)
+        row = self._change_together(place, mode, decision, at_rest)
         return place._replace(row=row, mode=self.mode, fired=NO_EVENT, jumped=False)
 
     def _cycling(self, place: Place) -> tuple[Places, int]:
@@ -333,11 +349,9 @@ class _Integration:
                     at_rest.add(function.owner)
         return np.array(sorted(at_rest), dtype=np.intp)
 
-    def _change_together(
-        self, place: Place, mode: Mode, after: tuple[int, ...], zeros: int, at_rest: Places
-    ) -> int:
+    def _change_together(self, place: Place, mode: Mode, decision: Decision, at_rest: Places) -> int:
         """Change the mode, and log what each part does in a row of its own; returns the number of rows."""
-        before, work = mode.statuses, self.work
+        before, after, zeros, work = mode.statuses, decision.statuses, decision.zeros, self.work
         self.mode = self.modes.number(after)
         following = self.modes[self.mode]
         work.state[:] = following.hold @ work.state
@@ -345,15 +359,23 @@ class _Integration:
             if part in following.held:
                 work.zeros[part] = 0
             elif before[part] != after[part] or zeros == 1:
-                work.zeros[part], work.zeros[part, ARRIVED] = 0, zeros
-        changed = [part for part in range(len(after)) if before[part] != after[part]] or [-1]
-        for row, part in enumerate(changed, start=place.row):
-            kind, log = _kind(mode, following, part), self.log
-            log.start[row], log.mode[row], log.state[row] = place.time, self.mode, work.state
+                work.zeros[part], work.zeros[part, ARRIVED], work.zeros[part, STRUCK] = 0, zeros, zeros + 1
+        changed = [part for part in range(len(after)) if before[part] != after[part]]
+        happened = [(each.part, each.kind, each.state) for each in decision.impulses]
+        happened += [(part, _kind(mode, following, part), work.state) for part in changed]
+        happened = happened or [(-1, NOTHING, work.state)]
+        if decision.impulses:
+            work.zeros[:] = 0
+        for part, action, count in decision.known:
+            work.zeros[part, action] = count
+        for row, (part, kind, state) in enumerate(happened, start=place.row):
+            log = self.log
+            log.start[row], log.mode[row], log.state[row] = place.time, self.mode, state
             log.part[row], log.kind[row] = part, kind
             log.function[row], log.touches[row] = place.fired if row == place.row else NO_EVENT, 0
             self.counts[place.done, kind] += 1
-        row = place.row + len(changed)
+        row = place.row + len(happened)
+        self.log.state[row - 1] = work.state
         self.continued.append(row)
         return row
 
@@ -400,8 +422,6 @@ class _Integration:
 
 
 def _kind(before: Mode, after: Mode, part: int) -> int:
-    if part < 0:
-        return NOTHING
     if part in after.held:
         return HOLD_BEGUN
     return HOLD_ENDED if part in before.held else REVERSED

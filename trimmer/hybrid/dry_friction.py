@@ -159,7 +159,9 @@ def always_at_limit(vectors: Reals, limits: Reals, forces: Reals, tolerance: flo
     return np.asarray(np.sign(np.sign(outward).sum(axis=0)), dtype=np.int64)
 
 
-def admissible_split(directions: Reals, limits: Reals, forces: Reals) -> Reals | None:
+def admissible_split(
+    directions: Reals, limits: Reals, forces: Reals, pushing: Flags | None = None
+) -> Reals | None:
     """Return the admissible split with the least sum of squares of the forces relative to their limits.
 
     It is unique, and continuous in the resultant. Where the limits do not matter it is a linear function of
@@ -169,18 +171,23 @@ def admissible_split(directions: Reals, limits: Reals, forces: Reals) -> Reals |
         directions: D, (m, n).
         limits: F > 0, (m,).
         forces: Any forces with the resultant, (m,).
+        pushing: Which contacts are walls: their forces have no limit, but are not negative, (m,). ``limits``
+            only measures them.
 
     Returns:
         Forces within the limits, (m,), or None if there are none.
     """
-    shares = _shares_within(directions, limits, forces)
+    walls = np.zeros(len(limits), dtype=bool) if pushing is None else pushing
+    shares = _shares_within(directions, limits, forces, walls)
+    if walls.any():
+        return None if shares is None else np.maximum(shares, np.where(walls, 0.0, -1.0)) * limits
     if shares is None:
         # Rounding may have put the resultant outside a facet that it touches.
         share = 1.0 - float(margins(elementary_vectors(directions), limits, forces).min())
         if share > 1.0 + AT_EDGE:
             return None
         inside = (1.0 - AT_EDGE / 10) / max(share, 1.0)
-        shares = _shares_within(directions, limits, inside * forces)
+        shares = _shares_within(directions, limits, inside * forces, walls)
         if shares is None:
             return None
         shares = shares / inside
@@ -188,17 +195,20 @@ def admissible_split(directions: Reals, limits: Reals, forces: Reals) -> Reals |
     return admissible
 
 
-def _shares_within(directions: Reals, limits: Reals, forces: Reals) -> Reals | None:
+def _shares_within(directions: Reals, limits: Reals, forces: Reals, walls: Flags) -> Reals | None:
     """Return the least shares of the limits that are at most 1, up to rounding; None if there are none."""
     least, free = least_shares(directions, limits, forces)
-    if (abs(least) > 1.0).any():
-        # The smallest z with free z >= -1 - least and -free z >= -1 + least.
-        sides = (np.column_stack([side * free, -1.0 - side * least]) for side in (1.0, -1.0))
-        distance = _least_distance(np.vstack(list(sides)))
+    lowest, highest = np.where(walls, 0.0, -1.0), np.where(walls, np.inf, 1.0)
+    if ((least < lowest) | (least > highest)).any():
+        # The smallest z with free z >= lowest - least and -free z >= least - highest.
+        below = np.column_stack([free, lowest - least])
+        above = np.column_stack([-free, least - highest])[~walls]
+        distance = _least_distance(np.vstack([below, above]))
         if distance is None:
             return None
         least = least + free @ distance
-    return None if (abs(least) > 1.0 + np.sqrt(ROUNDING)).any() else least
+    off = np.maximum(lowest - least, least - highest)
+    return None if (off > np.sqrt(ROUNDING)).any() else least
 
 
 def least_shares(directions: Reals, limits: Reals, forces: Reals) -> tuple[Reals, Reals]:

@@ -15,6 +15,7 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
+from trimmer.hybrid.system import STRUCK
 from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE, LEVELS
@@ -262,6 +263,17 @@ def reset_at(tables: Tables, log: Log, first: int, last: int) -> int:
     return int(found)
 
 
+@compiled
+def is_decided(tables: Tables, log: Log, first: int, last: int, reset: int) -> bool:
+    """Return whether a reset at an instant was decided, and is not that of the tables."""
+    found = False
+    for row in range(first, last + 1):
+        fired = log.function[row]
+        if fired >= 0 and tables.action[log.mode[row - 1], fired] == STRUCK:
+            found |= reset == NO_RESET or last > first
+    return found
+
+
 def _entry(sources: bytes) -> Callable[..., int]:
     def entry(
         tables: Tables,
@@ -288,6 +300,8 @@ def _entry(sources: bytes) -> Callable[..., int]:
                 reset = NO_RESET
                 if resets is not None:
                     reset = reset_at(tables, log, row, last)
+                if is_decided(tables, log, row, last, reset):
+                    break
                 if reset == SEVERAL or not met(tables, resets, log, row, last, fired, reset, room):
                     break
                 _jump(resets, tables.taylor[log.mode[row - 1], fired], reset, distances, room)

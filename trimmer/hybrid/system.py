@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Integers, Places, Reals
 
-ARRIVED, AT_LIMIT = range(2)
+ARRIVED, AT_LIMIT, STRUCK = range(3)
 """Event functions of parts that can be held: a switching function has come to zero; what holds is at its
-limit. Those that a system has besides count from ``OWN_ACTIONS``."""
-OWN_ACTIONS = 2
+limit; the integral of a switching function is reached, where it is reset. Those that a system has besides
+count from ``OWN_ACTIONS``."""
+OWN_ACTIONS = 3
 NOTHING, HOLD_BEGUN, HOLD_ENDED, REVERSED = range(4)
 """What begins a segment of the motion: nothing that counts; a part is held from then on, is not any more, or
 goes the other way. What a system has besides counts from ``OWN_KINDS``."""
@@ -40,6 +41,8 @@ class EventFunction:
         row: The functional, (N,).
         signs: Directions in which parts that are held begin to go, for each part that can be held.
         continuous: How many of its derivatives, counting the zeroth, do not jump when another part changes.
+        shortest: Of one that is reset: the tables say what follows only as long as its rate is more than its
+            second rate times this, s.
     """
 
     owner: int
@@ -47,6 +50,7 @@ class EventFunction:
     row: Reals
     signs: tuple[int, ...] = ()
     continuous: int = ALL
+    shortest: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,6 +94,40 @@ class Transition:
     kind: int
     zeros: tuple[tuple[int, int], ...] = ()
     reset: Reals | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Impulse:
+    """A reset of the state that was decided.
+
+    Attributes:
+        part: The part that it belongs to.
+        kind: What it counts as.
+        state: The extended state after it, (N,).
+    """
+
+    part: int
+    kind: int
+    state: Reals
+
+
+@dataclass(frozen=True, eq=False)
+class Decision:
+    """What parts do at an instant, decided together.
+
+    Attributes:
+        statuses: Of all parts afterwards.
+        zeros: How many derivatives vanish of the switching functions of those that begin to go.
+        state: The extended state, (N,), in which those that rest may be made to rest to the last digit.
+        impulses: Resets before that, in order.
+        known: After resets, what is zero at first: part, action, and how many derivatives vanish.
+    """
+
+    statuses: tuple[int, ...]
+    zeros: int
+    state: Reals
+    impulses: tuple[Impulse, ...] = ()
+    known: tuple[tuple[int, int, int], ...] = ()
 
 
 class Layout(Protocol):
@@ -218,17 +256,19 @@ class System(Protocol):
     def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
         """Return what an event makes of the state, (N, N); None if it goes on."""
 
+    def impulse(self, part: int, kind: int) -> tuple[Reals, Reals] | None:
+        """Return what an impulse of a part makes of the state, (N, N), and what falls to zero there, (N,).
+
+        None where what happened to the part was no impulse.
+        """
+
     def terms(self, mode: Mode) -> Reals:
         """Return the sums of the moduli of what the flow of a mode is made of, (N, N)."""
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
-    ) -> tuple[tuple[int, ...], int, Reals]:
+    ) -> Decision:
         """Return what parts at rest do, by their numbers, where an event function falls to zero.
-
-        Returns:
-            The statuses of all parts, how many derivatives of the switching functions vanish of those that
-            begin to go, and the state, in which all of them may be made to rest to the last digit.
 
         Raises:
             ArithmeticError: if rounding keeps it from being decided.

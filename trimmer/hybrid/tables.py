@@ -56,6 +56,7 @@ class Tables(NamedTuple):
         owner: The parts that they belong to, (modes, functions).
         action: What it means that they fall to zero, (modes, functions).
         continuous: How many of their derivatives do not jump with other parts, (modes, functions).
+        shortest: Rate over second rate down to which the tables say what follows a reset, s, (modes, functions).
         target: The mode to go on in, (modes, functions, 2).
         kind: What the event counts as, (modes, functions, 2).
         zeros: How many derivatives of the event functions of the part vanish then, by their actions,
@@ -84,6 +85,7 @@ class Tables(NamedTuple):
     owner: Integers
     action: Integers
     continuous: Integers
+    shortest: Reals
     target: Integers
     kind: Integers
     zeros: Integers
@@ -127,6 +129,7 @@ def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Ta
         owner=integers(functions),
         action=integers(functions),
         continuous=integers(functions),
+        shortest=np.zeros((capacity, functions)),
         target=integers(functions, 2),
         kind=integers(functions, 2),
         zeros=integers(functions, 2, system.action_count),
@@ -301,6 +304,7 @@ class Modes(Generic[_System]):
         tables.owner[number, :count] = [each.owner for each in mode.functions]
         tables.action[number, :count] = [each.action for each in mode.functions]
         tables.continuous[number, :count] = [each.continuous for each in mode.functions]
+        tables.shortest[number, :count] = [each.shortest for each in mode.functions]
         tables.decay[number] = mode.decay
         for place, rate in mode.decayed:
             tables.decayed[number, tables.decaying_state == place] = rate

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from trimmer.arrays import Integers
-from trimmer.hybrid.compilation import inlined
+from trimmer.hybrid.compilation import compiled, inlined
 from trimmer.hybrid.linear_combination import combine, copy
 from trimmer.hybrid.sparse import Rows, hold, modulus_of, value_of
-from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, NOTHING, REVERSED
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, HOLD_BEGUN, NOTHING, REVERSED, STRUCK
 from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.work import Log, Work
 
@@ -16,11 +16,38 @@ AT_REST = 2.0**-44
 """Share of the moduli of its terms, and of its change over a step, below which a function is zero."""
 
 
+@compiled
+def _is_struck_alone(
+    tables: Tables, rows: Rows | None, work: Work, mode: int, fired: int, jumped: bool
+) -> bool:
+    """Return whether a function that is reset where it falls to zero does so clearly, and no other with it."""
+    alone = rows is None and not jumped
+    if rows is None:
+        rate, second, size, step = 0.0, 0.0, 0.0, tables.step[mode]
+        for i in range(work.state.size):
+            rate -= tables.taylor[mode, fired, i, 1] * work.state[i]
+            second -= 2.0 * tables.taylor[mode, fired, i, 2] * work.state[i]
+            size += tables.sizes[mode, fired, 1, i] * abs(work.state[i])
+        alone &= rate > AT_REST * size
+        alone &= rate * step > tables.shortest[mode, fired] * second
+        for function in range(tables.function_count[mode]):
+            if function != fired and tables.action[mode, function] == STRUCK:
+                value, size = 0.0, 0.0
+                for i in range(work.state.size):
+                    value += tables.taylor[mode, function, i, 0] * work.state[i]
+                    size += tables.sizes[mode, function, 0, i] * abs(work.state[i])
+                    size += tables.sizes[mode, function, 1, i] * abs(work.state[i])
+                alone &= abs(value) > AT_REST * size
+    return bool(alone)
+
+
 @inlined
 def is_tabulated(tables: Tables, rows: Rows | None, work: Work, mode: int, fired: int, jumped: bool) -> bool:
     """Return whether the tables say what follows an event, and no other part at rest has a say in it."""
     target, owner = tables.target[mode, fired, 1 if jumped else 0], tables.owner[mode, fired]
     action, found = tables.action[mode, fired], target >= 0
+    if action == STRUCK:
+        found &= _is_struck_alone(tables, rows, work, mode, fired, jumped)
     if action == ARRIVED or (action == AT_LIMIT and jumped):
         for part in range(work.zeros.shape[0]):
             if part != owner and work.zeros[part, ARRIVED] > 0:

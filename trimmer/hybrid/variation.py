@@ -17,7 +17,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.hybrid.propagation import propagate, room_for
 from trimmer.hybrid.sparse import carry
-from trimmer.hybrid.system import EventFunction, Mode
+from trimmer.hybrid.system import STRUCK, EventFunction, Mode
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE
@@ -107,7 +107,7 @@ def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) 
         if slope:
             # Before a reset is done the distance decides how much later the event comes.
             moved = moved + np.outer(each.change[:count] / slope, gradient[:count] @ distances)
-        distances[:] = _fitted(modes, each.after, moved)
+        distances[:] = moved if each.after is None else _fitted(modes, each.after, moved)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,22 +117,24 @@ class Jump:
     Attributes:
         before: The mode before.
         function: What falls to zero.
-        after: The mode afterwards.
+        after: The mode afterwards; None between impulses at one instant, where nothing is made to fit.
         here: Extended state at which it does, (N,).
         there: The state afterwards, (N,).
         reset: What becomes of the state, (N, N); None if it goes on.
         rates: Rates of the state before, 1/s, (N,).
         change: Rates afterwards less those before, as the reset leaves them, (N,).
+        kind: What an impulse that was decided counts as; None for any other.
     """
 
     before: int
     function: EventFunction
-    after: int
+    after: int | None
     here: Reals
     there: Reals
     reset: Reals | None
     rates: Reals
     change: Reals
+    kind: int | None = None
 
     @property
     def slope(self) -> float:
@@ -144,6 +146,9 @@ def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
     """Yield what happens at one instant, of which some rows of a log tell, one after the other."""
     events = [row for row in range(first, last + 1) if log.function[row] >= 0]
     if not events:
+        return
+    if any(_impulse(modes, log, row) for row in range(first, last + 1)):
+        yield from _jumps_by_impulses(modes, log, first, last)
         return
     found = list(changes(modes, log, first, last, int(log.function[events[0]])))
     resets = [modes.system.reset(modes[before], function) for before, function, _ in found]
@@ -157,6 +162,32 @@ def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
         rates = modes[before].flow @ here
         change = modes[after].flow @ there - (rates if reset is None else reset @ rates)
         yield Jump(before, function, after, here, there, reset, rates, change)
+        here = there
+
+
+def _impulse(modes: Modes[Any], log: Log, row: int) -> tuple[Reals, Reals] | None:
+    found: tuple[Reals, Reals] | None = modes.system.impulse(int(log.part[row]), int(log.kind[row]))
+    return found
+
+
+def _jumps_by_impulses(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
+    """Yield the impulses at one instant one after the other; all else that changes there follows the last.
+
+    Each may come earlier or later in a neighbouring motion, but for one that ends what comes to rest.
+    """
+    before, after, here = int(log.mode[first - 1]), int(log.mode[last]), _before(modes, log, first)
+    rows = [row for row in range(first, last + 1) if _impulse(modes, log, row)]
+    for row in rows:
+        impulse = _impulse(modes, log, row)
+        assert impulse is not None
+        reset, gap = impulse
+        there, rates = reset @ here, modes[before].flow @ here
+        is_last = row == rows[-1]
+        change = modes[after if is_last else before].flow @ there - reset @ rates
+        row_of_gap = gap if gap @ rates < 0 else np.zeros_like(gap)
+        function = EventFunction(int(log.part[row]), STRUCK, row_of_gap)
+        following, kind = after if is_last else None, int(log.kind[row])
+        yield Jump(before, function, following, here, there, reset, rates, change, kind)
         here = there
 
 

@@ -18,6 +18,7 @@ from trimmer.hybrid.system import (
     OWN_ACTIONS,
     OWN_KINDS,
     REVERSED,
+    Decision,
     EventFunction,
     Mode,
     Transition,
@@ -138,6 +139,9 @@ class LoopSystem:
             reset = reset @ mode.hold
         return None if (reset == np.eye(len(reset))).all() else reset
 
+    def impulse(self, part: int, kind: int) -> None:
+        """Return nothing: no component of a loop has an impulse that is decided."""
+
     def of_states(self, function: LoopFunction) -> Reals:
         """Return what an event makes of the states of its components, (N, N)."""
         reset = np.eye(self.layout.size)
@@ -149,7 +153,7 @@ class LoopSystem:
 
     def decide(
         self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
-    ) -> tuple[tuple[int, ...], int, Reals]:
+    ) -> Decision:
         """Return what relays at rest do, one after the other where their influence is not symmetric."""
         held = list(mode.statuses)
         for k in at_rest.tolist():
@@ -168,7 +172,7 @@ class LoopSystem:
         if after is None or (dropping and after == mode.statuses):
             # The limit decides where the influence is not symmetric, and where the drop is rounding.
             after = _with(mode.statuses, function.jumped if jumped else function.reached)
-        return after, 1, state
+        return Decision(after, 1, state)
 
     def _dropping(self, function: LoopFunction) -> tuple[int, ...]:
         """Return the frictions whose output falls where the limit of what they hold is reached."""

@@ -170,6 +170,7 @@ def start_scales(flow: Flow) -> Reals:
         **{("pins", name): reach_of(pin) for name, pin in mechanism.pins.items()},
         **{("plays", name): play.gap for name, play in mechanism.plays.items()},
         **{("stops", name): stop.gap for name, stop in mechanism.stops.items()},
+        **{("walls", name): wall.gap for name, wall in mechanism.walls.items()},
     }
     lengths = [
         abs(amount) * (radius if mechanism.kind_of(*part) is Kind.ROTATION else 1.0)

@@ -16,5 +16,6 @@ from .parts import Pin as Pin
 from .parts import Play as Play
 from .parts import Point as Point
 from .parts import Stop as Stop
+from .parts import Wall as Wall
 from .structure import ModalModel as ModalModel
 from .structure import Structure as Structure

@@ -13,7 +13,19 @@ from trimmer.mechanism import curves, number_rows
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import taken
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Output, Pin, Play, Point, Stop
+from trimmer.mechanism.parts import (
+    Body,
+    ContactLaw,
+    Force,
+    Friction,
+    Link,
+    Output,
+    Pin,
+    Play,
+    Point,
+    Stop,
+    Wall,
+)
 from trimmer.mechanism.problems import Problem, as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
@@ -60,6 +72,7 @@ class Mechanism(Shown):
     title: str = ""
     points: Mapping[str, Point] = field(default_factory=dict)
     structures: Mapping[str, Structure] = field(default_factory=dict)
+    walls: Mapping[str, Wall] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if problems := problems_with(vars(self)):

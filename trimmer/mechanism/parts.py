@@ -15,7 +15,7 @@ GROUND = "ground"
 """The name of the fixed frame, where an end or a carrier is asked for."""
 Curve = tuple[tuple[float, float], ...]
 """Points of a curve: abscissa and force."""
-COUPLINGS = ("links", "plays", "stops", "frictions")
+COUPLINGS = ("links", "plays", "stops", "walls", "frictions")
 """Sections whose parts stand between two ends."""
 
 
@@ -178,6 +178,23 @@ class Stop(Contact):
 
     Fields: ``Contact``.
     """
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A rigid wall: end - start is never more than the gap, and rebounds there.
+
+    Attributes:
+        between: Names of start and end.
+        restitution: Speed after an impact over that before it, from 0 to 1.
+        gap: Largest distance from start to end, m.
+        symbol: Symbol of the restitution in printed equations.
+    """
+
+    between: tuple[str, str]
+    restitution: float
+    gap: float = 0.0
+    symbol: str | None = None
 
 
 @dataclass(frozen=True)

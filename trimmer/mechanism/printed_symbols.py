@@ -107,6 +107,12 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
         ),
         "plays": (*_CONTACT, Stem("side", "sigma", "side of the contact of %s", "1")),
         "stops": _CONTACT,
+        "walls": (
+            Stem("restitution", "r", "restitution of %s", "1"),
+            Stem("gap", "g", "gap of %s", "m"),
+            Stem("distance", "s", "distance of the ends of %s", "m"),
+            Stem("tension", "T", "force of %s", "N"),
+        ),
         "frictions": (
             Stem("force", "F", "kinetic force of %s", "N"),
             Stem("static", r"%s^{\mathrm{s}}", "static force of %s", "N"),

@@ -10,7 +10,7 @@ from numbers import Real
 from types import MappingProxyType
 
 from trimmer.arguments import scalar
-from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop, Wall
 from trimmer.mechanism.structure import Structure
 
 _LOWEST = 1e-300
@@ -24,6 +24,7 @@ class Range(Enum):
     NOT_NEGATIVE = "zero or greater"
     POSITIVE = "greater than zero"
     WHOLE = "a whole number from 1 on"
+    SHARE = "from 0 to 1"
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,7 @@ class NumberField:
             Range.NOT_NEGATIVE: number >= 0,
             Range.POSITIVE: number > 0,
             Range.WHOLE: isinstance(number, int) and number >= 1,
+            Range.SHARE: 0 <= number <= 1,
         }[self.range]
         return "" if fits else f"must be {self.range.value}{self._in_unit}"
 
@@ -106,6 +108,7 @@ QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
         Link: {"stiffness": _STIFFNESS, "damping": _DAMPING},
         Play: {"stiffness": _STIFFNESS, "damping": _DAMPING, "gap": _CLEARANCE},
         Stop: {"stiffness": _STIFFNESS, "damping": _DAMPING, "gap": DISPLACEMENT},
+        Wall: {"restitution": NumberField("1", "0.8", Range.SHARE), "gap": DISPLACEMENT},
         Friction: {"force": _FORCE_LIMIT, "static": _FORCE_LIMIT, "viscous": _DAMPING},
         Force: {
             **{"constant": _FORCE, "amplitude": _FORCE, "phase": _PHASE, "order": _ORDER},
@@ -123,6 +126,7 @@ PARTS: Mapping[str, type] = MappingProxyType(
         "links": Link,
         "plays": Play,
         "stops": Stop,
+        "walls": Wall,
         "frictions": Friction,
         "forces": Force,
     }

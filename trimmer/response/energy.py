@@ -14,7 +14,8 @@ import numpy as np
 
 from trimmer.contact.assembly import PUSHING, offset
 from trimmer.contact.curve_forces import force_signal, stored_energy
-from trimmer.contact.friction_forces import dry_forces, undetermined
+from trimmer.contact.friction_forces import hold_forces, undetermined
+from trimmer.contact.impacts import losses_at_walls, work_at_walls
 from trimmer.contact.layout import Rows
 from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import RELAXING, STICK
@@ -44,6 +45,7 @@ class MechanismEnergy(Tabular):
         forces: Work of each force.
         dampers: Lost in each link.
         contacts: Lost in each play and stop.
+        walls: Lost at each wall.
         frictions: Lost in each friction, with its viscous part.
         structures: Lost in each structure.
         undetermined: Frictions on pins whose force in stick the motion leaves open at some time. The works of
@@ -58,6 +60,7 @@ class MechanismEnergy(Tabular):
     dampers: Mapping[str, float]
     contacts: Mapping[str, float]
     frictions: Mapping[str, float]
+    walls: Mapping[str, float]
     undetermined: tuple[str, ...] = ()
     structures: Mapping[str, float] = field(default_factory=dict)
     residual: float = field(init=False)
@@ -83,14 +86,14 @@ class MechanismEnergy(Tabular):
 
     @property
     def _losses(self) -> tuple[Mapping[str, float], ...]:
-        return self.dampers, self.contacts, self.frictions, self.structures
+        return self.dampers, self.contacts, self.frictions, self.walls, self.structures
 
     def _told(self) -> str:
         closing = f"it closes to {self.residual:.1e} of its largest term"
         return f"work {self.work:.6g} J, loss {self.loss:.6g} J; {closing}"
 
     def _table(self) -> Table:
-        names = ("pins", "forces", "dampers", "contacts", "frictions", "structures")
+        names = ("pins", "forces", "dampers", "contacts", "frictions", "walls", "structures")
         parts = [
             (f"{section}.{name}", each) for section in names for name, each in getattr(self, section).items()
         ]
@@ -124,12 +127,17 @@ class _Balance:
             {name: self.of_contact(number)
              for number, name in enumerate(self.course.modes.system.layout.contacts)},
             {name: self.of_friction(name) for name in self.mechanism.frictions},
+            losses_at_walls(self.course),
             tuple(
                 name for name in undetermined(self.course)
-                if self.mechanism.pins.keys() & set(self.mechanism.frictions[name].between)
+                if self.mechanism.pins.keys() & set(self.between(name))
             ),
             dict(self.of_structures()),
         )  # fmt: skip
+
+    def between(self, name: str) -> tuple[str, str]:
+        frictions = self.mechanism.frictions
+        return frictions[name].between if name in frictions else self.mechanism.walls[name].between
 
     @cached_property
     def ends(self) -> tuple[Reals, Reals]:
@@ -244,8 +252,13 @@ class _Balance:
     @cached_property
     def dry(self) -> Mapping[str, Reals]:
         """The dry force of each friction as a tension at the nodes, N."""
-        forces = dry_forces(self.course, self.course.nodes.rows, self.course.nodes.states)
-        return dict(zip(self.course.modes.system.layout.frictions, forces.T, strict=True))
+        frictions = self.course.modes.system.layout.frictions
+        return dict(zip(frictions, self.held.T, strict=False))
+
+    @cached_property
+    def held(self) -> Reals:
+        """Tensions of frictions, then of walls at rest, at the nodes, N, (count, frictions + walls)."""
+        return hold_forces(self.course, self.course.nodes.rows, self.course.nodes.states)
 
     def of_pin(self, name: str) -> float:
         """Return the work of what moves a pin, against the tensions of all that it is an end of."""
@@ -253,7 +266,8 @@ class _Balance:
         pull = np.zeros(len(own))
         for between, tension in self.tensions:
             pull += tension * ((between[1] == name) - (between[0] == name))
-        return self.integral(pull * own)
+        rate = self.rows[name][1] - self.rows[self.mechanism.pins[name].on][1]
+        return self.integral(pull * own) + work_at_walls(self.course, self.mechanism, name, rate)
 
     @cached_property
     def tensions(self) -> list[tuple[tuple[str, str], Reals]]:
@@ -269,6 +283,9 @@ class _Balance:
         contacts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
         for number, name in enumerate(layout.contacts):
             found.append((contacts[name].between, self.of(contact_force(self.course.modes, number))))
+        for name, wall in mechanism.walls.items():
+            number = len(layout.frictions) + layout.walls.index(name)
+            found.append((wall.between, self.held[:, number]))
         for name, friction in mechanism.frictions.items():
             tension = friction.viscous * self.rate(*friction.between)
             tension = tension + self.of(force_signal(modes, "frictions", name))

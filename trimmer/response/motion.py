@@ -43,6 +43,10 @@ class MechanismEventKind(Choice):
     REVERSED = "sliding reversed"
     STICK_BEGUN = "stick begun"
     STICK_ENDED = "stick ended"
+    IMPACT = "impact"
+    CHATTER_COMPLETED = "chatter completed"
+    REST_BEGUN = "rest begun"
+    REST_ENDED = "rest ended"
 
 
 KINDS = {
@@ -51,6 +55,14 @@ KINDS = {
     system.REVERSED: MechanismEventKind.REVERSED,
     system.HOLD_BEGUN: MechanismEventKind.STICK_BEGUN,
     system.HOLD_ENDED: MechanismEventKind.STICK_ENDED,
+    statuses.IMPACT: MechanismEventKind.IMPACT,
+    statuses.COMPLETED: MechanismEventKind.CHATTER_COMPLETED,
+    statuses.TOGETHER: MechanismEventKind.IMPACT,
+}
+KINDS_OF_WALLS = {
+    **KINDS,
+    system.HOLD_BEGUN: MechanismEventKind.REST_BEGUN,
+    system.HOLD_ENDED: MechanismEventKind.REST_ENDED,
 }
 
 MEETINGS = (MechanismEventKind.CONTACT_MADE,)
@@ -136,12 +148,25 @@ class MechanismMotion(Motion):
     @cached_property
     def events(self) -> MechanismEvents:
         """All events in order of time."""
-        layout = self.course.modes.system.layout
-        parts = (*layout.contacts, *layout.frictions)
-        events = zip(self.course.events, event_rates(self.course).tolist(), strict=True)
+        parts = [part.name for part in self.flow.parts]
+        walls = len(parts) - len(self.mechanism.walls)
+        events = zip(self.course.events, event_rates(self.course), strict=True)
         return MechanismEvents(
-            MechanismEvent(time, parts[part], KINDS[kind], rate) for (time, part, kind), rate in events
+            MechanismEvent(
+                time, parts[part], (KINDS if part < walls else KINDS_OF_WALLS)[kind], rate, impulse
+            )
+            for (time, part, kind), (rate, impulse) in events
         )
+
+    @property
+    def chatter_completed(self) -> bool:
+        """Whether an infinite chatter on a wall was cut short once no time was left of it."""
+        return bool((self.course.log.kind == statuses.COMPLETED).any())
+
+    @property
+    def walls_together(self) -> bool:
+        """Whether walls acted together, without rebound, since their impacts would not have ended."""
+        return bool((self.course.log.kind == statuses.TOGETHER).any())
 
     @cached_property
     def energy(self) -> MechanismEnergy:

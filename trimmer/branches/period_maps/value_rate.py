@@ -18,7 +18,17 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy
-from trimmer.hybrid.propagation import SEVERAL, Room, falling, fly, met, parted, reset_at, room_for
+from trimmer.hybrid.propagation import (
+    SEVERAL,
+    Room,
+    falling,
+    fly,
+    is_decided,
+    met,
+    parted,
+    reset_at,
+    room_for,
+)
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
@@ -151,6 +161,8 @@ def _entry(sources: bytes) -> Callable[..., int]:
             last = following - 1
             if row > 0 and fired >= 0 and not jumped:
                 reset = reset_at(tables, log, row, last)
+                if is_decided(tables, log, row, last, reset):
+                    break
                 if reset == SEVERAL or not met(tables, tables.resets, log, row, last, fired, reset, room):
                     break
                 _jump(tables, slopes, log.mode[row - 1], fired, reset, both[1], room)
@@ -272,23 +284,37 @@ class ValueChange:
         """Return the derivative after several events at one instant, one after the other."""
         log, modes, slopes = self.course.log, self.course.modes, self.slopes
         for jump in jumps(modes, log, first, last):
-            mode, function = self._place_of(jump, int(log.mode[first - 1]))
+            row_rate, other = self._changed(jump, int(log.mode[first - 1]))
             later: float = 0.0
             if jump.slope != 0.0:
-                missed = jump.function.row @ tangent + slopes.functions[mode, function] @ jump.here
+                missed = jump.function.row @ tangent + row_rate @ jump.here
                 later = -float(missed) / jump.slope
             if jump.reset is not None:
-                own = modes[mode]
-                changed = self.other.mode(own.statuses)
-                other = self.other.reset(changed, changed.functions[function])
                 tangent = jump.reset @ tangent
                 tangent += 0.0 if other is None else (other - jump.reset) @ jump.here / self.step
             tangent = tangent - jump.change * later
+            if jump.after is None:
+                continue
             held: Reals = modes[jump.after].hold @ tangent + jump.there @ slopes.hold[jump.after]
             for z, _ in modes[jump.after].decayed:
                 held[z] = tangent[z]
             tangent = held
         return tangent
+
+    def _changed(self, jump: Jump, first: int) -> tuple[Reals, Reals | None]:
+        """Return the derivative of what falls to zero, (N,), and the reset at the other value, (N, N)."""
+        modes = self.course.modes
+        if jump.kind is not None:
+            own, other = (each.impulse(jump.function.owner, jump.kind) for each in (modes.system, self.other))
+            assert own is not None
+            assert other is not None
+            return (other[1] - own[1]) / self.step, other[0]
+        mode, function = self._place_of(jump, first)
+        row_rate: Reals = self.slopes.functions[mode, function]
+        if jump.reset is None:
+            return row_rate, None
+        changed = self.other.mode(modes[mode].statuses)
+        return row_rate, self.other.reset(changed, changed.functions[function])
 
     def _place_of(self, jump: Jump, first: int) -> tuple[int, int]:
         """Return in which mode an event function is, and its number there: of the first mode that has it."""

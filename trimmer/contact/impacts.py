@@ -1,0 +1,75 @@
+"""Impacts on walls in a motion: how fast ends meet, with which impulse, and what is lost."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.contact.impulses import first_wall
+from trimmer.contact.statuses import COMPLETED, IMPACT, TOGETHER
+from trimmer.hybrid.nodes import sample
+from trimmer.hybrid.work import Log
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.course import Course
+
+IMPULSES = (IMPACT, COMPLETED, TOGETHER)
+"""Kinds of events with an impulse."""
+
+
+def impact_at(course: Course, row: int) -> tuple[float, float]:
+    """Return how fast the ends of a wall meet at a row of the log that is an impulse, m/s, and this, N s."""
+    machine = course.modes.system.machine
+    wall = int(course.log.part[row]) - first_wall(machine)
+    rate, bodies = machine.wall_rate[wall], machine.contact_push.shape[1]
+    before, after = (float(rate @ state) for state in (state_before(course, row), course.log.state[row]))
+    return before, (before - after) / float(rate[bodies : 2 * bodies] @ machine.wall_push[wall])
+
+
+def state_before(course: Course, row: int) -> Reals:
+    """Return the extended state, (N,), just before an event."""
+    log = course.log
+    if log.start[row] == log.start[row - 1]:
+        return np.asarray(log.state[row - 1])
+    segment = Log._make(each[row - 1 : row] for each in log)
+    return np.asarray(sample(course.modes.tables, segment, log.start[row : row + 1])[0])
+
+
+def losses_at_walls(course: Course) -> dict[str, float]:
+    """Return what is lost at each wall, J: an impulse P does the work -P (v + v')/2 on all that moves."""
+    system, log = course.modes.system, course.log
+    lost = dict.fromkeys(system.layout.walls, 0.0)
+    for row in rows_of_impulses(course):
+        wall = int(log.part[row]) - first_wall(system.machine)
+        rate, impulse = impact_at(course, row)
+        after = float(system.machine.wall_rate[wall] @ log.state[row])
+        lost[system.layout.walls[wall]] += 0.5 * impulse * (rate + after)
+    return lost
+
+
+def rows_of_impulses(course: Course) -> list[int]:
+    """Return the rows of the log of a motion that are impulses."""
+    found: list[int] = np.flatnonzero(np.isin(course.log.kind, IMPULSES)).tolist()
+    return found
+
+
+def work_at_walls(course: Course, mechanism: Mechanism, pin: str, rate: Reals) -> float:
+    """Return the work of what moves a pin against impulses of walls, J.
+
+    Args:
+        course: The motion.
+        mechanism: What moves.
+        pin: Name of the pin.
+        rate: Its velocity relative to what carries it, as a functional, (N,).
+    """
+    system, work = course.modes.system, 0.0
+    for row in rows_of_impulses(course):
+        name = system.layout.walls[int(course.log.part[row]) - first_wall(system.machine)]
+        start, end = mechanism.walls[name].between
+        if pin in (start, end):
+            _, impulse = impact_at(course, row)
+            work += (1.0 if end == pin else -1.0) * impulse * float(rate @ course.log.state[row])
+    return work
