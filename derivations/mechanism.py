@@ -39,7 +39,7 @@ class Mechanism:
         springs: All springs.
         dampers: All dampers.
         pins: All pins.
-        contacts: All plays and stops, and springs with a curve.
+        contacts: All plays and stops, springs with a curve, and walls.
         frictions: All frictions.
         forces: All given forces.
         outputs: What is asked for.

@@ -193,6 +193,29 @@ class Stop(Contact):
         return self.gap
 
 
+@dataclass(frozen=True)
+class Wall:
+    """A rigid wall: end less start is never more than the gap, and rebounds there.
+
+    Attributes:
+        name: What it is, in words.
+        start: One end.
+        end: The other end.
+        restitution: e, speed after an impact over that before it.
+        gap: g, m.
+        distance: s, displacement of ``end`` less that of ``start``, m, a function of time.
+        tension: T, N, a function of time: what holds the ends together while they rest at the gap.
+    """
+
+    name: str
+    start: End
+    end: End
+    restitution: sympy.Expr
+    gap: sympy.Expr
+    distance: sympy.Expr
+    tension: sympy.Expr
+
+
 Points = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 """Points of a curve: an elongation, m, or a speed, m/s, and the force there, N."""
 
@@ -277,6 +300,6 @@ class Output:
     force: sympy.Expr | None = None
 
 
-Tensioned = Contact | CurvedSpring
+Tensioned = Contact | CurvedSpring | Wall
 """What acts by a tension of its own law."""
 Joint = Spring | Damper | Tensioned | Friction

@@ -30,7 +30,7 @@ from derivations.symbols import PARAMETERS, Quantity, Unit, coordinates, t
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.number_rows import value_at
-from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop
+from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop, Wall
 from trimmer.mechanism.printed_symbols import (
     WEIGHT,
     Place,
@@ -56,6 +56,7 @@ ARGUMENTS = (
     "viscous",
     "gap",
     "side",
+    "restitution",
 )
 """What functions of a module take, in this order."""
 
@@ -169,6 +170,7 @@ class _Translation:
                     for name, link in self.data.links.items()
                     if link.curve
                 ),
+                *(self._wall(name, wall, ends) for name, wall in self.data.walls.items()),
             ),
             frictions=tuple(
                 self._friction(name, ends)
@@ -294,6 +296,11 @@ class _Translation:
 
     def _stop(self, name: str, stop: Stop, ends: Mapping[str, parts.End]) -> parts.Stop:
         return parts.Stop(**self._contact("stops", name, stop, ends))
+
+    def _wall(self, name: str, wall: Wall, ends: Mapping[str, parts.End]) -> parts.Wall:
+        numbers = (self._number("walls", name, of, getattr(wall, of)) for of in ("restitution", "gap"))
+        functions = (self._function("walls", name, of) for of in ("distance", "tension"))
+        return parts.Wall(name, *_two(wall.between, ends), *numbers, *functions)
 
     def _contact(
         self, section: str, name: str, contact: Play | Stop, ends: Mapping[str, parts.End]

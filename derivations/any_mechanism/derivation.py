@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from derivations.any_mechanism.contact_law import ContactStatement, contact_statement
 from derivations.any_mechanism.curve_law import CurveStatement, curve_statement
 from derivations.any_mechanism.friction_law import FrictionStatement, friction_statement
+from derivations.any_mechanism.wall_law import WallStatement, wall_statement
 from derivations.linear_motion import SymbolicMotion, linear_motion
 from derivations.mechanism import Mechanism, closed
-from derivations.parts import Contact, CurvedSpring
+from derivations.parts import Contact, CurvedSpring, Wall
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,7 @@ class MechanismDerivation:
         contacts: The law of each contact.
         frictions: The law of each friction.
         curves: The law of each spring with a curve.
+        walls: The law of each wall.
     """
 
     motion: SymbolicMotion
@@ -29,6 +31,7 @@ class MechanismDerivation:
     contacts: tuple[ContactStatement, ...]
     frictions: tuple[FrictionStatement, ...]
     curves: tuple[CurveStatement, ...]
+    walls: tuple[WallStatement, ...]
 
     @property
     def mechanism(self) -> Mechanism:
@@ -50,4 +53,5 @@ def derive_mechanism(mechanism: Mechanism) -> MechanismDerivation:
         contacts=tuple(contact_statement(each) for each in mechanism.contacts if isinstance(each, Contact)),
         frictions=tuple(friction_statement(mechanism, friction) for friction in mechanism.frictions),
         curves=tuple(curve_statement(each) for each in mechanism.contacts if isinstance(each, CurvedSpring)),
+        walls=tuple(wall_statement(mechanism, each) for each in mechanism.contacts if isinstance(each, Wall)),
     )

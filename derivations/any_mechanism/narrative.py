@@ -11,6 +11,7 @@ from derivations.any_mechanism.contact_law import ContactStatement
 from derivations.any_mechanism.curve_law import CurveStatement
 from derivations.any_mechanism.derivation import MechanismDerivation
 from derivations.any_mechanism.friction_law import FrictionStatement
+from derivations.any_mechanism.wall_law import WallStatement
 from derivations.equations_of_motion import MotionMatrices, inertial_forces, inputs
 from derivations.latex import escaped, latex, latex_equation
 from derivations.linear_motion import SymbolicMotion
@@ -59,6 +60,7 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[NarrativeStep,
         *([_outputs(derivation)] if mechanism.outputs else []),
         *map(_contact_law, derivation.contacts),
         *map(_curve_law, derivation.curves),
+        *(_wall_law(derivation, each) for each in derivation.walls),
         *map(_friction_law, derivation.frictions),
         _checks(derivation),
     )
@@ -88,6 +90,7 @@ def _parts(derivation: MechanismDerivation) -> NarrativeStep:
         for named, each in (
             *((each.contact.distance, each.distance) for each in derivation.contacts),
             *((each.spring.distance, each.distance) for each in derivation.curves),
+            *((each.wall.distance, each.distance) for each in derivation.walls),
         )
     )
     intermediate = (POINTS if mechanism.points else "") + (STRUCTURES if mechanism.structures else "")
@@ -268,6 +271,31 @@ def _curve_law(statement: CurveStatement) -> NarrativeStep:
         (
             Formula(latex_equation(spring.distance, statement.distance)),
             Formula(latex_equation(spring.tension, statement.tension)),
+        ),
+    )
+
+
+def _wall_law(derivation: MechanismDerivation, statement: WallStatement) -> NarrativeStep:
+    wall, bodies = statement.wall, derivation.mechanism.bodies
+    s, gap, rate = latex(wall.distance), latex(wall.gap), latex(wall.distance.diff(t))
+    jumps = zip(bodies, statement.changes, strict=True)
+    return NarrativeStep(
+        f"wall-{wall.tension.func.__name__}",
+        f"Wall: {wall.name}",
+        f"The ends are never farther apart than the gap. Where it is reached with the rate ${rate} > 0$, "
+        "an impulse turns that into its opposite times the restitution; the velocities of the bodies change "
+        "by what it gives them. At rest there a force holds that only pushes, "
+        f"${latex(wall.tension)} \\ge 0$, the last line; the ends let go where it would have to pull. "
+        "Where several walls and frictions hold, these lines hold together.",
+        (
+            Formula(f"{s} = {latex(statement.distance)} \\le {gap}"),
+            Formula(f"\\int {latex(wall.tension)}\\,dt = {latex(statement.impulse)}"),
+            *(
+                Formula(f"\\Delta {latex(body.coordinate.diff(t))} = {latex(change)}")
+                for body, change in jumps
+                if change != 0
+            ),
+            Formula(f"{latex(wall.tension)} = {latex(statement.held)}"),
         ),
     )
 

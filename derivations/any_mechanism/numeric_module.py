@@ -11,6 +11,7 @@ from derivations.any_mechanism.python_source import NumericFunction, function_so
 from derivations.equations_of_motion import MotionMatrices
 from derivations.linear_motion import SymbolicMotion
 from derivations.mechanism import Mechanism
+from derivations.symbols import t
 from derivations.transfer_function import transfer_functions
 
 HEADER = '''"""{title} in numbers.
@@ -62,6 +63,7 @@ def _functions(
     if only_pin and bodies <= MOST_BODIES_OF_POLYNOMIALS:
         yield from _polynomials(matrices, names)
     yield from _directions(matrices)
+    yield from _impacts(derivation)
     if derivation.closed is not motion:
         yield from _closed(derivation.closed, names)
 
@@ -130,6 +132,21 @@ def _directions(matrices: MotionMatrices) -> Iterator[NumericFunction]:
     ):
         if matrix.cols:
             yield _matrix(name, letter, "1", matrix)
+
+
+def _impacts(derivation: MechanismDerivation) -> Iterator[NumericFunction]:
+    """Yield what impacts on walls make of the velocities of the bodies: a matrix for each wall."""
+    bodies = [body.coordinate.diff(t) for body in derivation.mechanism.bodies]
+    for number, statement in enumerate(derivation.walls, start=1):
+        rate = statement.distance.diff(t).doit()
+        after = [
+            velocity + change.subs(statement.wall.distance.diff(t), rate)
+            for velocity, change in zip(bodies, statement.changes, strict=True)
+        ]
+        reset = sympy.ImmutableMatrix([[sympy.diff(each, by) for by in bodies] for each in after])
+        name = f"impact_matrix_{number}" if len(derivation.walls) > 1 else "impact_matrix"
+        ends = f"Return what an impact of {statement.wall.name} makes of the velocities, its pins at rest."
+        yield NumericFunction(name, ends.replace("\\", "/").replace('"', "'"), _rows(reset))
 
 
 def _closed(motion: SymbolicMotion, names: str) -> Iterator[NumericFunction]:

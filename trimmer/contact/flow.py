@@ -130,9 +130,10 @@ class MechanismFlow(Flow):
         for name, far, rounding in zip(layout.walls, beyond.tolist(), allowed.tolist(), strict=True):
             if far > rounding:
                 start, end = self.mechanism.walls[name].between
+                place = place_text(("walls", name))
                 raise MechanismError(
-                    f"{place_text(('walls', name))}: at the start {end!r} is {far:.6g} beyond where this wall "
-                    f"holds it, in SI units; give {start!r} or {end!r} another [start], or the wall another gap"
+                    f"{place}: at the start {end!r} is {far:.6g} m too far from {start!r}: "
+                    "give a body another [start], or the wall another gap"
                 )
 
     def at(

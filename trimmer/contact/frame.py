@@ -98,10 +98,10 @@ def frame_of(mechanism: Mechanism, *, without_stops: bool = False) -> Frame:
 
 def _leaning(mechanism: Mechanism, without_stops: bool) -> Iterator[tuple[str, str]]:
     """Yield the ends of all parts whose force depends on where these are."""
-    stops = () if without_stops else (*mechanism.stops.values(), *mechanism.walls.values())
-    for part in (*mechanism.links.values(), *mechanism.plays.values(), *stops):
-        if leans(part):
-            yield part.between
+    parts: list[Link | Play | Stop | Wall] = [*mechanism.links.values(), *mechanism.plays.values()]
+    if not without_stops:
+        parts += [*mechanism.stops.values(), *mechanism.walls.values()]
+    yield from (part.between for part in parts if leans(part))
 
 
 def _strains(mechanism: Mechanism) -> Iterator[Reals]:

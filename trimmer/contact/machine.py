@@ -42,7 +42,7 @@ class Machine(NamedTuple):
         curve_knots: Where one segment ends and the next begins, infinite for none, (c, knots).
         curve_by_speed: Whether each goes by a velocity, (c,).
         curve_slopes, curve_heights: The force of a segment is slope x + height, N, (c, knots + 1).
-        wall_distance, wall_rate: s = end - start of w walls and its rate as functionals, less the gap, (w, N).
+        wall_distance, wall_rate: end - start of w walls less the gap, and its rate, as functionals, (w, N).
         wall_push: Accelerations by a force of 1 N on the end, (w, n).
         restitution: Of the walls, (w,).
     """

@@ -33,7 +33,6 @@ from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import durations, while_status
 
 if TYPE_CHECKING:
-    from trimmer.arrays import Reals
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
     from trimmer.motion.course import Course
@@ -82,7 +81,7 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
 
 
 def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
-    """Return what a wall, by its number, does over a motion that spans some periods; forces are those at rest."""
+    """Return what a wall, by its number, does over a motion; forces are those at rest."""
     part, log = first_wall(course.modes.system.machine) + number, course.log
     hit = np.flatnonzero((log.part == part) & (log.kind == IMPACT)).tolist()
     resting = while_status(course, part, (RESTS,))
@@ -116,9 +115,9 @@ def friction_measures(course: Course, number: int, periods: int) -> FrictionMeas
 
 
 def event_rates(course: Course) -> list[tuple[float, float | None]]:
-    """Return the rate of end less start at each event that counts, m/s, 0 for frictions, and the impulse, N s.
+    """Return the rate of end less start at each event that counts, m/s, and the impulse, N s.
 
-    That of an impact is the rate before it; an impulse is None for what gives none.
+    The rate is that before an impact, and 0 of frictions; the impulse is None for what gives none.
     """
     log, rates = course.log, course.modes.system.machine.contact_rate
     found: list[tuple[float, float | None]] = []

@@ -23,5 +23,5 @@ is a push again, or it left the range of contact. Of curves: a knot is reached f
 KIND_COUNT = OWN_KINDS + 5
 """Number of kinds of events."""
 CONTACT_MADE, CONTACT_BROKEN, IMPACT, COMPLETED, TOGETHER = range(OWN_KINDS, KIND_COUNT)
-"""What contacts and walls do that begins a segment of the motion; of walls an impact with its restitution, the
-impulse that ends an infinite chatter, and that of walls which act together without rebound."""
+"""What contacts and walls do that begins a segment of the motion; of walls an impact with its restitution,
+the impulse that ends an infinite chatter, and that of walls which act together without rebound."""

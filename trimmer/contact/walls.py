@@ -1,9 +1,8 @@
-"""Rigid walls: impacts by Newton's law of restitution, rest that only pushes, and infinite chatter, completed.
+"""Rigid walls: impacts by Newton's law of restitution, rest that only pushes, completed chatter.
 
-A wall that is not at rest ends no force; where its gap is reached with the rate v > 0, an impulse of
-(1 + e) v / (w M⁻¹ wᵀ) on both ends makes the rate -e v. At rest it is a hold as stick is, with a force that is
-bounded on one side by zero: see ``trimmer.contact.joint``. Several walls that are reached at one instant act
-one after the other.
+Where the gap of a wall is reached with the rate v > 0, an impulse of (1 + e) v / (w M⁻¹ wᵀ) on both ends
+makes the rate -e v. At rest it is a hold as stick is, with a force that is bounded on one side by zero: see
+``trimmer.contact.joint``. Several walls that are reached at one instant act one after the other.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ from trimmer.hybrid.system import ARRIVED, STRUCK, Decision, Impulse
 MOST_PASSES = 60
 """Rounds of impacts at one instant, after which walls act together, without rebound."""
 SHORTEST = 1e-9
-"""What is left of a chatter is completed once it is shorter than this share of the drive's period, or of 1 s."""
+"""Share of the drive's period, or of 1 s, below which what is left of a chatter is completed."""
 
 
 def strike(machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int, period: float) -> Decision:
@@ -72,7 +71,14 @@ class _Strike:
                 state = self.stopped(wall, state)
                 impulses.append(Impulse(self.first + wall, COMPLETED, state))
                 completed.add(wall)
+        if not impulses and self.rebounds and statuses[self.first + self.wall] == RESTS:
+            # The bounces have become lower than can be told.
+            impulses = [Impulse(self.first + self.wall, COMPLETED, state)]
         return Decision(statuses, 1, state, tuple(impulses), self.known(touching, at_rest, statuses))
+
+    @property
+    def rebounds(self) -> bool:
+        return bool(self.machine.restitution[self.wall] > 0.0)
 
     @property
     def first(self) -> int:
@@ -152,7 +158,7 @@ class _Strike:
             return False
         closing = float(self.machine.wall_rate[wall] @ (assemble(self.machine, statuses).flow @ state))
         left = 1.0 - self.machine.restitution[wall]
-        return 2.0 * leaving < SHORTEST * self.period * closing * left
+        return bool(2.0 * leaving < SHORTEST * self.period * closing * left)
 
     def known(
         self, touching: list[int], at_rest: Places, statuses: tuple[int, ...]

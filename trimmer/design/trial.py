@@ -155,7 +155,10 @@ def all_measures(subject: Subject) -> tuple[MeasureOfPart, ...]:
     return (
         *(MeasureOfPart(Measure.STROKE, name) for name in mechanism.outputs),
         *(MeasureOfPart(Measure.RMS_ACCELERATION, name) for name in mechanism.bodies),
-        *(MeasureOfPart(Measure.IMPACT_SPEED, name) for name in (*mechanism.plays, *mechanism.stops, *mechanism.walls)),
+        *(
+            MeasureOfPart(Measure.IMPACT_SPEED, name)
+            for name in (*mechanism.plays, *mechanism.stops, *mechanism.walls)
+        ),
         *(
             MeasureOfPart(Measure.WEAR_POWER, name)
             for name, each in mechanism.frictions.items()

@@ -8,7 +8,7 @@ relay that slides; what several parts do that are at rest at one instant they de
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ class EventFunction:
     row: Reals
     signs: tuple[int, ...] = ()
     continuous: int = ALL
-    shortest: float = 0.0
+    shortest: float = field(default=0.0, kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)

@@ -56,7 +56,7 @@ class Tables(NamedTuple):
         owner: The parts that they belong to, (modes, functions).
         action: What it means that they fall to zero, (modes, functions).
         continuous: How many of their derivatives do not jump with other parts, (modes, functions).
-        shortest: Rate over second rate down to which the tables say what follows a reset, s, (modes, functions).
+        shortest: Rate over second rate down to which tables say what follows a reset, s, (modes, functions).
         target: The mode to go on in, (modes, functions, 2).
         kind: What the event counts as, (modes, functions, 2).
         zeros: How many derivatives of the event functions of the part vanish then, by their actions,

@@ -20,7 +20,7 @@ AT_REST = 2.0**-44
 def _is_struck_alone(
     tables: Tables, rows: Rows | None, work: Work, mode: int, fired: int, jumped: bool
 ) -> bool:
-    """Return whether a function that is reset where it falls to zero does so clearly, and no other with it."""
+    """Return whether a function that is reset at zero falls to it clearly, and no other with it."""
     alone = rows is None and not jumped
     if rows is None:
         rate, second, size, step = 0.0, 0.0, 0.0, tables.step[mode]

@@ -115,6 +115,7 @@ def quantities(part: object, kind: Kind) -> Mapping[tuple[str, ...], NumberField
         ("curve", str(number), key): of
         for number in range(1, len(curve) + 1)
         for key, of in zip(form.keys, form.of(kind).numbers, strict=True)
+        if (number, key) != (1, "speed")  # Sliding begins at 0.
     }
 
 

@@ -24,7 +24,7 @@ CONTROL = "control"
 """What a controller gives, which is not read yet."""
 KEYS = (*OF_ENDS, FORCE, CONTROL)
 """Keys that say of which kind an output is, each of which then stands alone."""
-WITH_FORCE = ("links", "plays", "stops", "frictions")
+WITH_FORCE = ("links", "plays", "stops", "walls", "frictions")
 """Sections whose parts have a force that may be asked for."""
 UNITS: Mapping[OutputKind, str] = MappingProxyType(
     {

@@ -102,7 +102,7 @@ def _spaces(layout: DiagramLayout, named: Collection[str]) -> list[float]:
         needed[at] = needed[at] if is_there else 0.0
     for run in layout.runs:
         if run.right - run.left == 1:
-            contact = CONTACT if run.joint.section in ("plays", "stops") else 0.0
+            contact = CONTACT if run.joint.section in ("plays", "stops", "walls") else 0.0
             own = NARROWEST + contact + PIN * sum(end in named for end in run.joint.ends)
             needed[run.left] = max(needed[run.left], own)
     boxes = len(layout.bodies) * BOX + sum(layout.walls) * WALL + 0.1
@@ -178,7 +178,10 @@ class _Drawing:
         end = self.port(second, right, y, -1)
         middle, half = (
             0.5 * (start + end),
-            0.5 * min(end - start, SYMBOL + (CONTACT if run.joint.section in ("plays", "stops") else 0.0)),
+            0.5
+            * min(
+                end - start, SYMBOL + (CONTACT if run.joint.section in ("plays", "stops", "walls") else 0.0)
+            ),
         )
         for x, towards in ((start, middle - half), (middle + half, end)):
             self.axes.plot([x, towards], [y, y], **LINE, zorder=1)
@@ -224,6 +227,8 @@ class _Drawing:
                 middle = 0.5 * (left + right)
                 symbols.stop(self.axes, left, middle, y, pulls=not run.turned)
                 symbols.spring_and_damper(self.axes, middle, right, y, part)
+            case "walls":
+                symbols.wall(self.axes, left, right, y, pulls=not run.turned)
             case "frictions":
                 symbols.sliding(self.axes, left, right, y)
 
@@ -244,6 +249,7 @@ class _Drawing:
             ),
             "plays": lambda: f"gap {shown(part.gap, unit('m'))}" if part.gap else "no gap",
             "stops": lambda: f"gap {shown(part.gap, unit('m'))}" if part.gap else "no gap",
+            "walls": lambda: f"restitution {part.restitution:.3g}",
             "frictions": lambda: (
                 shown(part.kinetic_force, unit("N"))
                 if part.kinetic_force

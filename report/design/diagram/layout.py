@@ -14,7 +14,9 @@ from typing import final
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 
-SECTIONS = ("links", "plays", "stops", "frictions")
+SECTIONS = ("links", "plays", "stops", "walls", "frictions")
+ACTING = {"frictions": ("static_force", "viscous", "curve"), "walls": ("between",)}
+"""What makes a part act, if it is not a stiffness or a damping."""
 MOST_ORDERS = 6
 """Number of bodies up to which every order of columns is tried."""
 FARTHEST = 12
@@ -98,8 +100,8 @@ def joints_of(mechanism: Mechanism) -> Iterator[Joint]:
     """Return the parts that join two ends, as far as they do something."""
     for section in SECTIONS:
         for name, part in getattr(mechanism, section).items():
-            sizes = ("force", "viscous") if section == "frictions" else ("stiffness", "damping")
-            if any(getattr(part, size) for size in sizes):
+            sizes = ACTING.get(section, ("stiffness", "damping", "curve"))
+            if any(getattr(part, size, None) for size in sizes):
                 first, second = (box_of(mechanism, end) for end in part.between)
                 if first != second:  # what joins two ends of a structure is inside of its box
                     yield Joint(section, name, part.between, (first, second))
@@ -163,7 +165,7 @@ def _ends(joint: Joint, columns: Mapping[str, int]) -> tuple[int, int, bool]:
     if GROUND in joint.carriers:
         body = columns[second if first == GROUND else first]
         # A stop on the ground stands where its body runs into it.
-        at_left = body <= last - body if joint.section != "stops" else second == GROUND
+        at_left = body <= last - body if joint.section not in ("stops", "walls") else second == GROUND
         left, right = (0, body) if at_left else (body, last)
         return left, right, (first == GROUND) != at_left
     left, right = columns[first], columns[second]

@@ -21,14 +21,15 @@ FRICTION = {**LINE, "color": LINES[2]["color"], "linewidth": 1.8}
 
 def spring_and_damper(axes: Axes, left: float, right: float, y: float, part: Link | Contact) -> None:
     """Draw what a link or a contact is made of, side by side if it is both."""
-    if part.stiffness and part.damping:
+    springs = part.stiffness or getattr(part, "curve", None)
+    if springs and part.damping:
         inner = 0.12 * (right - left)
         for x, end in ((left, left + inner), (right, right - inner)):
             axes.plot([x, end], [y, y], **LINE)
             axes.plot([end, end], [y - LEVEL, y + LEVEL], **LINE)
         spring(axes, left + inner, right - inner, y + LEVEL, "")
         damper(axes, left + inner, right - inner, y - LEVEL, "")
-    elif part.stiffness:
+    elif springs:
         spring(axes, left, right, y, "")
     else:
         damper(axes, left, right, y, "")
@@ -61,6 +62,16 @@ def stop(axes: Axes, left: float, right: float, y: float, *, pulls: bool) -> Non
         tip = middle + sign * gap
         axes.plot([end, tip], [y + level / 2, y + level / 2], **CONTACT)
         axes.plot([tip, tip], [y + level / 2, y - level / 2 - 0.02 * sign], **CONTACT)
+
+
+def wall(axes: Axes, left: float, right: float, y: float, *, pulls: bool) -> None:
+    """Draw a rigid wall: a stop without a spring, hatched behind one of its plates."""
+    stop(axes, left, right, y, pulls=pulls)
+    x = 0.5 * (left + right) + (0.16 if not pulls else -0.16) * (right - left)
+    towards = 0.05 if not pulls else -0.05
+    for share in (-0.9, -0.45, 0.0, 0.45, 0.9):
+        level = y + share * HEIGHT if not pulls else y - HEIGHT / 2 + share * HEIGHT / 2
+        axes.plot([x, x + towards], [level, level - 0.04], **(CONTACT | {"linewidth": 0.8}))
 
 
 def sliding(axes: Axes, left: float, right: float, y: float) -> None:

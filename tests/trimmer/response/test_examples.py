@@ -29,6 +29,8 @@ REPEATING = {
     "housing-modes": 4,
     "lever-valve": 6,
     "cam-drive": 2,
+    "bouncing-ball": 1,
+    "brake-squeal": 2,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
 OTHERS = {"second-play", "thrown-body", "contactor"}

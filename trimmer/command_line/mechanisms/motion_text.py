@@ -23,6 +23,10 @@ def as_text(motion: MechanismMotion) -> str:
     """Return a summary of a motion: outcome, events of each part, outputs at the end, energy."""
     events = ((event.part, event.kind.value) for event in motion.events)
     lines = summary_lines(motion.duration, motion.message, events)
+    if motion.chatter_completed:
+        lines.append("An infinite chatter on a wall was completed, once next to no time was left of it.")
+    if motion.walls_together:
+        lines.append("Walls acted together, without rebound, since their impacts would not have ended.")
     units = motion.signals if motion.mechanism.outputs else {}
     alike = len(set(units.values())) <= 1
     rows = [
@@ -56,10 +60,13 @@ def as_json(motion: MechanismMotion) -> str:
             "dampers": dict(energy.dampers),
             "contacts": dict(energy.contacts),
             "frictions": dict(energy.frictions),
+            "walls": dict(energy.walls),
             "structures": dict(energy.structures),
             "residual": energy.residual,
         },
         "undetermined_frictions": list(motion.undetermined_frictions),
+        "chatter_completed": motion.chatter_completed,
+        "walls_together": motion.walls_together,
     }
     if shares := waveforms_left_out(motion.mechanism):
         content["waveforms_left_out"] = shares
@@ -107,6 +114,7 @@ def _energy_text(energy: MechanismEnergy) -> list[str]:
         *((f"lost in damper {name}", value) for name, value in energy.dampers.items()),
         *((f"lost in contact {name}", value) for name, value in energy.contacts.items()),
         *((f"lost in friction {name}", value) for name, value in energy.frictions.items()),
+        *((f"lost at wall {name}", value) for name, value in energy.walls.items()),
         *((f"lost in structure {name}", value) for name, value in energy.structures.items()),
     ]
     gained = energy.kinetic[1] + energy.stored[1] - energy.kinetic[0] - energy.stored[0]

@@ -1,0 +1,286 @@
+"""Rigid walls: impacts, completed chatter, rest and letting go, several walls at once; closed forms."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from trimmer import Mechanism, MechanismError, follow, forced_orbit, respond, simulate
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Wall
+
+G = 9.81
+TABLE = """
+frequency = 20.0
+[bodies]
+ball = { mass = 0.02 }
+[pins]
+table = { on = "ground", amplitude = 0.0005 }
+[forces]
+weight = { on = "ball", constant = -0.1962 }
+[walls]
+plate = { between = ["ball", "table"], restitution = 0.6 }
+[start]
+ball = [5.242712e-04, -2.280475e-01]
+[outputs]
+x = { ball = 1 }
+height = { ball = 1, table = -1 }
+"""
+"""The public case table-period-1 of the definition of machines; digits found there in two ways."""
+
+
+def ball(restitution: float, start=(1.0, 0.0), **parts) -> Mechanism:
+    """A ball of 0.1 kg above the floor, which is at 0."""
+    given = {"walls": {"floor": Wall(("ball", "ground"), restitution)}, **parts}
+    weight = Force("ball", -0.1 * G)
+    return Mechanism({"ball": Body(0.1)}, forces={"weight": weight}, start={"ball": start}, **given)
+
+
+def bodies_in_line(velocities, restitution=1.0, masses=None) -> Mechanism:
+    """Balls that touch each other, with a wall between neighbours; nothing else holds them."""
+    names = "abcde"[: len(velocities)]
+    pairs = list(pairwise(names))
+    return Mechanism(
+        {name: Body(mass) for name, mass in zip(names, masses or [1.0] * len(names), strict=True)},
+        walls={a + b: Wall((b, a), restitution) for a, b in pairs},
+        start={name: (0.0, v) for name, v in zip(names, velocities, strict=True)},
+    )
+
+
+def kinds(motion) -> list[str]:
+    return [event.kind.value for event in motion.events]
+
+
+def last(motion) -> np.ndarray:
+    return motion.states(np.array([motion.duration]))[:, 0]
+
+
+def test_the_ball_on_the_table_of_the_definition():
+    orbit = forced_orbit(Mechanism.from_toml_text(TABLE))
+    expected = sorted([0.454812818 + 0.391337834j, 0.454812818 - 0.391337834j], key=lambda m: m.imag)
+    assert sorted(orbit.multipliers, key=lambda m: m.imag) == pytest.approx(expected, abs=2e-9)
+    assert orbit.measures.peak_to_peak == pytest.approx(
+        {"x": 0.0030656249999999976, "height": 0.0034293037081769393}, rel=1e-12
+    )
+    (speed,) = orbit.measures.contacts["plate"].impact_speeds
+    assert speed == pytest.approx(0.30656249999999985, rel=1e-12)
+    assert np.prod(orbit.multipliers) == pytest.approx(0.36, rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("stop", "kind", "value"),
+    [(4.0e-4, "fold", 0.00048790937241609175), (9.0e-4, "period-doubling", 0.0008208071224495774)],
+)
+def test_fold_and_period_doubling_of_the_ball_on_the_table(stop, kind, value):
+    branch = follow(Mechanism.from_toml_text(TABLE), "pins.table.amplitude", 5e-4, stop)
+    assert [(each.kind.word, each.value) for each in branch.special] == [
+        (kind, pytest.approx(value, rel=1e-8))
+    ]
+
+
+@pytest.mark.parametrize("restitution", [0.3, 0.8, 0.95])
+def test_a_bouncing_ball_comes_to_rest_when_the_geometric_series_ends(restitution):
+    motion = simulate(ball(restitution), 60.0)
+    speed = np.sqrt(2 * G)
+    ends = speed / G + 2 * speed * restitution / (G * (1 - restitution))
+    assert motion.chatter_completed
+    assert kinds(motion)[-2:] == ["chatter completed", "rest begun"]
+    assert motion.events[-1].time == pytest.approx(ends, abs=1.1e-9)
+    assert last(motion) == pytest.approx([0.0, 0.0], abs=0.0)
+    impacts = [each for each in motion.events if each.kind.value == "impact"]
+    speeds = speed * restitution ** np.arange(len(impacts))
+    assert [each.speed for each in impacts] == pytest.approx(speeds, rel=1e-6)
+    assert [each.impulse for each in impacts] == pytest.approx(0.1 * (1 + restitution) * speeds, rel=1e-6)
+    assert motion.energy.walls["floor"] == pytest.approx(0.1 * G, rel=1e-12)
+    assert motion.energy.residual < 1e-12
+
+
+def test_energy_is_kept_over_many_impacts_without_loss():
+    motion = simulate(ball(1.0), 2 * np.sqrt(2 / G) * 1e4)
+    assert len(motion.events) == 10_000
+    assert not motion.chatter_completed
+    (kinetic, _), (_, _) = motion.energy.kinetic, motion.energy.stored
+    height, speed = last(motion)
+    assert kinetic + 0.1 * G == pytest.approx(0.1 * G * height + 0.05 * speed**2, rel=1e-10)
+
+
+def test_a_plastic_impact_ends_in_rest_at_once():
+    motion = simulate(ball(0.0), 2.0)
+    assert kinds(motion) == ["impact", "rest begun"]
+    assert not motion.chatter_completed
+
+
+@pytest.mark.parametrize("frequency", [15.7, 15.8])
+def test_a_ball_leaves_the_table_where_its_acceleration_exceeds_that_of_gravity(frequency):
+    omega, amplitude = 2 * np.pi * frequency, 1e-3
+    table = {"table": Pin("ground", amplitude)}
+    walls = {"floor": Wall(("ball", "table"), 0.5)}
+    mechanism = ball(0.5, (0.0, amplitude * omega), frequency=frequency, pins=table, walls=walls)
+    motion = simulate(mechanism, 3 / frequency)
+    if amplitude * omega**2 < G:
+        assert not motion.events
+        forces = motion.flow.forces(motion.course, np.array([0.25, 0.75]) / frequency)["floor"]
+        assert forces == pytest.approx(0.1 * (G + amplitude * omega**2 * np.array([-1, 1])), rel=1e-9)
+    else:
+        first = motion.events[0]
+        assert first.kind.value == "rest ended"
+        assert omega * first.time == pytest.approx(np.arcsin(G / (amplitude * omega**2)), rel=1e-9)
+        assert motion.chatter_completed
+    assert motion.energy.residual < 1e-11
+
+
+def test_rest_on_a_wall_takes_two_multipliers():
+    table = {"table": Pin("ground", 1e-3)}
+    walls = {"floor": Wall(("ball", "table"), 0.5)}
+    orbit = respond(ball(0.5, (0.0, 0.0), frequency=17.0, pins=table, walls=walls)).motions[0].orbit
+    assert orbit.multipliers == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.4, 1.0])
+def test_two_balls_collide_as_their_restitution_says(restitution):
+    mechanism = bodies_in_line([2.0, -1.0], restitution, masses=[3.0, 1.0])
+    motion = simulate(mechanism, 1.0)
+    first, second = last(motion)[2:]
+    assert 3 * first + second == pytest.approx(5.0, rel=1e-14)
+    assert second - first == pytest.approx(3 * restitution, abs=1e-14)
+    assert motion.events[0].impulse == pytest.approx((1 + restitution) * 3.0 * 0.75)
+
+
+def test_the_last_ball_of_a_cradle_flies_off():
+    motion = simulate(bodies_in_line([1.0, 0.0, 0.0, 0.0]), 1.0)
+    assert last(motion)[4:] == pytest.approx([0.0, 0.0, 0.0, 1.0], abs=1e-14)
+    assert [event.part for event in motion.events if event.kind.value == "impact"] == ["ab", "bc", "cd"]
+
+
+def test_walls_in_turn_pass_after_pass():
+    """Newton's law on touching pairs, in the order of the file, until none closes: done by hand."""
+    motion = simulate(bodies_in_line([1.0, 0.0, 0.0], 0.5), 1.0)
+    velocities, done = [1.0, 0.0, 0.0], []
+    while any(a > b for a, b in pairwise(velocities)):
+        for place, name in enumerate(("ab", "bc")):
+            a, b = velocities[place : place + 2]
+            if a > b:
+                mean, rate = (a + b) / 2, a - b
+                velocities[place : place + 2] = mean - 0.25 * rate, mean + 0.25 * rate
+                done.append(name)
+    assert last(motion)[3:] == pytest.approx(velocities, rel=1e-14)
+    assert [event.part for event in motion.events if event.kind.value == "impact"] == done
+    assert not motion.walls_together
+
+
+def test_walls_whose_impacts_would_not_end_act_together():
+    """A ball between two that close on it for ever, with a restitution just below one."""
+    motion = simulate(bodies_in_line([1.0, 0.0, -1.0], 0.5, masses=[1e3, 1.0, 1e3]), 1.0)
+    velocities = last(motion)[3:]
+    assert motion.walls_together
+    assert 1e3 * velocities[0] + velocities[1] + 1e3 * velocities[2] == pytest.approx(0.0, abs=1e-9)
+    assert np.diff(velocities).min() >= -1e-12
+
+
+def test_a_slide_is_held_by_friction_and_wall_together_until_both_let_go():
+    """Pressed on the wall with 2.5 N at most, it leaves where the pull exceeds the friction of 1 N."""
+    slide = Mechanism(
+        {"slide": Body(1.0)},
+        frequency=1.0,
+        frictions={"guide": Friction(("ground", "slide"), 1.0)},
+        forces={"pull": Force("slide", 0.5, 2.0)},
+        walls={"end": Wall(("ground", "slide"), 0.0, gap=0.01)},
+        start={"slide": (0.01, 0.0)},
+    )
+    motion = simulate(slide, 1.0)
+    angle = np.pi + np.arcsin(1.5 / 2.0)
+    assert kinds(motion)[:2] == ["stick ended", "rest ended"]
+    assert motion.events[0].time == motion.events[1].time == pytest.approx(angle / (2 * np.pi), rel=1e-12)
+    forces = motion.flow.forces(motion.course, np.array([0.25, 0.5]))
+    assert forces["end"] + forces["guide"] == pytest.approx([2.5, 0.5], rel=1e-12)
+    assert (forces["end"] >= 0).all()
+    assert motion.energy.residual < 1e-12
+
+
+def test_a_body_between_two_walls_without_room_stays():
+    held = Mechanism(
+        {"body": Body(1.0)},
+        frequency=1.0,
+        forces={"push": Force("body", 0.0, 3.0)},
+        walls={"right": Wall(("ground", "body"), 0.5), "left": Wall(("body", "ground"), 0.5)},
+    )
+    motion = simulate(held, 2.0)
+    assert last(motion) == pytest.approx([0.0, 0.0], abs=0.0)
+    assert not motion.events
+
+
+def test_stick_is_decided_anew_after_an_impact():
+    """A ball strikes a block that sticks; the block slides until friction has used up what it was given."""
+    mechanism = Mechanism(
+        {"ball": Body(1.0), "block": Body(2.0)},
+        frictions={"floor": Friction(("ground", "block"), 3.0, 4.0)},
+        walls={"face": Wall(("block", "ball"), 0.5)},
+        start={"ball": (-1.0, 2.0)},
+    )
+    motion = simulate(mechanism, 3.0)
+    assert kinds(motion) == ["impact", "stick ended", "stick begun"]
+    given = 1.5 * 2.0 / (1 + 1 / 2) / 2.0
+    assert motion.events[2].time - 0.5 == pytest.approx(given / (3.0 / 2.0), rel=1e-12)
+    assert last(motion)[1] == pytest.approx(given**2 / 2 / 1.5, rel=1e-12)
+
+
+def test_a_start_beyond_the_gap_is_refused():
+    with pytest.raises(
+        MechanismError, match=r"walls.floor: at the start 'ground' is 0.1 m too far from 'ball'"
+    ):
+        simulate(ball(0.5, (-0.1, 0.0)), 1.0)
+
+
+def test_a_start_on_the_wall_with_a_closing_rate_begins_with_an_impact():
+    motion = simulate(ball(0.5, (0.0, -2.0)), 0.1)
+    assert (motion.events[0].time, motion.events[0].kind.value, motion.events[0].speed) == (
+        0.0,
+        "impact",
+        2.0,
+    )
+
+
+def test_derivatives_over_impacts_and_rest_are_those_of_the_motion():
+    """Differences of motions against the saltation matrices, with friction between impacts."""
+    mechanism = Mechanism(
+        {"a": Body(1.0), "b": Body(0.5)},
+        frequency=1.0,
+        links={"held": Link(("ground", "a"), 30.0, 0.4), "coupled": Link(("a", "b"), 15.0, 0.2)},
+        frictions={"rub": Friction(("ground", "b"), 0.3)},
+        forces={"push": Force("a", 0.0, 8.0)},
+        walls={"right": Wall(("ground", "b"), 0.7, gap=0.1), "between": Wall(("b", "a"), 0.4, gap=0.05)},
+    )
+    start = np.array([0.02, 0.03, 0.1, 0.4])
+    motion = simulate(mechanism, 2.6, state=start)
+    assert sum(kind == "impact" for kind in kinds(motion)) > 4
+    step = 1e-7
+    columns = [
+        (last(simulate(mechanism, 2.6, state=start + h)) - last(simulate(mechanism, 2.6, state=start - h)))
+        / (2 * step)
+        for h in step * np.eye(4)
+    ]
+    exact = motion.course.monodromy
+    assert np.column_stack(columns) == pytest.approx(exact, abs=1e-4 * abs(exact).max())
+
+
+def test_a_wall_is_as_far_from_a_stiff_stop_as_that_is_stiff():
+    """A stop of growing stiffness without loss tends to a wall with restitution one."""
+    driven = Mechanism(
+        {"body": Body(1.0)},
+        frequency=0.4,
+        links={"spring": Link(("ground", "body"), 4.0, 0.2)},
+        forces={"push": Force("body", 0.0, 1.0)},
+        walls={"stop": Wall(("ground", "body"), 1.0, gap=0.2)},
+        outputs={"x": Output({"body": 1.0})},
+    )
+    wall = simulate(driven, 6.0).output("x", [6.0])[0]
+    from trimmer.mechanism import Stop
+
+    apart = []
+    for stiffness in (1e6, 1e8):
+        stop = Stop(("ground", "body"), stiffness, 0.0, 0.2)
+        soft = simulate(replace(driven, walls={}, stops={"stop": stop}), 6.0)
+        apart.append(abs(soft.output("x", [6.0])[0] - wall))
+    assert apart[1] < 0.2 * apart[0] < 0.02
