@@ -73,8 +73,9 @@ def _of_laws(derivation: MechanismDerivation, dimensions: Dimensions) -> Expecte
             for case in _cases(expression):
                 yield f"law of contact of {name}", case, expected
     for wall in derivation.walls:
-        yield f"impulse of {wall.wall.name}", wall.impulse, FORCE * TIME
-        yield f"force of {wall.wall.name} at rest", wall.held, FORCE
+        force = ENERGY / dimensions[wall.wall.distance]
+        yield f"impulse of {wall.wall.name}", wall.impulse, force * TIME
+        yield f"force of {wall.wall.name} at rest", wall.held, force
     for friction in derivation.frictions:
         force = POWER / dimensions[friction.friction.rate]
         yield f"kinetic force of {friction.friction.name}", friction.friction.kinetic, force
