@@ -8,8 +8,6 @@ import numpy as np
 
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.statuses import COMPLETED, IMPACT, TOGETHER
-from trimmer.hybrid.nodes import sample
-from trimmer.hybrid.work import Log
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -32,10 +30,7 @@ def impact_at(course: Course, row: int) -> tuple[float, float]:
 def state_before(course: Course, row: int) -> Reals:
     """Return the extended state, (N,), just before an event."""
     log = course.log
-    if log.start[row] == log.start[row - 1]:
-        return np.asarray(log.state[row - 1])
-    segment = Log._make(each[row - 1 : row] for each in log)
-    return np.asarray(sample(course.modes.tables, segment, log.start[row : row + 1])[0])
+    return course.before(row) if log.start[row] > log.start[row - 1] else np.asarray(log.state[row - 1])
 
 
 def losses_at_walls(course: Course) -> dict[str, float]:

@@ -15,9 +15,9 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.nodes import Nodes, nodes, sample
-from trimmer.hybrid.system import NOTHING
+from trimmer.hybrid.system import NOTHING, OWN_KINDS
 from trimmer.hybrid.tables import Modes
-from trimmer.hybrid.variation import propagated, propagator
+from trimmer.hybrid.variation import propagated
 from trimmer.hybrid.work import Log
 
 
@@ -92,10 +92,19 @@ class Course:
 
     def before(self, row: int) -> Reals:
         """Return the extended state, (N,), just before the event that begins a row of the log."""
-        log = self.log
-        elapsed = float(log.start[row] - log.start[row - 1])
-        state: Reals = propagator(self.modes, int(log.mode[row - 1]), elapsed) @ log.state[row - 1]
+        segment = Log._make(each[row - 1 : row] for each in self.log)
+        state: Reals = sample(self.modes.tables, segment, self.log.start[row : row + 1])[0]
         return state
+
+    @cached_property
+    def segment_ends(self) -> Reals:
+        """Extended states at the end of each segment, just before what ends it, (rows, N)."""
+        log, impulse = self.log, self.modes.system.impulse
+        ends = np.vstack([log.state[1:], self.states(np.array([self.duration]))])
+        for row in np.flatnonzero(log.kind[1:] >= OWN_KINDS) + 1:
+            if log.start[row] > log.start[row - 1] and impulse(int(log.part[row]), int(log.kind[row])):
+                ends[row - 1] = self.before(row)
+        return ends
 
     @property
     def times(self) -> Reals:

@@ -40,7 +40,7 @@ def _points(course: Course) -> tuple[Reals, Integers, Reals]:
     """Return times, rows of the log and states of nodes and of both ends of segments, in their order."""
     log, nodes = course.log, course.nodes
     lasting = np.flatnonzero(durations(course) > 0)
-    ends = np.vstack([log.state[1:], course.states(np.array([course.duration]))])[lasting]
+    ends = course.segment_ends[lasting]
     until = np.append(log.start[1:], course.duration)[lasting]
     times = np.concatenate([log.start[lasting], nodes.times, until])
     rows = np.concatenate([lasting, nodes.rows, lasting])
