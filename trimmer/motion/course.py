@@ -101,7 +101,7 @@ class Course:
         """Extended states at the end of each segment, just before what ends it, (rows, N)."""
         log, impulse = self.log, self.modes.system.impulse
         ends = np.vstack([log.state[1:], self.states(np.array([self.duration]))])
-        for row in np.flatnonzero(log.kind[1:] >= OWN_KINDS) + 1:
+        for row in (np.flatnonzero(log.kind[1:] >= OWN_KINDS) + 1).tolist():
             if log.start[row] > log.start[row - 1] and impulse(int(log.part[row]), int(log.kind[row])):
                 ends[row - 1] = self.before(row)
         return ends
