@@ -249,9 +249,10 @@ def settle(system: System, mode: Mode, state: np.ndarray, time: float) -> np.nda
     if dynamics.sticking is not None:
         y = extend(system, state, time)
         slip = np.array([system.frictions[place].velocity @ y for place in dynamics.sticking_places])
-        directions = dynamics.sticking.directions / np.sqrt(system.masses)
+        factor = np.linalg.cholesky(system.mass)
+        directions = np.linalg.solve(factor, dynamics.sticking.directions.T).T
         change = np.linalg.lstsq(directions, slip, rcond=1e-9)[0]
-        state[count : 2 * count] -= change / np.sqrt(system.masses)
+        state[count : 2 * count] -= np.linalg.solve(factor.T, change)
     y = extend(system, state, time)
     for contact, its in zip(system.contacts, mode.contacts, strict=True):
         if contact.has_state and its.touching:

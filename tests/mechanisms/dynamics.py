@@ -8,12 +8,13 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from scipy.linalg import block_diag, eigh
 
 from tests.mechanisms.parts import Contact, ContactMode, Curved, DryFriction
 from tests.mechanisms.rows import Rows
 from tests.mechanisms.sticking import Sticking, stick_together
 from tests.mechanisms.waves import constant
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, Structure
 from trimmer.mechanism.parts import Link
 
 ROUNDING = 1e-14
@@ -46,6 +47,20 @@ class Dynamics:
     sticking_places: list[int]
 
 
+def matrices_of(structure: Structure) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Mass, damping and stiffness of a structure."""
+    if structure.modes is not None:
+        omega = 2 * math.pi * np.array(structure.modes.frequency)
+        return np.eye(len(omega)), np.diag(2 * structure.modes.damping_ratio * omega), np.diag(omega**2)
+    mass, stiffness = np.array(structure.mass), np.array(structure.stiffness)
+    if structure.damping is not None or not structure.damping_ratio:
+        given = structure.damping
+        return mass, np.zeros_like(mass) if given is None else np.array(given), stiffness
+    values, modes = eigh(stiffness, mass)
+    twice = 2 * structure.damping_ratio * np.sqrt(np.where(values > 1e-9 * values.max(), values, 0.0))
+    return mass, mass @ modes @ np.diag(twice) @ modes.T @ mass, stiffness
+
+
 @dataclass
 class System:
     """A mechanism, and its dynamics in each mode that was met."""
@@ -68,9 +83,21 @@ class System:
         parts = (*self.mechanism.links.values(), *self.mechanism.frictions.values())
         self.curves = tuple(Curved(part, self.rows) for part in parts if part.curve)
 
+    @cached_property
+    def matrices(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Mass of all, damping and stiffness of structures, from the definition."""
+        masses = [body.mass or body.inertia for body in self.mechanism.bodies.values()]
+        bodies = (np.diag(masses), *(np.zeros((len(masses),) * 2) for _ in range(2)))
+        parts = [matrices_of(structure) for structure in self.mechanism.structures.values()]
+        return tuple(block_diag(*each) for each in zip(bodies, *parts, strict=True))
+
+    @property
+    def mass(self) -> np.ndarray:
+        return self.matrices[0]
+
     @property
     def masses(self) -> np.ndarray:
-        return np.array([body.mass or body.inertia for body in self.mechanism.bodies.values()])
+        return self.mass.diagonal()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -107,7 +134,10 @@ class System:
 
     def _smooth_force(self) -> np.ndarray:
         """Rows of the force on each body from links and prescribed forces."""
-        force = np.zeros((len(self.rows.bodies), self.rows.size))
+        force, count = np.zeros((len(self.rows.bodies), self.rows.size)), len(self.rows.bodies)
+        _, damping, stiffness = self.matrices
+        force[:, :count] -= stiffness
+        force[:, count : 2 * count] -= damping
         for link in self.mechanism.links.values():
             stretch, rate = self.rows.distance(link.between), self.rows.rate(link.between)
             self._pull(force, link.between, link.stiffness * stretch + link.damping * rate)
@@ -120,14 +150,14 @@ class System:
         ends = [self.frictions[place].part.between for place in places]
         directions = np.array([self.rows.direction(between) for between in ends])
         prescribed = np.array([self.rows.prescribed_acceleration(between) for between in ends])
-        return stick_together(directions, self.masses, force, prescribed)
+        return stick_together(directions, self.mass, force, prescribed)
 
     def _rates(self, mode: Mode, force: np.ndarray) -> np.ndarray:
         count = len(self.rows.bodies)
         rates = self.rows.clock()
         for body in range(count):
             rates[body] = self.rows.unit(count + body)
-        rates[count : 2 * count] = force / self.masses[:, None]
+        rates[count : 2 * count] = np.linalg.solve(self.mass, force)
         with_state = [
             (part, its) for part, its in zip(self.contacts, mode.contacts, strict=True) if part.has_state
         ]

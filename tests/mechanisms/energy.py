@@ -21,6 +21,7 @@ class Energy:
         links: Lost in dampers of links, by name.
         contacts: Lost in plays and stops, by name.
         frictions: Lost in frictions, by name.
+        structures: Lost in all structures.
     """
 
     change: float
@@ -28,12 +29,13 @@ class Energy:
     links: dict[str, float]
     contacts: dict[str, float]
     frictions: dict[str, float]
+    structures: float
 
     @property
     def unbalance(self) -> float:
         """What is left over."""
         lost = (*self.links.values(), *self.contacts.values(), *self.frictions.values())
-        return self.supplied - self.change - sum(lost)
+        return self.supplied - self.change - sum(lost) - self.structures
 
 
 def energy(motion: BruteMotion) -> Energy:
@@ -66,7 +68,13 @@ def energy(motion: BruteMotion) -> Energy:
             return -system.dynamics(piece.mode).friction_forces[place]
 
         frictions[friction.name] = work(rubbing, lambda _, friction=friction: friction.velocity)
-    return Energy(_change(motion), _supplied(motion), links, contacts, frictions)
+    count, (_, damping, _) = len(rows.bodies), system.matrices
+
+    def power(_times, y: np.ndarray, _piece: Piece) -> np.ndarray:
+        return np.einsum("it,ij,jt->t", y[count : 2 * count], damping, y[count : 2 * count])
+
+    lost = float(integral(motion, power))
+    return Energy(_change(motion), _supplied(motion), links, contacts, frictions, lost)
 
 
 def _ends(motion: BruteMotion) -> tuple[tuple[np.ndarray, Piece], tuple[np.ndarray, Piece]]:
@@ -104,7 +112,8 @@ def _change(motion: BruteMotion) -> float:
             link.stiffness / 2 * float(system.rows.distance(link.between) @ y) ** 2
             for link in system.mechanism.links.values()
         )
-        return float(system.masses @ y[count : 2 * count] ** 2) / 2 + springs
+        (mass, _, stiffness), q, v = system.matrices, y[:count], y[count : 2 * count]
+        return float(v @ mass @ v + q @ stiffness @ q) / 2 + springs
 
     stored = sum(_stored_in(motion, place) for place in range(len(system.contacts)))
     return held(ended) - held(begun) + stored

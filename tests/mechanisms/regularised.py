@@ -72,7 +72,7 @@ class Regularised:
             if contact.has_state:
                 place = 2 * count + system.rows.relaxing.index(contact.name)
                 rates[place] = (tension - contact.part.stiffness * y[place]) / contact.part.damping
-        rates[count : 2 * count] += force / system.masses
+        rates[count : 2 * count] += np.linalg.solve(system.mass, force)
         return rates
 
     def _tension(self, contact: Contact, y: np.ndarray, length: float) -> float:

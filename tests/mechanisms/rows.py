@@ -32,7 +32,7 @@ class Rows:
 
     def __post_init__(self):
         mechanism = self.mechanism
-        self.bodies = tuple(mechanism.bodies)
+        self.bodies = tuple(mechanism.coordinates)
         contacts = {**mechanism.plays, **mechanism.stops}
         self.relaxing = tuple(
             name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
@@ -106,6 +106,11 @@ class Rows:
         if end in self.mechanism.points:
             weights = self.mechanism.points[end].weights
             return np.array([weights.get(body, 0.0) for body in self.bodies])
+        structure, _, point = end.partition(".")
+        if structure in self.mechanism.structures and (model := self.mechanism.structures[structure].modes):
+            shape = dict(enumerate(model.shapes.get(point, ()), 1))
+            ends = {f"{structure}.mode{number}": float(each) for number, each in shape.items()}
+            return np.array([ends.get(body, float(body == end)) for body in self.bodies])
         return np.array([float(body == end) for body in self.bodies])
 
     def moved(self, end: str, first: int) -> np.ndarray:

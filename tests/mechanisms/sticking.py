@@ -40,21 +40,21 @@ class Sticking:
 
 
 def stick_together(
-    directions: np.ndarray, masses: np.ndarray, force: np.ndarray, prescribed: np.ndarray
+    directions: np.ndarray, mass: np.ndarray, force: np.ndarray, prescribed: np.ndarray
 ) -> Sticking:
     """Return the forces that keep relative accelerations zero.
 
     Args:
         directions: J.
-        masses: Of the bodies.
+        mass: Matrix of all bodies.
         force: Rows of all other forces on the bodies.
         prescribed: Rows b of the prescribed relative accelerations.
     """
-    scaled = directions / np.sqrt(masses)
+    scaled = np.linalg.solve(np.linalg.cholesky(mass), directions.T).T
     length = np.linalg.norm(scaled, axis=1)
     length[length == 0] = 1.0
     unit = scaled / length[:, None]
-    wanted = -(prescribed + directions @ (force / masses[:, None])) / length[:, None]
+    wanted = -(prescribed + directions @ np.linalg.solve(mass, force)) / length[:, None]
     forces = np.linalg.pinv(unit @ unit.T, rcond=RANK, hermitian=True) @ wanted / length[:, None]
     null = null_space(unit.T, rcond=RANK) / length[:, None]
     return Sticking(directions, null, forces, null.T @ prescribed)

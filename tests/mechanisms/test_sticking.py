@@ -24,7 +24,7 @@ def test_the_dual_gives_the_load_that_linear_programming_gives(seed):
         if start >= 0:
             directions[row, start] -= 1
     masses, force = random.uniform(0.1, 10, 3), random.normal(size=(3, 1))
-    sticking = stick_together(directions, masses, force, np.zeros((len(ends), 1)))
+    sticking = stick_together(directions, np.diag(masses), force, np.zeros((len(ends), 1)))
     limits = random.uniform(0.1, 2, len(ends))
     forces = sticking.forces[:, 0]
     by_dual = max(abs(w @ forces) / (np.abs(w) @ limits) for w in smallest_supports(sticking.null))

@@ -9,8 +9,11 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
+from tests.mechanisms.brute_force import BruteForce
+from tests.mechanisms.energy import energy
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
+from tests.trimmer.contact.test_against_brute_force import compare
 from trimmer import forced_orbit, simulate
 from trimmer.contact.frame import frame_of
 from trimmer.mechanism import (
@@ -95,6 +98,20 @@ def test_a_machine_moves_alike_in_other_coordinates(seed: int) -> None:
     assert other.energy.kinetic == pytest.approx(one.energy.kinetic, rel=1e-7, abs=1e-9 * one.energy.loss)
 
 
+@pytest.mark.parametrize("seed", quick(range(40), 1))
+def test_random_structures_against_brute_force(seed: int) -> None:
+    compare(in_other_coordinates(random_mechanism(seed), seed), 2, known=0.5)
+
+
+def test_what_a_structure_loses_is_what_brute_force_finds() -> None:
+    mechanism = in_other_coordinates(random_mechanism(60), 60)
+    period = 1 / mechanism.frequency
+    brute = energy(BruteForce(1e-10).from_rest(mechanism, period))
+    assert brute.unbalance == pytest.approx(0.0, abs=1e-8 * abs(brute.supplied))
+    lost = simulate(mechanism, period).energy.structures["other"]
+    assert lost == pytest.approx(brute.structures, rel=1e-8)
+
+
 def as_structure(mechanism: Mechanism, structure: Structure) -> Mechanism:
     """Return the mechanism with bodies and links replaced by a structure whose ends have their names."""
     ends = {name: f"chain.{name}" for name in mechanism.bodies}
@@ -130,6 +147,7 @@ def all_modes(mechanism: Mechanism) -> ModalModel:
 def test_matrices_or_all_modes_of_a_chain_are_the_chain() -> None:
     own, orbit = matrices_of_bodies(CHAIN), forced_orbit(CHAIN)
     names = tuple(CHAIN.bodies)
+    compare(as_structure(CHAIN, Structure(modes=all_modes(CHAIN))), 2, known=0.9)
     whole = Structure(own.mass, own.stiffness, own.damping, coordinates=names)
     for structure in (whole, Structure(modes=all_modes(CHAIN))):
         other = forced_orbit(as_structure(CHAIN, structure))
