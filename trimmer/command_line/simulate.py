@@ -21,6 +21,7 @@ from trimmer.command_line.parser import (
     ENDED_EARLY,
     INTERRUPTED,
     OptionError,
+    is_given,
     note,
     refuse_unused,
     require_positive,
@@ -31,9 +32,11 @@ from trimmer.command_line.state_option import add_state_option
 from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
+from trimmer.messages import listed, near_match
 
 if TYPE_CHECKING:
     from trimmer.loops.motion import LoopMotion
+    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
@@ -91,13 +94,14 @@ def _run(arguments: Namespace) -> int:
 
 def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
-    system = chosen_system(arguments)
+    system = chosen_system(arguments, ("displacement",))
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.command_line.mechanisms import motion_text as of_mechanism
     from trimmer.loops.simulation import SimulationInterrupted, simulate_loop
     from trimmer.mechanism.mechanism import Mechanism
 
     if isinstance(system, Mechanism):
+        _check_output(arguments, system)
         moved = mechanism_motion(arguments, system)
         return moved, (of_mechanism.as_json if arguments.json else of_mechanism.as_text)(moved)
     start = list(start_of_loop(arguments, system).values())
@@ -110,6 +114,18 @@ def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     except ValueError as error:
         raise unusable(arguments, error) from error
     return motion, (of_loop.as_json if arguments.json else of_loop.as_text)(motion)
+
+
+def _check_output(arguments: Namespace, mechanism: Mechanism) -> None:
+    """Check the output of a mechanism that is written first, and as sound."""
+    if not is_given(arguments, "displacement"):
+        return
+    if arguments.csv is None and arguments.wav is None:
+        raise OptionError("--output has no effect without --csv or --wav: add that, or leave it out")
+    name, known = arguments.displacement, mechanism.outputs or mechanism.bodies
+    if name not in known:
+        there = near_match(name, known) or f"there are {listed(known)}"
+        raise OptionError(f"--output {name}: there is no such output; {there}")
 
 
 def _check_duration(arguments: Namespace) -> None:
@@ -137,7 +153,9 @@ def _write(arguments: Namespace, motion: LoopMotion | MechanismMotion) -> None:
     if arguments.csv is None and arguments.wav is None:
         return
     _note_aliasing(motion, arguments)
-    output, *others = _signals(motion, arguments.sample_rate)
+    signals = _signals(motion, arguments.sample_rate)
+    chosen = arguments.displacement if is_given(arguments, "displacement") else signals[0].name
+    output, *others = sorted(signals, key=lambda each: each.name != chosen)
     if arguments.csv is not None:
         write_signal(arguments.csv, output, *others, overwrite=arguments.overwrite)
     if arguments.wav is not None:

@@ -46,8 +46,12 @@ def add_system_options(
     add_motion_options(parser, output_is_file=output_is_file)
 
 
-def chosen_system(arguments: Namespace) -> Mechanism | TrimmerLoop:
+def chosen_system(arguments: Namespace, but: tuple[str, ...] = ()) -> Mechanism | TrimmerLoop:
     """Return the mechanism or the loop that the options choose, with the numbers that are set.
+
+    Args:
+        arguments: Parsed options.
+        but: Options of loops that mean something for a mechanism too.
 
     Raises:
         TrimmerError: if options contradict each other or cannot be used; if options of loops are given beside
@@ -55,7 +59,7 @@ def chosen_system(arguments: Namespace) -> Mechanism | TrimmerLoop:
     """
     if arguments.file is None:
         return chosen_loop(arguments)
-    refuse_loop_options(arguments)
+    refuse_loop_options(arguments, but)
     return chosen_mechanism(arguments)
 
 

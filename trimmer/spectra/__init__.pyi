@@ -6,6 +6,7 @@ from .averaged import AveragedLine as AveragedLine
 from .averaged import AveragedSpectrum as AveragedSpectrum
 from .averaged import averaged_spectrum as averaged_spectrum
 from .classification import ClassifiedPeak as ClassifiedPeak
+from .classification import DriveFraction as DriveFraction
 from .classification import Harmonic as Harmonic
 from .classification import LimitCycleLine as LimitCycleLine
 from .classification import Match as Match

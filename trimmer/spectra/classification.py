@@ -25,6 +25,12 @@ TOLERANCE_BINS = 1.0
 MODEL_TOLERANCE = 0.01
 """How far a frequency that a model predicts may be off, relative."""
 
+DENOMINATORS = range(2, 7)
+"""Denominators of the fractions of the drive that are looked for."""
+
+FRACTION_BINS = 0.1
+"""Share of the tolerance in bins for fractions, which lie so close that any peak is near one."""
+
 ODD_ORDERS = (1, 3, 5)
 """Harmonics of a limit cycle that are looked for: an odd element has odd ones only."""
 
@@ -53,6 +59,26 @@ class Harmonic:
         if self.order == 1:
             return "drive"
         return f"harmonic {self.order} ({'odd' if self.odd else 'even'})"
+
+
+@final
+@dataclass(frozen=True)
+class DriveFraction:
+    """A line between the harmonics: a multiple of a fraction of the drive, reduced, so that 2/6 is 1/3.
+
+    Attributes:
+        numerator, denominator: p and q of p/q, without a common factor, q from 2 on.
+        frequency: Frequency, Hz.
+    """
+
+    numerator: int
+    denominator: int
+    frequency: float
+
+    @property
+    def label(self) -> str:
+        """Text for tables: the fraction."""
+        return f"{self.numerator}/{self.denominator} of the drive"
 
 
 @final
@@ -96,7 +122,7 @@ class LimitCycleLine:
         return f"limit cycle {self.number}{harmonic}"
 
 
-Origin = Harmonic | NaturalMode | LimitCycleLine
+Origin = Harmonic | DriveFraction | NaturalMode | LimitCycleLine
 
 
 @final
@@ -127,8 +153,9 @@ class ClassifiedPeak:
 
     Attributes:
         peak: The peak.
-        candidates: The nearest harmonic, natural mode and limit cycle, as far as there are any, the one first
-            whose distance is the smallest part of its tolerance.
+        candidates: The nearest harmonic, a fraction of the drive that fits, the nearest natural mode and
+            limit cycle, as far as there are any, the one first whose distance is the smallest part of its
+            tolerance.
     """
 
     peak: Peak
@@ -228,13 +255,27 @@ def classify(
     def candidates(peak: Peak) -> Iterator[Match]:
         if drive_frequency is not None:
             order = max(1, round(peak.frequency / drive_frequency))
-            yield _match(peak, Harmonic(order, order * drive_frequency), bin_width, tolerance.bins)
+            harmonic = _match(peak, Harmonic(order, order * drive_frequency), bin_width, tolerance.bins)
+            yield harmonic
+            if not harmonic.fits:
+                yield from _fractions(peak, drive_frequency, bin_width, FRACTION_BINS * tolerance.bins)
         for origins in filter(None, (modes, lines)):
             nearest = min(origins, key=lambda origin: abs(origin.frequency - peak.frequency))
             allowed = max(tolerance.bins, tolerance.model * nearest.frequency / bin_width)
             yield _match(peak, nearest, bin_width, allowed)
 
     return tuple(ClassifiedPeak(peak, tuple(sorted(candidates(peak), key=_share))) for peak in peaks)
+
+
+def _fractions(peak: Peak, drive: float, bin_width: float, tolerance: float) -> Iterator[Match]:
+    """Yield the fraction of the drive with the least denominator that a peak may be, if any."""
+    for denominator in DENOMINATORS:
+        numerator = round(peak.frequency / drive * denominator)
+        origin = DriveFraction(numerator, denominator, numerator * drive / denominator)
+        match = _match(peak, origin, bin_width, tolerance)
+        if numerator and math.gcd(numerator, denominator) == 1 and match.fits:
+            yield match
+            return
 
 
 def fundamentals(

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.classification import (
     ClassifiedPeak,
+    DriveFraction,
     Harmonic,
     LimitCycleLine,
     NaturalMode,
@@ -44,6 +45,17 @@ def test_a_natural_mode_and_a_limit_cycle_are_found() -> None:
     assert third is not None
     assert third.origin == LimitCycleLine(1, 3, pytest.approx(2200.8))
     assert only(1467.2, limit_cycle_frequencies=[733.6]).explanation is None  # even: no candidate
+
+
+def test_a_line_between_the_harmonics_is_a_reduced_fraction_of_the_drive() -> None:
+    third = only(2 * 110.0 / 6 + 0.05, drive_frequency=110.0).explanation
+    assert third is not None
+    assert third.origin == DriveFraction(1, 3, pytest.approx(110.0 / 3))
+    assert third.origin.label == "1/3 of the drive"
+    beside = only(165.0, drive_frequency=110.0)
+    assert [type(match.origin) for match in beside.candidates] == [DriveFraction, Harmonic]
+    assert only(165.3, drive_frequency=110.0).explanation is None  # By more than a tenth of a bin.
+    assert only(330.0, drive_frequency=110.0).candidates[0].origin == Harmonic(3, 330.0)
 
 
 def test_the_fifth_harmonic_of_110_hz_falls_on_the_third_mode() -> None:
@@ -90,7 +102,12 @@ def test_candidates_are_the_nearest_of_each_kind_and_the_best_comes_first(
         Harmonic: drive is not None,
         NaturalMode: any(modes),
         LimitCycleLine: bool(cycles) and (drive is None or closed),
+        DriveFraction: DriveFraction in kinds,
     }
+    assert not (
+        DriveFraction in kinds
+        and any(each.fits for each in classified.candidates if isinstance(each.origin, Harmonic))
+    )
     assert sorted(kinds, key=str) == sorted([kind for kind, there in expected.items() if there], key=str)
     shares = [abs(match.distance) / match.tolerance for match in classified.candidates]
     assert shares == sorted(shares)

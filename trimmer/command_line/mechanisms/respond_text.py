@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document
@@ -162,11 +163,7 @@ def _lines(motion: SettledMotion, name: str) -> str:
     largest = max((size for *_, size in lines), default=0.0)
     shown = sorted(lines, key=lambda line: -line[2])[:LARGE_LINES]
     kept = sorted(line for line in shown if line[2] > SMALL * largest)
-    return ", ".join(f"{_ratio(p, k)}: {size:.6g}" for p, k, size in kept) or "none"
-
-
-def _ratio(p: int, k: int) -> str:
-    return f"{p // k}" if p % k == 0 else f"{p}/{k}"
+    return ", ".join(f"{Fraction(p, k)}: {size:.6g}" for p, k, size in kept) or "none"
 
 
 def _headed(head: str, units: Mapping[str, str]) -> tuple[str, Mapping[str, str]]:

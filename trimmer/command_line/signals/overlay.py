@@ -23,6 +23,8 @@ from trimmer.files import STANDARD_INPUT
 from trimmer.messages import near_match
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.spectra.comparison import SimulatedLines
 
@@ -58,10 +60,10 @@ def _run(arguments: Namespace) -> int:
     sources = {"file": "the file of the signal", "against": "the file of the mechanism"}
     check_targets(arguments, {"plot": PICTURES}, sources)
     mechanism = mechanism_with(arguments.against, arguments.set)
-    output = _output(arguments, mechanism)
+    output = chosen_output(arguments.against, mechanism, arguments.output)
     chosen = chosen_recording(arguments)
     with patience():
-        lines, told = _simulated(mechanism, output)
+        lines, told = simulated_lines(mechanism, output)
     try:
         comparison = compare_motions(chosen.signal, lines, arguments.drive)
     except SignalError as error:
@@ -73,21 +75,25 @@ def _run(arguments: Namespace) -> int:
     return 0
 
 
-def _output(arguments: Namespace, mechanism: Mechanism) -> str:
-    """Choose the output that is compared."""
+def chosen_output(against: Path, mechanism: Mechanism, output: str | None) -> str:
+    """Choose the output that is compared.
+
+    Raises:
+        OptionError: if none is chosen of several, or there is none of the name.
+    """
     names = list(mechanism.outputs)
     listed = ", ".join(names) or "none"
-    if arguments.output is None and len(names) == 1:
+    if output is None and len(names) == 1:
         return names[0]
-    if arguments.output is None:
-        raise OptionError(f"{arguments.against}: choose the output that was measured (--output): {listed}")
-    if arguments.output not in names:
-        there = near_match(arguments.output, names) or f"there are {listed}"
-        raise OptionError(f"{arguments.against}: there is no output {arguments.output!r}; {there}")
-    return str(arguments.output)
+    if output is None:
+        raise OptionError(f"{against}: choose the output that was measured (--output): {listed}")
+    if output not in names:
+        there = near_match(output, names) or f"there are {listed}"
+        raise OptionError(f"{against}: there is no output {output!r}; {there}")
+    return output
 
 
-def _simulated(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
+def simulated_lines(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
     """Return the lines of what the mechanism settles to from its start, and what that is, in words."""
     from trimmer.response.respond import respond
     from trimmer.spectra.comparison import SimulatedLines

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -46,7 +47,7 @@ class Compared:
 def as_text(compared: Compared) -> str:
     """Return what was compared, how it was aligned, and the lines side by side."""
     return "\n\n".join(
-        "\n".join(part) for part in (_head(compared), _alignment(compared), _lines(compared.comparison))
+        "\n".join(part) for part in (_head(compared), _alignment(compared), line_rows(compared.comparison))
     )
 
 
@@ -69,13 +70,14 @@ def as_json(compared: Compared) -> str:
         "inverted_residual": comparison.inverted_residual,
         "rest": comparison.rest,
         "uncertainty": comparison.uncertainty,
-        "lines": [_line_json(comparison, place) for place in range(comparison.measured.size)],
+        "lines": [line_json(comparison, place) for place in range(comparison.measured.size)],
         "notes": _notes(compared),
     }
     return document(content)
 
 
-def _line_json(comparison: MotionComparison, place: int) -> dict[str, Any]:
+def line_json(comparison: MotionComparison, place: int) -> dict[str, Any]:
+    """Return a line of both motions, by its place, as data for JSON."""
     difference = float(comparison.decibels[place])
     return {
         "order": [place + 1, comparison.period_count],
@@ -144,12 +146,13 @@ def _alignment(compared: Compared) -> Iterator[str]:
     )
 
 
-def _lines(comparison: MotionComparison) -> Iterator[str]:
+def line_rows(comparison: MotionComparison) -> Iterator[str]:
+    """Yield a table of the lines of both motions; fractions of the drive are reduced."""
     unit, count = comparison.signal.unit, comparison.period_count
     largest = max(float(np.abs(comparison.measured).max()), float(np.abs(comparison.simulated).max()))
     rows = [
         (
-            f"{place + 1}" if count == 1 else f"{place + 1}/{count}",
+            str(Fraction(place + 1, count)),
             f"{comparison.frequencies[place]:.6g}",
             f"{measured:.5g}",
             f"{simulated:.5g}",

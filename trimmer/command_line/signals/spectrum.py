@@ -11,13 +11,16 @@ from trimmer.command_line.file_options import (
     PICTURES,
     add_overwrite_option,
     check_targets,
+    file_to_read,
     file_to_write,
     show,
 )
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
 from trimmer.command_line.number_options import positive, positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
-from trimmer.command_line.parser import OptionError, refuse_unused
+from trimmer.command_line.parser import OptionError, as_option, is_given, refuse_unused
+from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import ChosenRecording, add_signal_options, chosen_recording
 from trimmer.files import CSV, STANDARD_INPUT, WAV
 
@@ -28,6 +31,7 @@ if TYPE_CHECKING:
     from trimmer.signals.wav import WavFile
     from trimmer.spectra.analysis import SpectrumAnalysis
     from trimmer.spectra.averaged import AveragedSpectrum
+    from trimmer.spectra.comparison import MotionComparison
 
 WINDOWS = ("rectangular", "hann", "blackman-harris", "flat-top")
 BIT_DEPTHS = (16, 24)
@@ -55,6 +59,14 @@ def _configure(parser: ArgumentParser) -> None:
         help="the pin follows the output although there is a drive; else a driven trimmer is not said to "
         "have a limit cycle, which needs that feedback",
     )
+    parser.add_argument(
+        "--against",
+        type=file_to_read,
+        metavar="FILE",
+        help="mechanism, a TOML file, whose natural modes, with its contacts closed and open, are looked for "
+        "in place of the thesis's, and whose motion stands beside; --output names its output",
+    )
+    add_set_option(parser)
     parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
     parser.add_argument(
         "--limit", type=positive_whole, metavar="N", default=20, help="number of peaks (default: 20)"
@@ -90,7 +102,8 @@ def _run(arguments: Namespace) -> int:
     _check(arguments)
     chosen = chosen_recording(arguments)
     signal = chosen.signal
-    predictions = _predictions(arguments)
+    against = None if arguments.against is None else _against(arguments, signal)
+    predictions = _predictions(arguments) if against is None else against[0]
     try:
         analysis = _analysis(arguments, signal, predictions)
         averaged = _averaged(arguments, chosen)
@@ -99,21 +112,35 @@ def _run(arguments: Namespace) -> int:
         _write_csv(arguments, signal)
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
-    shown = ShownSignal(arguments.file, analysis, predictions, chosen, averaged, wav)
+    shown = ShownSignal(
+        arguments.file, analysis, predictions, chosen, averaged, wav, None if against is None else against[1]
+    )
     show((as_json if arguments.json else as_text)(shown), arguments.plot, arguments.wav, arguments.csv)
     return 0
 
 
 def _check(arguments: Namespace) -> None:
     """Refuse what cannot be meant, before any work is done."""
-    if arguments.gap is None:
+    if arguments.against is None and arguments.set:
+        raise OptionError("--set is for the mechanism of --against: name its file")
+    if arguments.against is not None:
+        for name in ("gap", "parameters", "channels"):
+            if is_given(arguments, name):
+                raise OptionError(f"{as_option(name)} is of the thesis's trimmer: leave it or --against out")
+    elif arguments.gap is None:
         of_loop = ["displacement", "channels"]
         refuse_unused(arguments, of_loop, "--gap, whose limit cycles are predicted with it")
     if arguments.wav is None:
         refuse_unused(arguments, ["bits"], "--wav")
     if arguments.file == arguments.parameters == STANDARD_INPUT:
         raise OptionError("signal and --parameters cannot both be read from standard input: name a file")
-    sources = {"file": "the file of the signal", "parameters": "the file of the parameters"}
+    if arguments.file == arguments.against == STANDARD_INPUT:
+        raise OptionError("signal and --against cannot both be read from standard input: name a file")
+    sources = {
+        "against": "the file of the mechanism",
+        "file": "the file of the signal",
+        "parameters": "the file of the parameters",
+    }
     check_targets(arguments, {"plot": PICTURES, "wav": {".wav": WAV}, "csv": {"": CSV}}, sources)
 
 
@@ -133,6 +160,34 @@ def _predictions(arguments: Namespace) -> PredictedFrequencies:
         gap=arguments.gap,
         limit_cycles=tuple(cycle.frequency for cycle in cycles if cycle.stable),
     )
+
+
+def _against(arguments: Namespace, signal: Signal) -> tuple[PredictedFrequencies, MotionComparison]:
+    """Return the natural modes of a mechanism, closed contacts before open ones, and its motion beside.
+
+    Raises:
+        OptionError: if its motion does not repeat, or cannot be compared.
+    """
+    from trimmer.command_line.signals.overlay import chosen_output, simulated_lines
+    from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
+    from trimmer.design.linear import linear_states
+    from trimmer.signals.signal import SignalError
+    from trimmer.spectra.comparison import compare_motions
+
+    mechanism = mechanism_with(arguments.against, arguments.set)
+    named = arguments.displacement if is_given(arguments, "displacement") else None
+    named = signal.name if named is None and signal.name in mechanism.outputs else named
+    with patience():
+        lines, _ = simulated_lines(mechanism, chosen_output(arguments.against, mechanism, named))
+    try:
+        comparison = compare_motions(signal, lines, arguments.drive)
+    except SignalError as error:
+        raise OptionError(f"{arguments.file}: {error}") from error
+    if arguments.drive is None and mechanism.frequency is not None:
+        arguments.drive = comparison.frequency
+    modes = [mode.frequency for state in linear_states(mechanism, ()) for mode in state.modes]
+    source = f"{arguments.against}, contacts closed and open"
+    return PredictedFrequencies(source, tuple(dict.fromkeys(modes)), None, ()), comparison
 
 
 def _analysis(arguments: Namespace, signal: Signal, predictions: PredictedFrequencies) -> SpectrumAnalysis:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from trimmer.command_line.json_values import document
+from trimmer.command_line.json_values import document, finite
 from trimmer.command_line.signals.averaged_text import averaged_json, averaged_text
+from trimmer.command_line.signals.overlay_text import line_json, line_rows
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.signals.signal_options import ChosenRecording
 from trimmer.command_line.table import table
@@ -22,14 +25,18 @@ from trimmer.spectra.classification import (
     MODEL_TOLERANCE,
     TOLERANCE_BINS,
     ClassifiedPeak,
+    DriveFraction,
     Harmonic,
     LimitCycleLine,
     Match,
     NaturalMode,
     Origin,
 )
+from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.harmonics import HarmonicFit
 
+LEVELS: Mapping[str, float] = MappingProxyType({"m/s²": 1e-6, "m/s": 1e-9, "m": 1e-12})
+"""Reference rms of the level of a vibration, by its unit: ISO 1683:2015."""
 _SMALLEST_HARMONIC = 1e-4
 """Harmonics that are a smaller part of the largest are left out of the table; JSON has them all."""
 
@@ -62,6 +69,7 @@ class ShownSignal:
         chosen: Its recording, and what is wrong with it.
         averaged: Averaged spectrum of all stretches; None if it was not asked for.
         wav: What was written as sound; None if nothing was.
+        against: It beside the motion of a mechanism; None without one.
     """
 
     file: Path
@@ -70,6 +78,7 @@ class ShownSignal:
     chosen: ChosenRecording
     averaged: AveragedSpectrum | None
     wav: WavFile | None
+    against: MotionComparison | None = None
 
 
 def as_text(shown: ShownSignal) -> str:
@@ -82,6 +91,8 @@ def as_text(shown: ShownSignal) -> str:
     if shown.averaged is not None:
         sections.append(list(averaged_text(shown.averaged, analysis.signal.unit)))
     sections.append(list(_candidates(analysis, predictions)))
+    if shown.against is not None:
+        sections.append(list(line_rows(shown.against)))
     if shown.wav is not None:
         sections.append([_wav_line(shown.wav, analysis)])
     return "\n\n".join("\n".join(lines) for lines in sections)
@@ -103,7 +114,8 @@ def as_json(shown: ShownSignal) -> str:
         "natural_frequencies": predictions.natural_frequencies,
         "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
         "limit_cycle_frequencies": None if predictions.gap is None else predictions.limit_cycles,
-        "peaks": [_peak(classified) for classified in analysis.peaks],
+        "peaks": [_peak(classified, analysis) for classified in analysis.peaks],
+        "against": None if shown.against is None else _against(shown.against),
         "averaged": None if shown.averaged is None else averaged_json(shown.averaged),
         "notes": [*notes_of(shown.chosen, analysis.signal, analysis.doubts), *analysis.notes],
         "wav": None if wav is None else vars(wav) | {"bit_depth": wav.bit_depth.value},
@@ -142,13 +154,18 @@ def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
 
 def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
     amplitude = _with_unit("amplitude", analysis.signal.unit)
-    heads = ("Hz", "+/-", amplitude, "+/-", "may be", "bins off", "or also", "bins off")
+    reference, drive = LEVELS.get(analysis.signal.unit), analysis.harmonics
+    level = () if reference is None else (f"dB re {reference:g} {analysis.signal.unit}",)
+    order = () if drive is None else ("order",)
+    heads = ("Hz", *order, "+/-", amplitude, "+/-", *level, "may be", "bins off", "or also", "bins off")
     rows = [
         (
             f"{classified.peak.frequency:.6g}",
+            *([] if drive is None else [f"{classified.peak.frequency / drive.frequency:.4g}"]),
             f"{classified.peak.frequency_uncertainty:.2g}",
             f"{classified.peak.amplitude:.6g}",
             f"{classified.peak.amplitude_uncertainty:.2g}",
+            *([] if reference is None else [f"{level_of(classified.peak.amplitude, reference):.1f}"]),
             *_match_cells(classified.explanation, "unexplained"),
             *_second_cells(classified),
         )
@@ -156,6 +173,11 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
     ]
     yield "Peaks, placed between bins, with standard deviations as in white noise, by amplitude"
     yield from table(heads, rows)
+
+
+def level_of(amplitude: float, reference: float) -> float:
+    """Return the level of a line, dB: of its rms over a reference."""
+    return 20.0 * math.log10(amplitude / math.sqrt(2.0) / reference) if amplitude > 0 else -math.inf
 
 
 def _candidates(analysis: SpectrumAnalysis, predictions: PredictedFrequencies) -> Iterator[str]:
@@ -185,6 +207,14 @@ def _wav_line(wav: WavFile, analysis: SpectrumAnalysis) -> str:
     )
 
 
+def _against(comparison: MotionComparison) -> dict[str, Any]:
+    return {
+        "period_count": comparison.period_count,
+        "simulated_frequency": comparison.simulated_frequency,
+        "lines": [line_json(comparison, place) for place in range(comparison.measured.size)],
+    }
+
+
 def _fit(fit: HarmonicFit) -> dict[str, Any]:
     return {
         "drive": fit.frequency,
@@ -196,10 +226,13 @@ def _fit(fit: HarmonicFit) -> dict[str, Any]:
     }
 
 
-def _peak(classified: ClassifiedPeak) -> dict[str, Any]:
-    explanation = classified.explanation
+def _peak(classified: ClassifiedPeak, analysis: SpectrumAnalysis) -> dict[str, Any]:
+    explanation, peak = classified.explanation, classified.peak
+    reference, drive = LEVELS.get(analysis.signal.unit), analysis.harmonics
     return {
-        **vars(classified.peak),
+        **vars(peak),
+        "order": None if drive is None else peak.frequency / drive.frequency,
+        "level": None if reference is None else finite(level_of(peak.amplitude, reference)),
         "explanation": None if explanation is None else _origin(explanation.origin),
         "ambiguous": classified.ambiguous,
         "candidates": [
@@ -218,6 +251,8 @@ def _origin(origin: Origin) -> dict[str, Any]:
     match origin:
         case Harmonic():
             return {"kind": "harmonic", **vars(origin), "odd": origin.odd}
+        case DriveFraction():
+            return {"kind": "fraction of the drive", **vars(origin)}
         case NaturalMode():
             return {"kind": "natural mode", **vars(origin)}
         case LimitCycleLine():

@@ -14,7 +14,13 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, colour
 from trimmer.spectra.analysis import SpectrumAnalysis
 from trimmer.spectra.averaged import AveragedSpectrum
-from trimmer.spectra.classification import ClassifiedPeak, Harmonic, LimitCycleLine, NaturalMode
+from trimmer.spectra.classification import (
+    ClassifiedPeak,
+    DriveFraction,
+    Harmonic,
+    LimitCycleLine,
+    NaturalMode,
+)
 from trimmer.spectra.harmonics import HarmonicFit
 from trimmer.spectra.peaks import Peak
 from trimmer.spectra.spectrum import Spectrum
@@ -30,6 +36,7 @@ MARKERS = {
     NaturalMode: ("s", "natural mode"),
     LimitCycleLine: ("^", "limit cycle"),
     type(None): ("x", "unexplained"),
+    DriveFraction: ("D", "fraction of the drive"),
 }
 
 
