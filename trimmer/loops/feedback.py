@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from itertools import product
 from typing import TYPE_CHECKING, Any, final
 
 import control
@@ -114,27 +114,24 @@ class Feedback(Loop):
 
     def _connected(self, name: str, element: Element) -> Connection:
         parts = components_of(element, of_velocity=True)
-        taken, fed = self.plant.output_labels.index(name), self.plant.input_labels.index(name)
+        taken, fed = self._places(name)
         labels = _labels(name, [component.name for component, _ in parts])
         gains = tuple(self.plant.D[taken, self._driven].tolist())
         return Connection(parts, labels, self.plant.B[:, fed], self.plant.C[taken], gains)
+
+    def _places(self, name: str) -> tuple[int, int]:
+        """Return the numbers of the output that an element takes, and of the input that it feeds."""
+        return self.plant.output_labels.index(name), self.plant.input_labels.index(name)
 
     @property
     def _driven(self) -> list[int]:
         return [self.plant.input_labels.index(name) for name in self.drives]
 
-    @cached_property
-    def _element_parts(self) -> dict[str, slice]:
-        """Where the components of each element are."""
-        ends = np.cumsum([0, *(len(components_of(each)) for each in self.elements.values())]).tolist()
-        return {name: slice(*ends[k : k + 2]) for k, name in enumerate(self.elements)}
-
     @property
     def element_sides(self) -> tuple[tuple[Reals, Reals], ...]:
         """What each element does to the rates of the states, (n,), and what it takes of the states, (n,)."""
-        plant = self.plant
-        places = ((plant.input_labels.index(name), plant.output_labels.index(name)) for name in self.elements)
-        return tuple((plant.B[:, fed], plant.C[taken]) for fed, taken in places)
+        places = map(self._places, self.elements)
+        return tuple((self.plant.B[:, fed], self.plant.C[taken]) for taken, fed in places)
 
     def signal_rows(self) -> Mapping[str, Callable[[LoopMode], Reals]]:
         """Return the outputs of the plant, those of the elements, as ``gap output``, and states, by name.
@@ -168,7 +165,9 @@ class Feedback(Loop):
         return rows[name]
 
     def _fed(self, name: str) -> Callable[[LoopMode], Reals]:
-        parts = self._element_parts[name]
+        counts = [len(components_of(element)) for element in self.elements.values()]
+        number = list(self.elements).index(name)
+        parts = slice(sum(counts[:number]), sum(counts[: number + 1]))
         factors = np.array(self.modes.system.interconnection.element_factors[parts])
 
         def row(mode: LoopMode) -> Reals:
@@ -183,7 +182,7 @@ class Feedback(Loop):
         steady[: layout.order] = plant.C[number]
         for place, (column, drive) in enumerate(zip(self._driven, self.drives.values(), strict=True)):
             steady[layout.sine + 2 * place] = plant.D[number, column] * drive.amplitude
-        gains = [(plant.D[number, plant.input_labels.index(name)], self._fed(name)) for name in self.elements]
+        gains = [(plant.D[number, self._places(name)[1]], self._fed(name)) for name in self.elements]
         through = [(gain, fed) for gain, fed in gains if gain]
         return lambda mode: sum((gain * fed(mode) for gain, fed in through), steady)
 
@@ -202,17 +201,15 @@ class Feedback(Loop):
 
     def _require_delays(self) -> None:
         """Check that no element acts without delay on an element."""
-        outputs, inputs = self.plant.output_labels, self.plant.input_labels
-        for taking in self.elements:
-            for feeding in self.elements:
-                gain = self.plant.D[outputs.index(taking), inputs.index(feeding)]
-                if gain:
-                    other = "itself" if feeding == taking else f"the element {taking!r}"
-                    raise IllPosedLoopError(
-                        f"the element {feeding!r} acts on {other} without delay: D of the plant is {gain!r} "
-                        f"from its input {feeding!r} to its output {taking!r}, and must be 0; put what lies "
-                        "between into the plant, with its lag"
-                    )
+        for taking, feeding in product(self.elements, repeat=2):
+            gain = float(self.plant.D[self._places(taking)[0], self._places(feeding)[1]])
+            if gain:
+                other = "itself" if feeding == taking else f"the element {taking!r}"
+                raise IllPosedLoopError(
+                    f"the element {feeding!r} acts on {other} without delay: D of the plant is {gain!r} from "
+                    f"its input {feeding!r} to its output {taking!r}, and must be 0; put what lies between "
+                    "into the plant, with its lag"
+                )
 
     def _require_resistance(self) -> None:
         """Check that frictions work against velocities."""

@@ -188,40 +188,27 @@ def require_loop(loop: object) -> None:
     require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop, Feedback or TrimmerLoop")
 
 
-@final
-@dataclass(frozen=True, eq=False, repr=False)
-class ClosedLoop(Loop):
-    """Negative feedback without reference: the element's input is -y (figure 2.5 of the thesis).
-
-    Attributes:
-        system: Strictly proper, one input, one output, continuous in time.
-        element: Any element with a description in time.
-        start: States of the linear system with which a motion begins, by name; the others are 0.
-
-    Raises:
-        WrongTypeError: if the element is none, such as a class in place of an instance.
-        LoopError: if the start names what is no state.
-        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
-            models.
-    """
+class LoopOfOneElement(Loop):
+    """A linear system of one input and one output with one element, in feedback or driven."""
 
     system: control.LTI
     element: Element
-    start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "system", taken_system(self.system))
         object.__setattr__(self, "element", adopted("element", self.element))
+        if hasattr(self, "drive"):
+            require_instance("drive", self.drive, Drive, "a trimmer.Drive")
         object.__setattr__(self, "start", taken_start(self))
 
     def interconnection(self) -> Interconnection:
-        """Return the equations with the input -y of the element.
+        """Return the equations, with the input -y of the element, or the drive as its input.
 
         Raises:
             UnsupportedMotionError: if the element or the system cannot be simulated.
             IllPosedLoopError: if the motion is not determined.
         """
-        return element_around(self.model, self.element, None)
+        return element_around(self.model, self.element, getattr(self, "drive", None))
 
     @property
     def has_states(self) -> bool:
@@ -236,7 +223,29 @@ class ClosedLoop(Loop):
 
 @final
 @dataclass(frozen=True, eq=False, repr=False)
-class OpenLoop(Loop):
+class ClosedLoop(LoopOfOneElement):
+    """Negative feedback without reference: the element's input is -y (figure 2.5 of the thesis).
+
+    Attributes:
+        system: Strictly proper, one input, one output, continuous in time.
+        element: Any element with a description in time.
+        start: States of the linear system with which a motion begins, by name; the others are 0.
+
+    Raises:
+        WrongTypeError: if the element is none, such as a class in place of an instance.
+        LoopError: if the start names what is no state.
+        UnsupportedMotionError: if the system is no transfer function or state-space model of python-control
+            or SciPy.
+    """
+
+    system: control.LTI
+    element: Element
+    start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
+
+
+@final
+@dataclass(frozen=True, eq=False, repr=False)
+class OpenLoop(LoopOfOneElement):
     """The element's input is the drive; its output drives the linear system.
 
     Attributes:
@@ -248,39 +257,13 @@ class OpenLoop(Loop):
     Raises:
         WrongTypeError: if element or drive is none.
         LoopError: if the start names what is no state.
-        UnsupportedMotionError: if the system is none of python-control's transfer functions and state-space
-            models.
+        UnsupportedMotionError: see ``ClosedLoop``.
     """
 
     system: control.LTI
     element: Element
     drive: Drive
     start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "system", taken_system(self.system))
-        object.__setattr__(self, "element", adopted("element", self.element))
-        require_instance("drive", self.drive, Drive, "a trimmer.Drive")
-        object.__setattr__(self, "start", taken_start(self))
-
-    def interconnection(self) -> Interconnection:
-        """Return the equations with the drive as the input of the element.
-
-        Raises:
-            UnsupportedMotionError: if the element or the system cannot be simulated.
-            IllPosedLoopError: if the motion is not determined.
-        """
-        return element_around(self.model, self.element, self.drive)
-
-    @property
-    def has_states(self) -> bool:
-        """Whether the system was given in state space."""
-        return isinstance(self.system, control.StateSpace)
-
-    @cached_property
-    def model(self) -> control.StateSpace:
-        """The system as a state-space model: as it was given, or a realization of its transfer function."""
-        return realized(self.system)
 
 
 def element_around(
