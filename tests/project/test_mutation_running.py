@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import sys
@@ -11,13 +10,13 @@ from pathlib import Path
 import pytest
 from scipy.stats import norm
 
-from scripts.mutation.choice import batches, chosen, compiled_sources, within
+from scripts.mutation.choice import chosen
 from scripts.mutation.line_map import LineMap, TestFile
 from scripts.mutation.mutants import Mutant, drawn
 from scripts.mutation.operators import Kind
 from scripts.mutation.records import Noticed, Outcome, Records
-from scripts.mutation.summary import count, identity, lines, read_equivalent
-from scripts.mutation.tree import Tree, copied
+from scripts.mutation.summary import count, identity, read_equivalent
+from scripts.mutation.tree import copied
 
 SOURCE = "def area(a, b):\n    return a * b\n"
 
@@ -70,34 +69,6 @@ def test_a_mutant_is_made_in_the_copy_and_taken_back(project: Path, tmp_path: Pa
     assert copy.read_text("utf-8") == SOURCE
     assert copy.stat().st_mtime_ns == times
     assert subprocess.run(command, cwd=tree.root, capture_output=True, check=True).stdout == b"12\n"
-
-
-def test_compiled_code_gets_an_empty_folder_of_machine_code(project: Path, tmp_path: Path) -> None:
-    tree = Tree(copied(project, tmp_path / "copy").root, tmp_path / "numba")
-    tree.numba.mkdir()
-    (tree.numba / "kept").touch()
-    change = drawn(project, 1, 1)[0]
-    with tree.changed(change, compiled=True) as numba:
-        assert not numba.exists()
-        numba.mkdir()
-    assert not numba.exists()
-    assert (tree.numba / "kept").exists()
-
-
-def test_a_copy_belongs_to_one_process_and_an_old_mutant_is_taken_back(project: Path, tmp_path: Path) -> None:
-    tree = copied(project, tmp_path / "copy")
-    (tree.root / "trimmer" / "area.py").write_text("left by a killed run", encoding="utf-8")
-    (tree.root / "trimmer" / "gone.py").touch()
-    again = (
-        "from pathlib import Path; from scripts.mutation.tree import copied; "
-        f"copied(Path({str(project)!r}), Path({str(tmp_path / 'copy')!r}))"
-    )
-    refused = subprocess.run(
-        [sys.executable, "-c", again], cwd=Path(__file__).parents[2], capture_output=True
-    )
-    assert b"BlockingIOError" in refused.stderr
-    other = copied(project, tmp_path / "another")
-    assert (other.root / "trimmer" / "area.py").read_text("utf-8") == SOURCE
 
 
 WORK = """
@@ -160,36 +131,6 @@ def test_test_files_are_those_that_run_a_line_the_one_that_names_the_module_firs
     assert known.unusable == ("tests/d.py::test_x",)
 
 
-def test_of_compiled_code_those_that_enter_it(tmp_path: Path) -> None:
-    (tmp_path / "trimmer").mkdir()
-    imported = "from trimmer.flow import DEGREE\nfrom trimmer.other.things import SIZE\n"
-    area = f"{imported}@compiled\ndef area(): pass\n"
-    (tmp_path / "trimmer" / "area.py").write_text(area, encoding="utf-8")
-    (tmp_path / "tests").mkdir()
-    for name in ("a", "b"):
-        (tmp_path / "tests" / f"{name}.py").touch()
-    assert compiled_sources(tmp_path) == {"trimmer/area.py", "trimmer/arrays.py", "trimmer/flow.py"}
-    known = LineMap(
-        [
-            file("tests/a.py", 2.0, {"trimmer/area.py": {1}}, {"trimmer/area.py"}),
-            file("tests/b.py", 1.0, {"trimmer/area.py": {1, 2}}),
-        ]
-    )
-    assert [each.path for each in chosen(mutant(), known, tmp_path)] == ["tests/a.py"]
-
-
-def test_the_fast_files_are_run_together_and_the_slow_ones_alone() -> None:
-    files = [file(f"{seconds}", seconds, {}) for seconds in (1.0, 2.0, 3.0, 30.0, 40.0)]
-    assert [[each.seconds for each in group] for group in batches(files)] == [
-        [1.0, 2.0],
-        [3.0],
-        [30.0],
-        [40.0],
-    ]
-    assert [each.seconds for each in within(files, 5.0)] == [1.0, 2.0]
-    assert [each.seconds for each in within(files[3:], 5.0)] == [30.0]
-
-
 def test_records_survive_an_interruption(tmp_path: Path) -> None:
     records = Records(tmp_path / "seed.jsonl")
     first, second = mutant(1), mutant(2)
@@ -228,32 +169,9 @@ def test_the_share_is_of_those_with_an_effect() -> None:
     assert counts.interval[0] < 57 / 60 < counts.interval[1]
 
 
-def test_the_summary_names_what_was_missed_and_what_was_not_drawn() -> None:
-    judged = [(mutant(1), Outcome(tests="x")), (mutant(2), Outcome(tests="", claims=""))]
-    text = "\n".join(lines(judged, frozenset()))
-    assert "trimmer/area.py:2 area: a * b -> (a - 2 * b)" in text
-    assert "50.0%" in text
-    assert "docstrings" in text
-    assert "(a - 1 * b)" not in text
-
-
 def test_each_listed_equivalent_has_a_reason(tmp_path: Path) -> None:
     assert all(len(row) == 5 for row in read_equivalent())
     path = tmp_path / "equivalent.csv"
     path.write_text("path,function,context,before,after,reason\ntrimmer/a.py,f,x,y,z,\n", encoding="utf-8")
     with pytest.raises(ValueError, match="no reason"):
         read_equivalent(path)
-
-
-def test_a_record_of_a_test_file_holds_as_long_as_what_it_ran(tmp_path: Path) -> None:
-    from scripts.mutation.line_map import MAP, digest, read_map
-
-    (tmp_path / "a.py").write_text("1", encoding="utf-8")
-    row = {
-        **{"path": "tests/a.py", "seconds": 1.0, "failed": "", "lines": {"a.py": [1]}, "entries": []},
-        "digests": {"a.py": digest(tmp_path / "a.py")},
-    }
-    (tmp_path / MAP).write_text(json.dumps(row) + "\n", encoding="utf-8")
-    assert [each.path for each in read_map(tmp_path, tmp_path).files] == ["tests/a.py"]
-    (tmp_path / "a.py").write_text("2", encoding="utf-8")
-    assert read_map(tmp_path, tmp_path).files == []

@@ -11,7 +11,7 @@ import pytest
 from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.balance.cells import Cells
 from trimmer.balance.inverse_response import Enclosure
-from trimmer.balance.uniqueness import CellTest, cross, examine, newton_step, solve_in
+from trimmer.balance.uniqueness import CellTest, examine, solve_in
 from trimmer.elements.expansion import Expansion
 
 
@@ -116,11 +116,6 @@ def slopes(random: np.random.Generator) -> tuple[complex, complex]:
     return complex(p), complex(q)
 
 
-def test_the_cross_product_is_the_area_between_two_arrows() -> None:
-    first, second = np.array([2.0, 1j, 1.0 + 1.0j]), np.array([3j, 4.0, 2.0 + 2.0j])
-    assert cross(first, second) == pytest.approx([6.0, -4.0, 0.0])
-
-
 def test_a_linear_f_is_decided_exactly() -> None:
     """A box is empty if and only if the one solution lies outside of it as far as from the region's
     middle."""
@@ -202,17 +197,6 @@ def test_nothing_is_claimed_of_a_region_that_leaves_the_domain() -> None:
         assert found.empty[0] == found.single[0] == known
 
 
-def test_newtons_step_solves_a_linear_f_at_once() -> None:
-    random = np.random.default_rng(3)
-    for _ in range(50):
-        p, q = slopes(random)
-        plane = Plane(p, q, *random.uniform(-1, 1, 2))
-        u, x = random.uniform(-1, 1, (2, 5))
-        u_step, x_step = newton_step(*halves(plane), u, x)
-        assert u + u_step == pytest.approx(np.full(5, plane.u), abs=1e-9)
-        assert x + x_step == pytest.approx(np.full(5, plane.x), abs=1e-9)
-
-
 def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> None:
     """Of three boxes one holds the solution of a bent F, one is empty, one holds it too and need not go
     on."""
@@ -229,31 +213,3 @@ def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> No
     (alone,) = (solve_in(*halves(plane), boxes[np.array([2])], np.array([1.4]), np.array([2.3])),)
     assert alone[2].tolist() == [True]
     assert alone[0] == pytest.approx([1.0], abs=1e-12)
-
-
-@pytest.mark.parametrize("away", [(0.2, 0.0), (-0.2, 0.0), (0.0, 0.2), (0.0, -0.2)])
-def test_newtons_method_goes_on_until_both_steps_are_small(away: tuple[float, float]) -> None:
-    """u and x do not depend on each other here: one of them is right from the start."""
-    plane = Plane(1.0, 1.0j, 1.0, 2.0, bent=0.4)
-    boxes = cells(0.5, 1.5, 1.5, 2.5)
-    u, x, solved = solve_in(*halves(plane), boxes, np.array([1.0 + away[0]]), np.array([2.0 + away[1]]))
-    assert solved.tolist() == [True]
-    assert (u[0], x[0]) == (pytest.approx(1.0, abs=1e-14), pytest.approx(2.0, abs=1e-14))
-
-
-def test_a_small_u_has_as_many_right_digits_as_a_large_one() -> None:
-    plane = Plane(1.0, 1.0j, 1e-6, 2.0, bent=2e5)
-    u, _, solved = solve_in(
-        *halves(plane), cells(0.5e-6, 2e-6, 1.9, 2.1), np.array([1.5e-6]), np.array([2.0])
-    )
-    assert solved.tolist() == [True]
-    assert u[0] == pytest.approx(1e-6, rel=1e-12)
-
-
-def test_a_box_that_holds_one_of_several_solutions_need_not_go_on() -> None:
-    """Bent by -1, F vanishes at u = 1 and at u = 2; the third box holds the first of the two."""
-    plane = Plane(1.0, 1.0j, 1.0, 2.0, bent=-1.0)
-    boxes = Cells(np.array([0.9, 1.9, 0.7]), np.array([1.1, 2.1, 1.45]), np.full(3, 1.8), np.full(3, 2.2))
-    u, _, solved = solve_in(*halves(plane), boxes, np.array([1.001, 2.001, 1.2]), np.full(3, 2.0))
-    assert solved.tolist() == [True, True, False]
-    assert u[:2] == pytest.approx([1.0, 2.0], abs=1e-12)
