@@ -68,6 +68,15 @@ def special_points(border: Border) -> list[SpecialPoint]:
     return found
 
 
+def grazing(place: Place) -> SpecialPoint:
+    """Return an orbit that touches rigid walls without speed as a special point.
+
+    Behind it impacts are born, or die, and the map has a square root there: no orbit of the branch goes on.
+    """
+    parts = place.passage.grazed
+    return SpecialPoint(SpecialKind.GRAZING, place.value, place.strobed, parts, "an impact without speed")
+
+
 def _kind(phase: Phase) -> SpecialKind:
     return SpecialKind.STICK if phase is Phase.STICK else SpecialKind.GRAZING
 

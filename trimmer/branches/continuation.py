@@ -11,6 +11,7 @@ import numpy as np
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
+from trimmer.branches.borders import grazing
 from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
@@ -156,6 +157,8 @@ def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
     )
     for taken in taken_steps:
         if isinstance(taken, BranchEnd):
+            if taken is BranchEnd.GRAZED:
+                record.special.append(grazing(front.place))
             return _Leg(front, taken)
         if limits.settings.deadline.passed:
             return _Leg(front, BranchEnd.OUT_OF_TIME)

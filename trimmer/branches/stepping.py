@@ -102,6 +102,8 @@ def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Prob
 
 def _obstacle(front: Front) -> BranchEnd:
     """Say why no orbit was found beyond a front."""
+    if front.place.passage.grazed:
+        return BranchEnd.GRAZED
     if is_torn(front):
         return BranchEnd.TORN
     neutral = abs(front.place.multipliers - 1.0).min() < NEUTRAL

@@ -13,7 +13,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.contact.assembly import force_of
 from trimmer.contact.curves import add_least_curves, segments_at
 from trimmer.contact.frame import Frame, frame_of
-from trimmer.contact.impacts import impact_at
+from trimmer.contact.impacts import grazed_walls, impact_at
 from trimmer.contact.impulses import NEARLY, at_gap
 from trimmer.contact.joint import decide
 from trimmer.contact.machine import machine_of
@@ -387,6 +387,10 @@ class MechanismFlow(Flow):
         speeds = abs((rates[log.part[made]] * log.state[made]).sum(axis=1))
         hit = [impact_at(course, row)[0] for row in np.flatnonzero(log.kind == IMPACT).tolist()]
         return np.append(speeds, hit)
+
+    def grazed(self, course: Course) -> tuple[str, ...]:
+        """Return the walls, by name, that a motion touches without speed, as near as can be told."""
+        return grazed_walls(course)
 
     def contacts(self, course: Course, periods: int) -> Mapping[str, ContactMeasures]:
         """Return what each play and stop that exerts a force does, and each wall."""

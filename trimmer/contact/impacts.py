@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.impulses import first_wall
-from trimmer.contact.statuses import COMPLETED, IMPACT, TOGETHER
+from trimmer.contact.statuses import COMPLETED, IMPACT, RESTS, TOGETHER
+from trimmer.motion.extremes import extremes
+from trimmer.motion.signals import Steady, while_status
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.course import Course
 
+GRAZING = 1e-6
+"""Share of its path by which a body may miss a wall that it touches; its square root for the speed."""
 IMPULSES = (IMPACT, COMPLETED, TOGETHER)
 """Kinds of events with an impulse."""
 
@@ -68,3 +72,23 @@ def work_at_walls(course: Course, mechanism: Mechanism, pin: str, rate: Reals) -
             _, impulse = impact_at(course, row)
             work += (1.0 if end == pin else -1.0) * impulse * float(rate @ course.log.state[row])
     return work
+
+
+def grazed_walls(course: Course) -> tuple[str, ...]:
+    """Return the walls, by name, that a motion meets without speed, or just misses, but does not rest on."""
+    system, log = course.modes.system, course.log
+    found = []
+    for wall, name in enumerate(system.layout.walls):
+        part = first_wall(system.machine) + wall
+        distance, rate = (
+            Steady(each[wall]) for each in (system.machine.wall_distance, system.machine.wall_rate)
+        )
+        if while_status(course, part, (RESTS,)).any():
+            continue
+        rows = np.flatnonzero((log.part == part) & (log.kind == IMPACT)).tolist()
+        farthest, nearest = extremes(course, distance)
+        fastest = max(map(abs, extremes(course, rate)))
+        slow = any(impact_at(course, row)[0] < np.sqrt(GRAZING) * fastest for row in rows)
+        if slow or (not rows and nearest > -GRAZING * (nearest - farthest)):
+            found.append(name)
+    return tuple(found)

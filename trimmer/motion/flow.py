@@ -184,6 +184,10 @@ class Flow(ABC):
     def impact_speeds(self, course: Course) -> Reals:
         """Return how fast the sides of contacts meet at each impact of a motion, (impacts,)."""
 
+    def grazed(self, course: Course) -> tuple[str, ...]:
+        """Return the rigid walls, by name, that a motion touches without speed, as near as can be told."""
+        return ()
+
     @abstractmethod
     def contacts(self, course: Course, periods: int) -> Mapping[str, ContactMeasures]:
         """Return what parts that touch do over a motion that spans some periods."""

@@ -24,6 +24,7 @@ class Given:
     sizes: np.ndarray
     signature: Mapping[tuple[str, Phase], int] = field(default_factory=dict)
     events: int = 0
+    grazed: tuple[str, ...] = ()
     middle: None = None
 
     @property

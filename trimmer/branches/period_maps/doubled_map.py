@@ -55,6 +55,11 @@ class DoubledPassage:
         return self.first.events + self.second.events
 
     @property
+    def grazed(self) -> tuple[str, ...]:
+        """Names of the rigid walls that are touched without speed in either passage."""
+        return tuple(dict.fromkeys((*self.first.grazed, *self.second.grazed)))
+
+    @property
     def middle(self) -> Reals:
         """End of the first passage, shape (n,)."""
         return self.first.end

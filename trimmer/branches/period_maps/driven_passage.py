@@ -128,6 +128,11 @@ class DrivenPassage:
         return lengths[begins], lengths[~begins]
 
     @property
+    def grazed(self) -> tuple[str, ...]:
+        """Names of the rigid walls that are touched without speed."""
+        return self.flow.grazed(self.course)
+
+    @property
     def events(self) -> int:
         """Number of events."""
         return len(self.course.events)

@@ -24,6 +24,7 @@ class Passage(Protocol):
         sizes: Magnitude of each entry over the passage, positive where the entry ever moves, shape (n,).
         signature: The phases that begin in it.
         events: Number of events.
+        grazed: Names of the rigid walls that are touched without speed.
         middle: End of its first half, if the passage is one of a doubled map, shape (n,); None otherwise.
     """
 
@@ -44,6 +45,9 @@ class Passage(Protocol):
 
     @property
     def events(self) -> int: ...  # noqa: D102
+
+    @property
+    def grazed(self) -> tuple[str, ...]: ...  # noqa: D102
 
     @property
     def middle(self) -> Reals | None: ...  # noqa: D102
