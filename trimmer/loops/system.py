@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
-from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.system import (
     AT_LIMIT,
     HOLD_BEGUN,
@@ -31,8 +30,6 @@ from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, Change, LoopFunction, Loo
 from trimmer.loops.relay_component import HELD
 from trimmer.loops.switched_component import EventKind
 
-MOST_MODES = 4 * 3**6
-"""Largest number of modes of a loop: those of a backlash and six frictions."""
 KINDS: Mapping[EventKind, int] = {
     EventKind.STICK: HOLD_BEGUN,
     EventKind.SLIP: HOLD_ENDED,
@@ -51,20 +48,10 @@ class LoopSystem:
 
     Attributes:
         interconnection: The equations of the loop.
-
-    Raises:
-        UnsupportedMotionError: if there are more than ``MOST_MODES`` modes.
     """
 
     interconnection: Interconnection
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        components = self.interconnection.components
-        if np.prod([len(each.mode_names) for each in components], dtype=float) > MOST_MODES:
-            raise UnsupportedMotionError(
-                f"{len(components)} components have more than {MOST_MODES} modes together"
-            )
 
     @cached_property
     def layout(self) -> Layout:

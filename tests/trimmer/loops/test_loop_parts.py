@@ -19,7 +19,6 @@ from trimmer import (
     Relay,
     TrimmerLoop,
     TrimmerParameters,
-    UnsupportedMotionError,
     ViscousBacklash,
     ViscousFriction,
     simulate,
@@ -108,8 +107,13 @@ def test_what_cannot_move_is_refused_with_its_name() -> None:
     acting = control.ss([[0.0, 1.0], [-9.0, -0.2]], [[1.0], [5.0]], [[1.0, 0.0]], 0)
     with pytest.raises(IllPosedLoopError, match="friction: a force acts on its own rate at once"):
         simulate(ClosedLoop(acting, FrictionBacklash(1.0) + CoulombFriction(0.5)), 1.0)
-    with pytest.raises(UnsupportedMotionError, match="8 components have more than 2916 modes together"):
-        simulate(ClosedLoop(SYSTEM, sum([Relay(1.0)] * 7, FrictionBacklash(1.0))), 1.0)
+
+
+def test_as_many_parts_as_one_likes_move_as_one_that_does_what_they_do() -> None:
+    many, one = sum([Relay(1.0)] * 7, FrictionBacklash(1.0)), FrictionBacklash(1.0) + 7.0 * Relay(1.0)
+    ours, theirs = (simulate(ClosedLoop(SYSTEM, each), 1.0, impulse=0.3) for each in (many, one))
+    times = np.linspace(0.0, 1.0, 11)
+    np.testing.assert_allclose(ours.output(times), theirs.output(times), rtol=0, atol=1e-12)
 
 
 def test_a_long_motion_that_is_interrupted_is_known_until_then(monkeypatch: pytest.MonkeyPatch) -> None:
