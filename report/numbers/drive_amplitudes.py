@@ -8,22 +8,17 @@ and the trimmer, the pin acting by its displacement alone, without friction betw
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import final
+from dataclasses import dataclass
 
 import control
 import numpy as np
 
 from report.numbers.record import harmonics
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, LARGE_GAP
-from trimmer import Drive, FrictionBacklash, OpenLoop, PeriodicOrbit, peaks, simulate
+from trimmer import Drive, Feedback, FrictionBacklash, OpenLoop, PeriodicOrbit, peaks, simulate
 from trimmer.arrays import Reals
 from trimmer.elements import Element
 from trimmer.loops import LoopMotion
-from trimmer.loops.interconnection import Interconnection
-from trimmer.loops.loops import Loop, element_around
-from trimmer.loops.plant import realized
 from trimmer.spectra import Window
 from trimmer.spectra.spectrum import amplitude_spectrum
 
@@ -75,31 +70,25 @@ def _open_loop(system: control.StateSpace, amplitude: float) -> AmplitudeRun:
     return AmplitudeRun(amplitude, phases, output, harmonics(output[SAMPLES:]), ripple)
 
 
-@final
-@dataclass(frozen=True, eq=False)
-class ReferenceLoop(Loop):
-    """Negative feedback with a reference: the element's input is r - y.
+def reference_loop(system: control.LTI, element: Element, reference: Drive) -> Feedback:
+    """Return negative feedback with a reference r: the element's input is e = r - y.
 
-    Attributes:
+    Args:
         system: G.
         element: The nonlinear element.
         reference: r.
-        start: States of the system with which a motion begins, by name; the others are 0.
     """
-
-    system: control.LTI
-    element: Element
-    reference: Drive
-    start: Mapping[str, float] = field(default_factory=dict)
-
-    def interconnection(self) -> Interconnection:
-        """Return the closed loop with the reference at the input of the element."""
-        return element_around(self.model, self.element, self.reference, feedback=True)
-
-    @property
-    def model(self) -> control.StateSpace:
-        """The system in state space."""
-        return realized(self.system)
+    G = control.ss(system)
+    plant = control.ss(
+        G.A,
+        np.hstack([G.B, 0.0 * G.B]),
+        np.vstack([G.C, -G.C]),
+        [[0.0, 0.0], [0.0, 1.0]],
+        states=G.state_labels,
+        inputs=["e", "r"],
+        outputs=["y", "e"],
+    )
+    return Feedback(plant, {"e": element}, {"r": reference})
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,14 +138,11 @@ def solve_reference(orbit: PeriodicOrbit, orbit_both: PeriodicOrbit) -> Referenc
 
 def _fed_back(orbit: PeriodicOrbit, amplitude: float, on_limit_cycle: bool) -> ReferenceRun:
     reference = Drive(amplitude, DRIVE_OMEGA)
-    loop = ReferenceLoop(orbit.motion.loop.model, FrictionBacklash(LARGE_GAP), reference)
+    loop = reference_loop(orbit.motion.loop.model, FrictionBacklash(LARGE_GAP), reference)
     if on_limit_cycle:
-        motion = simulate(
-            loop,
-            SETTLING + RECORD,
-            initial_state=LARGE_GAP * orbit.motion.state(0.0),
-            element_output=LARGE_GAP * float(orbit.motion.element_output(0.0)),
-        )
+        load = orbit.motion.element_output(0.0)
+        state = LARGE_GAP * np.append(orbit.motion.state(0.0), load)
+        motion = simulate(loop, SETTLING + RECORD, state=state)
     else:
         motion = simulate(loop, SETTLING + RECORD)
     output = motion.output(SETTLING + np.arange(round(RECORD * SAMPLE_RATE)) / SAMPLE_RATE)

@@ -208,7 +208,9 @@ class LoopOfOneElement(Loop):
             UnsupportedMotionError: if the element or the system cannot be simulated.
             IllPosedLoopError: if the motion is not determined.
         """
-        return element_around(self.model, self.element, getattr(self, "drive", None))
+        drive = getattr(self, "drive", None)
+        pin = connected_around(self.model, self.element, drive)
+        return interconnected(self.model.A, [pin], () if drive is None else (drive,))
 
     @property
     def has_states(self) -> bool:
@@ -266,29 +268,13 @@ class OpenLoop(LoopOfOneElement):
     start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
 
-def element_around(
-    model: control.StateSpace, element: Element | None, drive: Drive | None, feedback: bool | None = None
-) -> Interconnection:
-    """Put an element before a linear system; see ``connected_around``.
-
-    Raises:
-        UnsupportedMotionError: if the element has no motion in time.
-        IllPosedLoopError: if the motion is not determined.
-    """
-    drives = () if drive is None else (drive,)
-    return interconnected(model.A, [connected_around(model, element, drive, feedback)], drives)
-
-
-def connected_around(
-    model: control.StateSpace, element: Element | None, drive: Drive | None, feedback: bool | None = None
-) -> Connection:
+def connected_around(model: control.StateSpace, element: Element | None, drive: Drive | None) -> Connection:
     """Return an element before a linear system: driven, or in negative feedback if there is no drive.
 
     Args:
         model: The linear system, one input and one output.
         element: The element; None for a rigid connection.
-        drive: The element's input, or what is added to it; None for nothing.
-        feedback: Whether there is negative feedback; where there is no drive, if not given.
+        drive: The element's input; None for feedback.
 
     Raises:
         UnsupportedMotionError: if the element has no motion in time.
@@ -296,10 +282,9 @@ def connected_around(
     """
     parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
     labels = [component.name for component, _ in parts]
-    closed = drive is None if feedback is None else feedback
-    if closed and model.D[0, 0]:
+    if drive is None and model.D[0, 0]:
         raise IllPosedLoopError(
             f"{labels[0]}: an output acts on its input at once; the system must be strictly proper"
         )
-    row = (-1.0 if closed else 0.0) * model.C[0]
+    row = (-1.0 if drive is None else 0.0) * model.C[0]
     return Connection(parts, labels, model.B[:, 0], row, () if drive is None else (1.0,))

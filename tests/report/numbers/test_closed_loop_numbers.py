@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from report.numbers.drive_amplitudes import AMPLITUDES, ReferenceLoop, other_line
+from report.numbers.drive_amplitudes import AMPLITUDES, other_line, reference_loop
 from report.numbers.exact_orbits import orbit_by_durations
 from report.numbers.impulse_response import events_by_integration
 from report.numbers.listed_blocks import inertia_block
@@ -78,7 +78,7 @@ def test_loop_with_a_reference_by_integration(system):
     """SciPy follows the same loop from event to event."""
     A, B, C = matrices(system)
     duration = 0.006
-    motion = simulate(ReferenceLoop(system, FrictionBacklash(LARGE_GAP), DRIVE), duration)
+    motion = simulate(reference_loop(system, FrictionBacklash(LARGE_GAP), DRIVE), duration)
 
     def pin(t, x):
         return DRIVE.amplitude * math.sin(DRIVE.omega * t) - C @ x
