@@ -104,7 +104,7 @@ def _kind(
     It is periodic if an exact orbit is near that is stable, or on which it is to rounding: what is left of
     the start may still be dying out.
     """
-    count, difference = recurrence(states)
+    count, difference = recurrence(states[-1 - half :])
     orbit = orbit_near(flow, end, count) if difference < RETURNING else None
     if orbit is not None:
         apart = abs(states[-1] - flow.reduced(orbit.instant.state)) / orbit.sizes

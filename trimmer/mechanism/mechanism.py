@@ -212,8 +212,8 @@ class Mechanism(Shown):
     ) -> control.StateSpace:
         """Return the linear mechanism as a state space of python-control, in SI units, with signal names.
 
-        Dry friction is left out; its viscous share is a damper. A closed contact is a spring and a damper
-        at its middle, a curve its slope at rest.
+        Dry friction and rigid walls are left out; a viscous share is a damper. A closed contact is a spring
+        and a damper at its middle, a curve its slope at rest.
 
         Args:
             contacts: ``closed`` or ``open``, all of them or by name; those not named are closed.

@@ -65,7 +65,11 @@ KINDS_OF_WALLS = {
     system.HOLD_ENDED: MechanismEventKind.REST_ENDED,
 }
 
-MEETINGS = (MechanismEventKind.CONTACT_MADE,)
+MEETINGS = (
+    MechanismEventKind.CONTACT_MADE,
+    MechanismEventKind.IMPACT,
+    MechanismEventKind.CHATTER_COMPLETED,
+)
 """Events at which the sides of a contact meet."""
 
 

@@ -10,6 +10,7 @@ import pytest
 from tests.trimmer.response.mechanisms import example
 from trimmer import Body, Force, Link, Mechanism, Output, Stop, TrimmerError, follow, respond, simulate
 from trimmer.maps import sweep
+from trimmer.mechanism import Wall
 
 LINEAR = Mechanism(
     frequency=3.0,
@@ -72,6 +73,22 @@ def test_what_is_carried_along_is_measured_without_its_advance() -> None:
     for name, found in last.outputs.items():
         assert found.advance == pytest.approx(settled.advance[name], rel=1e-6, abs=1e-12)
         assert found.peak_to_peak == pytest.approx(settled.peak_to_peak[name], rel=1e-3)
+
+
+def test_a_ball_rests_on_its_wall_and_then_leaves_it() -> None:
+    """The weight no longer holds it once the force exceeds it: m g = 0.2 N."""
+    ball = Mechanism(
+        {"ball": Body(mass=0.02)},
+        20.0,
+        walls={"floor": Wall(("ball", "ground"), restitution=0.5)},
+        forces={"weight": Force("ball", constant=-0.2), "shaker": Force("ball", amplitude=0.1)},
+        outputs={"x": Output({"ball": 1.0})},
+    )
+    swept = sweep(ball, "forces.shaker.amplitude", 0.1, 0.25, steps=3, periods=40)
+    kinds = [point.motion.kind.word for point in swept.points]
+    assert kinds[:2] == ["rest", "rest"]
+    assert kinds[-1] != "rest"
+    assert swept.points[-1].peak_to_peak("x") > 0 == swept.points[0].peak_to_peak("x")
 
 
 REFUSED = {

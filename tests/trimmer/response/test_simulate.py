@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from tests.quick import quick
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import Body, ContactLaw, Force, Link, Mechanism, MechanismError, Stop, simulate
+from trimmer.mechanism import Wall
 
 LAWS = list(ContactLaw)
 NAMES = ("thesis-play", "second-play", "foil-shaver", "held", "servo", "den-hartog", "thesis", "gear-pair")
@@ -75,6 +77,22 @@ def test_a_relay_closes_after_it_bounced() -> None:
     assert motion.rest is not None
     assert motion.rest.positions["relay"] == pytest.approx(place)
     assert (early.rest, early.closings["seat"].force) == (None, 0.0)
+
+
+def test_a_ball_that_is_dropped_on_a_wall_bounces_for_a_time_that_is_known() -> None:
+    """v = sqrt(2 g h); between the impacts v e/g, v e²/g ... twice, together 2 v e/(g (1 - e))."""
+    height, e, g = 0.01, 0.6, 9.81
+    ball = Mechanism(
+        {"ball": Body(mass=0.02)},
+        walls={"floor": Wall(("ball", "ground"), restitution=e)},
+        forces={"weight": Force("ball", constant=-0.02 * g)},
+        start={"ball": (height, 0.0)},
+    )
+    closing, speed = simulate(ball, 1.0).closings["floor"], math.sqrt(2 * g * height)
+    assert closing.closing_time == pytest.approx(speed / g)
+    assert closing.bounce_time == pytest.approx(2 * speed * e / (g * (1 - e)), rel=1e-6)
+    assert (closing.impact_speed, closing.force) == (pytest.approx(speed), pytest.approx(0.02 * g))
+    assert closing.closed
 
 
 def test_contact_forces_and_accelerations_are_one() -> None:

@@ -50,7 +50,8 @@ def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearSta
 def as_text(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
     """Return tables of the modes and of the frequency responses in each state of the contacts."""
     parts = (_state(mechanism, state) for state in states)
-    friction = ["Dry friction is left out."] if mechanism.frictions else []
+    left_out = [("Dry friction is", mechanism.frictions), ("Rigid walls are", mechanism.walls)]
+    friction = [f"{what} left out." for what, there in left_out if there]
     return "\n".join(["\n\n".join("\n".join(lines) for lines in parts), *friction])
 
 
