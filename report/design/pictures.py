@@ -57,7 +57,7 @@ def _diagram(design: Design) -> Figure:
         "zigzags are springs, pots are dampers; a bar in a slot is a play, two plates that meet a stop, two "
         "that rub a dry friction; a circle is a pin that moves on its body as prescribed. Nothing is to "
         "scale.",
-        f"Bodies: {', '.join(mechanism.bodies)}.{joined}",
+        f"Bodies: {', '.join((*mechanism.bodies, *mechanism.structures))}.{joined}",
         partial(mechanism_diagram, mechanism),
     )
 

@@ -99,6 +99,7 @@ def inventory(design: Design) -> str:
     live = [each for each in mechanism.frictions.values() if each.kinetic_force or each.curve or each.viscous]
     counted = [
         (len(mechanism.bodies), "body", "bodies"),
+        (len(mechanism.structures), "structure", "structures"),
         (len(mechanism.pins), "pin", "pins"),
         (len(mechanism.links), "spring or damper", "springs and dampers"),
         (len(mechanism.plays), "play", "plays"),

@@ -14,6 +14,7 @@ from trimmer.design.assumed_range import assumed_range
 from trimmer.design.targets import Target, targets_of
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import LONGEST_TITLE
+from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.parts import OutputKind
@@ -199,8 +200,9 @@ def _author(value: object, problems: list[Problem]) -> str:
 
 
 def _held(value: object, mechanism: Mechanism, problems: list[Problem]) -> str | None:
-    if value is None or (isinstance(value, str) and value in mechanism.bodies):
+    bodies = shaken_ends(mechanism)
+    if value is None or (isinstance(value, str) and value in bodies):
         return value
-    advice = near_match(str(value), mechanism.bodies) or f"the bodies are {listed(mechanism.bodies)}"
+    advice = near_match(str(value), bodies) or f"the bodies are {listed(bodies)}"
     problems.append(Problem(("held",), f"names the body that a hand holds; {advice}", value))
     return None

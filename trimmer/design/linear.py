@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.mechanism.coordinates import Inertia
+from trimmer.mechanism.coordinates import Inertia, shaken_ends, weights_of_ends
 from trimmer.mechanism.linear_outputs import Contacts, output_rows, with_contacts
 from trimmer.mechanism.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
@@ -32,7 +32,7 @@ class LinearMode:
     Attributes:
         frequency: Of the oscillation as it dies out, imaginary part of the eigenvalue / 2 pi, Hz.
         damping_ratio: Share of critical damping.
-        shape: Displacement of each body, scaled so that the largest is 1, complex, (bodies,).
+        shape: Displacement of each body or point, scaled so that the largest is 1, complex, (bodies,).
     """
 
     frequency: float
@@ -67,7 +67,7 @@ class LinearState:
 
     Attributes:
         contacts: That state; closed if some are.
-        bodies: Names, in the order of the shapes.
+        bodies: Names of bodies, and of points in place of modes, in the order of the shapes.
         modes: By rising frequency.
         rigid: Number of motions that no spring resists.
         decaying: Number of motions that only decay.
@@ -125,13 +125,12 @@ def _state(
     size = abs(values).max()
     rigid = abs(values) <= RIGID * size
     swinging = np.flatnonzero((values.imag > RIGID * size) & ~rigid)
-    bodies = len(mechanism.coordinates)
-    modes = sorted(
-        (_mode(values[at], vectors[:bodies, at]) for at in swinging), key=lambda mode: mode.frequency
-    )
+    ends, weights = shaken_ends(mechanism), weights_of_ends(mechanism)
+    shapes = np.array([weights[end] for end in ends]) @ vectors[: len(mechanism.coordinates)]
+    modes = sorted((_mode(values[at], shapes[:, at]) for at in swinging), key=lambda mode: mode.frequency)
     return LinearState(
         contacts,
-        mechanism.coordinates,
+        ends,
         tuple(modes),
         int(rigid.sum() + 1) // 2,
         int(len(values) - rigid.sum() - 2 * len(swinging)),

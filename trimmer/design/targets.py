@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
+from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import NumberField, Range
@@ -132,7 +133,7 @@ def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:
         case Measure.STROKE:
             return tuple(mechanism.outputs)
         case Measure.RMS_ACCELERATION:
-            return tuple(mechanism.bodies)
+            return shaken_ends(mechanism)
         case _:
             return (*mechanism.plays, *mechanism.stops, *mechanism.walls)
 

@@ -11,6 +11,7 @@ from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
+from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
@@ -154,7 +155,7 @@ def all_measures(subject: Subject) -> tuple[MeasureOfPart, ...]:
     mechanism = subject
     return (
         *(MeasureOfPart(Measure.STROKE, name) for name in mechanism.outputs),
-        *(MeasureOfPart(Measure.RMS_ACCELERATION, name) for name in mechanism.bodies),
+        *(MeasureOfPart(Measure.RMS_ACCELERATION, name) for name in shaken_ends(mechanism)),
         *(
             MeasureOfPart(Measure.IMPACT_SPEED, name)
             for name in (*mechanism.plays, *mechanism.stops, *mechanism.walls)
