@@ -7,7 +7,6 @@ from typing import cast
 import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
-from trimmer.loops.drive import Drive
 from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import Loop, require_loop
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
@@ -45,10 +44,10 @@ def loop_orbit(
     if orbit.success and _returns(orbit) and not _gone_away(orbit):
         return known.told(orbit)
     followed = SETTLING[-1] if settling is None else settling
-    time = f"{periods} periods" if periods > 1 else "the period"
+    time, lasting = f"{periods} periods" if periods > 1 else "the period", periods * orbit.flow.period
     raise OrbitNotFoundError(
-        f"no motion with {time} of the drive, {periods * drive.period:.6g} s, was found after {followed} "
-        f"periods; {_reason(loop, drive)}"
+        f"no motion with {time} of the drive, {lasting:.6g} s, was found after {followed} "
+        f"periods; {_reason(loop)}"
     )
 
 
@@ -71,11 +70,12 @@ def _gone_away(orbit: PeriodicOrbit) -> bool:
     return bool(values.min() <= SINGULAR * max(1.0, values.max()))
 
 
-def _reason(loop: Loop, drive: Drive) -> str:
+def _reason(loop: Loop) -> str:
     """Return why there may be no motion with the period of the drive, in words."""
     poles = np.linalg.eigvals(loop.modes.system.interconnection.A)
-    harmonics = np.rint(poles.imag / drive.omega)
-    away = abs(poles - 1j * harmonics * drive.omega)
+    omega = loop.modes.system.layout.omega
+    harmonics = np.rint(poles.imag / omega)
+    away = abs(poles - 1j * harmonics * omega)
     near = (harmonics >= 1.0) & (away <= RESONANT * abs(poles))
     if not near.any():
         return "the motion may repeat only after several periods, or not at all"
