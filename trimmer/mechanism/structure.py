@@ -50,7 +50,7 @@ class Structure:
         coordinates: A name for each row.
         rotations: Those of the names whose coordinates are angles.
         modes: In place of all others.
-        files: Of what was read from files, their names as the mechanism's file gives them, by field.
+        files: Of what was read from files, their names for messages, by field.
     """
 
     mass: Reals | None = None
@@ -90,7 +90,7 @@ class Structure:
     @cached_property
     def _contents(self) -> tuple[object, ...]:
         arrays = [_array(getattr(self, name)) for name in MATRICES]
-        names = (tuple(self.coordinates), tuple(self.rotations), tuple(self.files.items()))
+        names = (tuple(self.coordinates), tuple(self.rotations))
         modes: tuple[object, ...] = ()
         if self.modes is not None:
             shapes = ((name, _array(shape)) for name, shape in self.modes.shapes.items())

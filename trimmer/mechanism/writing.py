@@ -69,12 +69,11 @@ def _weights(mechanism: Mechanism, name: str) -> dict[str, object]:
 
 
 def _entries_of_structure(structure: Structure) -> dict[str, object]:
-    """Return the fields of a structure; what was read from a file stays there."""
+    """Return the fields of a structure, matrices and modes written out, so that no other file is needed."""
     held: dict[str, object] = {name: getattr(structure, name) for name in KEYS}
     if structure.modes is not None:
         numbers = {name: getattr(structure.modes, name) for name in COLUMNS}
         held["modes"] = {**numbers, **structure.modes.shapes}
-    held |= structure.files
     absent = [
         name for name, value in held.items() if value is None or (isinstance(value, tuple) and not value)
     ]
