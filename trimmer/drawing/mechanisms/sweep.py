@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import groupby
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -12,7 +10,8 @@ from trimmer.drawing.axes import finish
 from trimmer.drawing.cells import edges
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.dispatch import draw
-from trimmer.drawing.look import BLACK, FAINT, STABLE, UNSTABLE, colour
+from trimmer.drawing.look import FAINT, Look, colour
+from trimmer.drawing.mechanisms.branch import draw_branch
 from trimmer.drawing.units import name_axis
 from trimmer.maps.plateau import ORDERS
 from trimmer.maps.swept import Sweep, SweepPoint
@@ -41,34 +40,16 @@ def draw_sweep(sweep: Sweep, axes: Axes, output: str | None = None) -> None:
     """Draw peak to peak of an output over the number that is varied."""
     name = sweep.output(output)
     if sweep.branch is not None:
-        _draw_branch(sweep, axes, name)
+        draw_branch(sweep.branch, axes, name)
     for number, (leg, (_, way, mark)) in enumerate(zip(sweep.legs(), WAYS, strict=False)):
         sizes = [point.peak_to_peak(name) for point in leg]
         values = [point.value for point in leg]
-        axes.plot(
-            values, sizes, mark, markersize=3, fillstyle="none", linestyle="", color=colour(number), label=way
-        )
+        look: Look = {"color": colour(number + 1), "fillstyle": "none", "markersize": 3}
+        axes.plot(values, sizes, mark, linestyle="none", label=way, **look)
     for jump in sweep.jumps:
         if jump.output == name:
             axes.axvline(0.5 * (jump.before + jump.after), **FAINT, label="jump")
     finish(axes, (sweep.place, sweep.unit), (f"{name}, peak to peak", sweep.units[name]))
-
-
-def _draw_branch(sweep: Sweep, axes: Axes, name: str) -> None:
-    """Draw the exact motions: stable stretches solid, others dashed."""
-    assert sweep.branch is not None
-    for branch in sweep.branch.all():
-        for stable, group in groupby(enumerate(branch.points), key=lambda each: each[1].stable):
-            places = [place for place, _ in group]
-            part = branch.points[max(places[0] - 1, 0) : places[-1] + 1]
-            axes.plot(
-                [point.value for point in part],
-                [point.outputs[name].peak_to_peak for point in part],
-                color=BLACK,
-                linewidth=0.8,
-                linestyle=STABLE if stable else UNSTABLE,
-                label=f"exact, {'stable' if stable else 'unstable'}",
-            )
 
 
 def _draw_waterfall(sweep: Sweep, axes: Axes, name: str, leg: tuple[SweepPoint, ...]) -> None:
