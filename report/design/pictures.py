@@ -7,10 +7,10 @@ from functools import partial
 
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of
-from report.design.figures.over_numbers import branch, influences, kind_map, over_range
+from report.design.figures.over_numbers import Curve, branch, influences, kind_map, over_range, target_maps
 from report.design.figures.over_time import line_spectrum, motion_over_time, transfer_functions
 from report.design.quantities import percent, place_words, shown
-from report.design.words import capital, measure_words
+from report.design.words import bound_words, capital, measure_words
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
 from trimmer.design.design import Design
@@ -36,7 +36,7 @@ def pictures(design: Design) -> dict[str, Figure]:
         *_transfer(design),
         *_spectra(design),
         *_ranges(design),
-        *(_map(each, number) for number, each in enumerate(design.maps, start=1)),
+        *(_map(design, each, number) for number, each in enumerate(design.maps, start=1)),
         *_branches(design),
         *_influences(design),
     ]
@@ -160,7 +160,9 @@ def _amplitude(line: OutputLine) -> float:
     return line.amplitude
 
 
-def _map(each: DesignMap, number: int) -> Figure:
+def _map(design: Design, each: DesignMap, number: int) -> Figure:
+    if each.targets:
+        return _target_map(design, each, number)
     first, second = place_words(each.first.place), place_words(each.second.place)
     rows, columns = each.result.shape
     kinds = each.result.period_count
@@ -176,23 +178,67 @@ def _map(each: DesignMap, number: int) -> Figure:
     )
 
 
+def _target_map(design: Design, each: DesignMap, number: int) -> Figure:
+    first, second = place_words(each.first.place), place_words(each.second.place)
+    rows, columns = each.result.shape
+    names = [f"{measure_words(one.measure, one.part)}, {bound_words(one)}" for one in each.targets]
+    found = design.remedies.found if design.remedies else ()
+    marks = [
+        (changes[each.first.place], changes[each.second.place])
+        for changes in ({one.place: one.after for one in remedy.changes} for remedy in found)
+        if set(changes) == {each.first.place, each.second.place}
+    ]
+    star = " The star is what is recommended." if marks else ""
+    blue = (
+        " Where the motion repeats with the drive the area is blue, elsewhere grey."
+        if any(one.measure is Measure.PERIOD for one in each.targets)
+        else ""
+    )
+    return drawn(
+        f"map-{number}",
+        f"{capital(listed(names))} over the {first} and the {second}",
+        f"These two numbers move {'it' if len(names) == 1 else 'them'} most. The black line is the bound "
+        f"that is wanted, the circle the file’s own point.{star}{blue} Each of {columns} × {rows} cells is "
+        "the motion that follows from the start; edges are known to a cell’s width.",
+        f"Coloured areas over the {first} and the {second}, one picture for each target.",
+        partial(target_maps, each, names, marks),
+    )
+
+
 def _branches(design: Design) -> Iterator[Figure]:
-    outputs = list(design.file.mechanism.outputs)
+    asked = curves_of(design)
     for number, each in enumerate(design.paths, start=1):
-        if outputs and any(side is not None and len(side.values) > 1 for side in (each.down, each.up)):
-            yield _branch(each, number, outputs[0])
+        if asked and any(side is not None and len(side.values) > 1 for side in (each.down, each.up)):
+            yield _branch(each, number, asked)
 
 
-def _branch(path: NumberPath, number: int, output: str) -> Figure:
+def curves_of(design: Design) -> list[Curve]:
+    """Return what is drawn along branches: what missed targets bound, then others, then the first output."""
+    missed = design.verdict.missed
+    targets = [each for each in design.file.targets if each.measure is not Measure.PERIOD]
+    ordered = sorted(targets, key=lambda each: each not in missed)
+    wanted = [each for each in ordered if each in missed][:2] or ordered[:1]
+    found: list[Curve] = [
+        (MeasureOfPart(each.measure, each.part), measure_words(each.measure, each.part), each.bound)
+        for each in wanted
+    ]
+    output = next(iter(design.file.mechanism.outputs), None)
+    if not found and output is not None:
+        asked = MeasureOfPart(Measure.STROKE, output)
+        found = [(asked, _words(asked), None)]
+    return found
+
+
+def _branch(path: NumberPath, number: int, asked: list[Curve]) -> Figure:
     words = place_words(path.varied.place)
     return drawn(
         f"branch-{number}",
-        f"The motion over the {place_words(path.varied.place)}",
-        f"Peak to peak of {output} along the branch of exact orbits through the file’s own point. Solid: "
-        "stable; dashed: unstable, so that the mechanism settles to something else. Branches that part from "
-        "it are not drawn.",
-        f"A curve over the {words}, with marks where the motion changes.",
-        partial(branch, path, output),
+        f"{capital(listed([name for _, name, _ in asked]))} over the {words}",
+        "The motion of the file, solved for again and again while the number changes. Solid: the motion is "
+        "stable, the machine runs so. Dashed: it is unstable, the slightest disturbance leads elsewhere. A "
+        "dotted line is what is wanted.",
+        f"Curves over the {words}, with marks where the motion changes.",
+        partial(branch, path, asked),
     )
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TypeVar
@@ -12,7 +13,7 @@ from trimmer.deadline import NEVER, Deadline
 from trimmer.design.design_file import DesignFile
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.keeping import NOT_KEPT, Keeper
-from trimmer.design.kept_map import DesignMap, design_map
+from trimmer.design.kept_map import DesignMap, design_map, keys_of
 from trimmer.design.linear import LinearState, linear_states
 from trimmer.design.motions import Motions, motions_from_starts, periods_within, with_neighbours
 from trimmer.design.paths import NumberPath, path_through
@@ -22,7 +23,9 @@ from trimmer.design.remedies import Remedies, remedies
 from trimmer.design.sensitivity import Sensitivities, sensitivities
 from trimmer.design.settings import USUAL, DesignSettings
 from trimmer.design.spectrum import OutputSpectrum, spectra
+from trimmer.design.strongest import pairs_of_targets
 from trimmer.design.surroundings import Around, conditions_of, study_around
+from trimmer.design.targets import Target
 from trimmer.design.varied_places import VariedNumber, varied_places
 from trimmer.design.verdict import DesignVerdict, verdict_on
 from trimmer.maps.cells import Cell, CellResult
@@ -57,6 +60,10 @@ SPENT = {
     Stage.BRANCH: 0.82,
 }
 """Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
+MOST_PATHS = 3
+"""Numbers over which branches are followed at most."""
+COARSE = (6, 12)
+"""Cells along each side of coarse maps, by which the time of finer ones is known."""
 FIRST_START, CELL = 0.1, 0.02
 """Share of that time that a start may take to settle, and a cell of a map or a trial."""
 
@@ -156,8 +163,10 @@ class Study:
         found = study.remedies(verdict_on(self.file.targets, motions, ranges, around), of)
         motions = study.with_neighbours(motions)
         varied = study.varied(motions)
-        maps = study.maps(varied)
-        paths = study.paths(motions, varied)
+        pairs = study.pairs(motions, of, found, around)
+        maps = study.maps(varied, pairs)
+        numbers = tuple(dict.fromkeys(each for pair in pairs for each in pair))
+        paths = study.paths(motions, numbers[:MOST_PATHS] or varied)
         return replace(
             study._design(motions, linear, ranges, around),
             sensitivities=of,
@@ -285,42 +294,82 @@ class Study:
         depends = (file.targets, conditions, settings.without_cells)
         return self._made(Stage.REMEDIES, (), depends, self._run(Stage.REMEDIES, make), None)
 
+    def pairs(
+        self,
+        motions: Motions,
+        of: Sensitivities | None,
+        found: Remedies | None,
+        around: Around | None,
+    ) -> dict[tuple[VariedNumber, VariedNumber], tuple[Target, ...]]:
+        """Return the pairs of numbers over which targets are drawn, those first that are missed."""
+        mechanism, targets = self.file.mechanism, self.file.targets
+        missed = verdict_on(targets, motions, None, around).missed
+        ordered = (*missed, *(each for each in targets if each not in missed))
+        return pairs_of_targets(mechanism, ordered, self.varied(motions), of, found)
+
     def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
         first = motions.first
         if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:
             return ()
-        most = self.settings.most_points
+        most, keys = self.settings.most_points, keys_of(self.file.targets)
         found = (
             self._made(
                 Stage.BRANCH,
                 (each.place,),
-                (each, most),
-                partial(path_through, self.file.mechanism, each, first, most),
+                (each, most, keys),
+                partial(path_through, self.file.mechanism, each, first, most, keys=keys),
                 None,
             )
             for each in varied
         )
         return tuple(each for each in found if each is not None)
 
-    def maps(self, varied: tuple[VariedNumber, ...]) -> tuple[DesignMap, ...]:
-        """Return the maps over gap and speed, and gap and friction; without a gap over speed and friction."""
+    def maps(
+        self,
+        varied: tuple[VariedNumber, ...],
+        pairs: Mapping[tuple[VariedNumber, VariedNumber], tuple[Target, ...]] | None = None,
+    ) -> tuple[DesignMap, ...]:
+        """Return maps over pairs of numbers with the targets drawn there.
+
+        Without them they are over gap and speed, and gap and friction; without a gap over speed and friction.
+        """
         if self.file.mechanism.frequency is None:
             return ()
         by_role = tuple({each.role: each for each in varied}.values())
-        found = (self._map(by_role[0], each) for each in by_role[1:])
+        wanted = pairs or {(by_role[0], each): () for each in by_role[1:]}
+        begun, found = SPENT[Stage.NEIGHBOURS], []
+        for number, ((first, second), targets) in enumerate(wanted.items(), start=1):
+            share = begun + (SPENT[Stage.MAP] - begun) * number / len(wanted)
+            found.append(self._map(first, second, targets, self.deadline.share(share)))
         return tuple(each for each in found if each is not None)
 
-    def _map(self, first: VariedNumber, second: VariedNumber) -> DesignMap | None:
-        over = (first.place, second.place)
-        runner = TimedRunner(self.runner, self.deadline.share(SPENT[Stage.MAP]))
-        found = design_map(
-            self.file.mechanism, first, second, self.settings, runner, self.keeper,
-            partial(self.told, Stage.MAP, over),
-        )  # fmt: skip
-        if found is None:
+    def _map(
+        self, first: VariedNumber, second: VariedNumber, targets: tuple[Target, ...], deadline: Deadline
+    ) -> DesignMap | None:
+        """Return a map as fine as there is time for: a coarse one tells how long a finer one takes."""
+        over, best = (first.place, second.place), None
+        runner = TimedRunner(self.runner, deadline)
+        sizes = [self.settings.cells] if deadline.end == math.inf else [*self._sizes()]
+        left = deadline.left
+        for cells, before in zip(sizes, [None, *sizes], strict=False):
+            took = left - deadline.left
+            if before is not None and took * (cells / before) ** 2 > deadline.left:
+                break
+            left = deadline.left
+            settings = replace(self.settings, cells=cells)
+            told = partial(self.told, Stage.MAP, over)
+            finer = design_map(
+                self.file.mechanism, first, second, settings, runner, self.keeper, told, targets
+            )
+            best = finer or best
+        if best is None:
             self._cut.append((Stage.MAP, over))
-        return found
+        return best
+
+    def _sizes(self) -> Iterator[int]:
+        yield from (each for each in COARSE if each < self.settings.cells)
+        yield self.settings.cells
 
     def _run(self, stage: Stage, make: Callable[[TimedRunner], Result]) -> Callable[[Deadline], Result]:
         """Return work that is done by the runner, until an instant."""

@@ -8,6 +8,8 @@ from functools import partial
 
 from trimmer.design.keeping import Keeper
 from trimmer.design.settings import DesignSettings
+from trimmer.design.targets import Measure, Target
+from trimmer.design.trial import MeasureOfPart
 from trimmer.design.varied_places import VariedNumber
 from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
@@ -27,14 +29,16 @@ class DesignMap:
     Attributes:
         first, second: What varies along a row, and from row to row.
         result: The map.
+        targets: Those that are drawn over these numbers; the map has their measures.
     """
 
     first: VariedNumber
     second: VariedNumber
     result: MotionMap
+    targets: tuple[Target, ...] = ()
 
 
-def design_map(
+def design_map(  # noqa: PLR0913 (each is a choice of its own)
     mechanism: Mechanism,
     first: VariedNumber,
     second: VariedNumber,
@@ -42,6 +46,7 @@ def design_map(
     runner: Runner,
     keeper: Keeper,
     told: Told,
+    targets: tuple[Target, ...] = (),
 ) -> DesignMap | None:
     """Tell what the mechanism settles to over two numbers, each cell from rest or the file's own start.
 
@@ -53,16 +58,23 @@ def design_map(
         runner: Who does the work.
         keeper: Keeps each row.
         told: Is told of each row.
+        targets: Whose measures are taken.
 
     Returns:
         The map; None if the runner left cells out.
     """
     values = {each.place: each.values(settings.cells) for each in (first, second)}
-    inputs = checked_inputs(mechanism, values, Settings(settings.cell_periods))
+    inputs = checked_inputs(mechanism, values, Settings(settings.cell_periods, measures=keys_of(targets)))
     rows = _rows(inputs, runner, keeper, told)
     if rows is None:
         return None
-    return DesignMap(first, second, MotionMap(inputs, tuple(cell for row in rows for cell in row)))
+    return DesignMap(first, second, MotionMap(inputs, tuple(cell for row in rows for cell in row)), targets)
+
+
+def keys_of(targets: tuple[Target, ...]) -> tuple[str, ...]:
+    """Return the keys of what targets bound, without that of a period."""
+    asked = (MeasureOfPart(each.measure, each.part) for each in targets if each.measure is not Measure.PERIOD)
+    return tuple(dict.fromkeys(each.column for each in asked))
 
 
 def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list[Row] | None:

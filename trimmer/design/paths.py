@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from trimmer.arrays import Flags, Reals
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
+from trimmer.branches.outputs import OutputMeasure
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 from trimmer.deadline import NEVER, Deadline
@@ -48,6 +49,7 @@ class PathSide:
         values: Of the number, (n,).
         stable: Whether each orbit is, (n,).
         stroke: Peak to peak of each output by name, m, (n,).
+        measures: What targets bound, by key, SI units, (n,).
         special: The special points, in the order in which they were met.
         reason: Why it ends.
         message: The same as a sentence.
@@ -60,6 +62,7 @@ class PathSide:
     special: tuple[SpecialOnPath, ...]
     reason: BranchEnd
     message: str
+    measures: Mapping[str, Reals] = field(default_factory=dict)
 
     @property
     def reaches(self) -> float | None:
@@ -139,6 +142,8 @@ def path_through(
     motion: FoundMotion,
     most_points: int,
     deadline: Deadline = NEVER,
+    *,
+    keys: tuple[str, ...] = (),
 ) -> NumberPath:
     """Follow the motion of the working point over one number to both ends of its range.
 
@@ -148,6 +153,7 @@ def path_through(
         motion: A periodic motion.
         most_points: Orbits to each side, at most.
         deadline: After which no further orbit is solved for.
+        keys: Of measures that are taken; see ``trimmer.motion.chosen``.
     """
     periods = motion.period_count or 1
     sides: list[PathSide | None] = []
@@ -167,15 +173,15 @@ def path_through(
         branch = follow(
             mechanism, varied.place, varied.value, end, periods=periods, state=motion.state, settings=settings
         )
-        sides.append(_side(branch, end))
+        sides.append(_side(branch, end, keys))
     return NumberPath(varied, periods, *sides)
 
 
-def _side(branch: FollowedBranch, end: float) -> PathSide:
+def _side(branch: FollowedBranch, end: float, keys: tuple[str, ...]) -> PathSide:
     names = list(branch.units)
     # Each orbit keeps its whole motion once it was measured: hundreds of them would fill the memory.
-    found = [FollowedOrbit(point.point, point.map).outputs for point in branch.points]
-    strokes = [{name: measures[name].peak_to_peak for name in names} for measures in found]
+    found = [_measured(FollowedOrbit(point.point, point.map), keys) for point in branch.points]
+    strokes = [{name: outputs[name].peak_to_peak for name in names} for outputs, _ in found]
     special = tuple(
         SpecialOnPath(
             each.kind,
@@ -193,4 +199,11 @@ def _side(branch: FollowedBranch, end: float) -> PathSide:
         special,
         branch.reason,
         branch.message,
+        {key: np.array([measures[at] for _, measures in found]) for at, key in enumerate(keys)},
     )
+
+
+def _measured(
+    orbit: FollowedOrbit, keys: tuple[str, ...]
+) -> tuple[Mapping[str, OutputMeasure], tuple[float, ...]]:
+    return orbit.outputs, tuple(orbit.measure(key) for key in keys)

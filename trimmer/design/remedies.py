@@ -36,9 +36,9 @@ PLACES = 16
 """Numbers that are tried, of those with the largest influence."""
 FIRST = ("gap", "force", "amplitude", "frequency", "damping", "stiffness", "static", "viscous", "unbalance")
 """Which numbers come first if nothing is known of their influence."""
-SINGLES, PAIRS = 4, 6
+SINGLES, PAIRS = 4, 8
 """Changes of one number and of two that are computed, those with the best forecast."""
-ROUNDS = 4
+ROUNDS = 5
 """How often a forecast is corrected."""
 DIGITS = 3
 """Digits to which a number is rounded."""
@@ -102,6 +102,7 @@ class Mend:
         value: What the target bounds then.
         missed: The targets that are missed then.
         helpless: Places of the numbers of which no value that was tried meets it.
+        strongest: Places of all that were tried, those first that move it most.
     """
 
     target: Target
@@ -109,6 +110,7 @@ class Mend:
     value: float
     missed: tuple[Target, ...]
     helpless: tuple[str, ...]
+    strongest: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -328,6 +330,9 @@ class _Search:
 
 def _mend(target: Target, targets: tuple[Target, ...], scans: list[Scan]) -> Mend:
     """Return what a single number does for one target, from the trials over each number alone."""
+    at = targets.index(target)
+    moved = sorted(scans, key=lambda each: -_reach(each, at, target))
+    strongest = tuple(each.place for each in moved)
     helping, helpless = [], []
     for scan in scans:
         meeting = [trial for trial in scan.trials if trial.meets((target,)) and trial.values[0] != scan.value]
@@ -335,11 +340,19 @@ def _mend(target: Target, targets: tuple[Target, ...], scans: list[Scan]) -> Men
         if not meeting:
             helpless.append(scan.place)
     if not helping:
-        return Mend(target, None, math.nan, (), tuple(helpless))
+        return Mend(target, None, math.nan, (), tuple(helpless), strongest)
     scan, trial = min(helping, key=lambda each: _cost(each[1], each[0], targets))
     missed = tuple(each for each in targets if not trial.meets((each,)))
     change = Change(scan.place, scan.unit, scan.value, trial.values[0])
-    return Mend(target, change, trial.value(target.measure, target.part), missed, tuple(helpless))
+    return Mend(target, change, trial.value(target.measure, target.part), missed, tuple(helpless), strongest)
+
+
+def _reach(scan: Scan, at: int, target: Target) -> float:
+    """Return by how much a number moves a target; a period counts by how evenly it is met and missed."""
+    if target.measure is Measure.PERIOD:
+        share = float(scan.regular.mean())
+        return share * (1 - share)
+    return float(np.ptp(scan.logs[:, at]))
 
 
 def _cost(trial: Trial, scan: Scan, targets: tuple[Target, ...]) -> tuple[int, float]:

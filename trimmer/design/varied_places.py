@@ -22,11 +22,12 @@ SLACK = 0.2
 
 
 class NumberRole(Enum):
-    """What a number that is varied is: a gap, a speed or a friction."""
+    """What a number that is varied is: a gap, a speed, a friction, or another one."""
 
     GAP = "gap"
     SPEED = "speed"
     FRICTION = "friction"
+    OTHER = "number"
 
 
 @dataclass(frozen=True)

@@ -11,16 +11,17 @@ from matplotlib.figure import Figure
 
 from report.design.quantities import Scale, place_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, new_figure, panels
+from trimmer.arrays import Reals
 from trimmer.branches.special import SpecialKind
 from trimmer.design.design_file import OpenRange
 from trimmer.design.kept_map import DesignMap
 from trimmer.design.paths import NumberPath, PathSide
 from trimmer.design.ranges import RangeStudy
 from trimmer.design.sensitivity import Sensitivities
-from trimmer.design.targets import Target
+from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart
 from trimmer.design.varied_places import VariedNumber
-from trimmer.drawing.cells import draw_cells
+from trimmer.drawing.cells import draw_cells, edges
 from trimmer.drawing.look import plain_label
 from trimmer.drawing.mechanisms.kinds import categories, category, legend_of
 
@@ -35,37 +36,41 @@ MARKERS = {
 BLUE = LINES[0]["color"]
 
 
-def branch(path: NumberPath, output: str) -> Figure:
-    """Draw peak to peak of an output along a branch: stable orbits solid, unstable ones dashed."""
+Curve = tuple[MeasureOfPart, str, float | None]
+"""A measure along a branch, what it is called, and its bound."""
+
+
+def branch(path: NumberPath, asked: Sequence[Curve]) -> Figure:
+    """Draw measures along a branch, one panel each: stable orbits solid, unstable ones dashed."""
     sides = [side for side in (path.down, path.up) if side is not None]
-    strokes = np.concatenate([side.stroke[output] for side in sides])
-    values = np.concatenate([side.values for side in sides])
-    across, up = scale_for(values, path.varied.unit), scale_for(strokes, "m")
-    figure, axes = panels(3.1)
-    for side in sides:
-        _line(axes, side, output, across, up)
-    seen: set[SpecialKind] = set()
-    for side in sides:
-        _special(axes, side, output, across, up, seen)
-    begin = sides[0].stroke[output][0]
-    axes.plot(
-        path.varied.value / across.factor,
-        begin / up.factor,
-        "o",
-        color=BLACK,
-        markersize=6,
-        label="as in the file",
-    )
-    axes.set(
-        xlabel=f"{plain_label(place_words(path.varied.place))} [{across.unit}]",
-        ylabel=f"{plain_label(output)}, peak to peak [{up.unit}]",
-    )
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    across = scale_for(np.concatenate([side.values for side in sides]), path.varied.unit)
+    figure, every = panels(0.6 + 2.4 * len(asked), len(asked), 1, sharex=True, squeeze=False)
+    for axes, (measure, name, bound) in zip(every[:, 0], asked, strict=True):
+        heights = [_heights(side, measure) for side in sides]
+        up = scale_for([*np.concatenate(heights), bound or 0.0], measure.measure.value)
+        for side, values in zip(sides, heights, strict=True):
+            _line(axes, side, values, across, up)
+        seen: set[SpecialKind] = set()
+        for side, values in zip(sides, heights, strict=True):
+            _special(axes, side, values, across, up, seen)
+        axes.plot(
+            path.varied.value / across.factor, heights[0][0] / up.factor, "o",
+            color=BLACK, markersize=6, label="as in the file",
+        )  # fmt: skip
+        if bound is not None:
+            axes.axhline(bound / up.factor, label="wanted", **FAINT)
+        axes.set_ylabel(f"{plain_label(name)} [{up.unit}]")
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    every[-1, 0].set_xlabel(f"{plain_label(place_words(path.varied.place))} [{across.unit}]")
     return figure
 
 
-def _line(axes: Axes, side: PathSide, output: str, across: Scale, up: Scale) -> None:
-    values, strokes = side.values / across.factor, side.stroke[output] / up.factor
+def _heights(side: PathSide, asked: MeasureOfPart) -> Reals:
+    return side.stroke[asked.part] if asked.measure is Measure.STROKE else side.measures[asked.column]
+
+
+def _line(axes: Axes, side: PathSide, heights: Reals, across: Scale, up: Scale) -> None:
+    values, strokes = side.values / across.factor, heights / up.factor
     for stable, group in itertools.groupby(range(len(values)), key=lambda at: bool(side.stable[at])):
         places = list(group)
         part = slice(max(places[0] - 1, 0), places[-1] + 1)
@@ -74,14 +79,16 @@ def _line(axes: Axes, side: PathSide, output: str, across: Scale, up: Scale) -> 
 
 
 def _special(
-    axes: Axes, side: PathSide, output: str, across: Scale, up: Scale, seen: set[SpecialKind]
+    axes: Axes, side: PathSide, heights: Reals, across: Scale, up: Scale, seen: set[SpecialKind]
 ) -> None:
+    """Mark special points, at the height of the orbits beside them."""
     for each in side.special:
         mark, name = MARKERS[each.kind]
         label = None if each.kind in seen else name
         seen.add(each.kind)
+        height = heights[int(np.argmin(abs(side.values - each.value)))]
         axes.plot(
-            each.value / across.factor, each.stroke[output] / up.factor, mark,
+            each.value / across.factor, height / up.factor, mark,
             color=BLACK, markerfacecolor="white", markersize=5, markeredgewidth=0.9, linestyle="none",
             label=label,
         )  # fmt: skip
@@ -148,6 +155,66 @@ def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart
     for axes in flat[len(asked) :]:
         axes.set_axis_off()
     return figure
+
+
+def target_maps(drawn: DesignMap, names: Sequence[str], marks: Sequence[tuple[float, float]]) -> Figure:
+    """Draw what each target bounds over two numbers, with the target as a contour.
+
+    Args:
+        drawn: The map.
+        names: What each target is called.
+        marks: Values of both numbers that are recommended, SI units.
+    """
+    rows = -(-len(drawn.targets) // 2)
+    wide = min(len(drawn.targets), 2)
+    figure, every = panels(0.5 + 2.7 * rows, rows, wide, squeeze=False)
+    first, second = (
+        scale_for(values, each.unit) for values, each in zip(drawn.result.values, _sides(drawn), strict=True)
+    )
+    flat = list(every.flat)
+    for axes, target, name in zip(flat, drawn.targets, names, strict=False):
+        _target_map(axes, drawn, target, (first, second))
+        axes.set_title(plain_label(name))
+        axes.plot(
+            drawn.first.value / first.factor, drawn.second.value / second.factor, "o",
+            color="white", markeredgecolor="black", markersize=7, clip_on=False,
+        )  # fmt: skip
+        for across, up in marks:
+            axes.plot(
+                across / first.factor, up / second.factor, "*",
+                color="#F0E442", markeredgecolor="black", markersize=12, clip_on=False,
+            )  # fmt: skip
+        axes.set(
+            xlabel=f"{plain_label(place_words(drawn.first.place))} [{first.unit}]",
+            ylabel=f"{plain_label(place_words(drawn.second.place))} [{second.unit}]",
+        )
+        axes.grid(visible=False)
+    for axes in flat[len(drawn.targets) :]:
+        axes.set_axis_off()
+    return figure
+
+
+def _target_map(axes: Axes, drawn: DesignMap, target: Target, scales: tuple[Scale, Scale]) -> None:
+    result = drawn.result
+    across, up = (values / scale.factor for values, scale in zip(result.values, scales, strict=True))
+    if target.measure is Measure.PERIOD:
+        draw_cells(axes, across, up, (result.period_count == 1).astype(np.int64), MET)
+        return
+    values = result.chosen[MeasureOfPart(target.measure, target.part).column]
+    unit = scale_for([*values[np.isfinite(values)], target.bound], target.measure.value)
+    shown = values / unit.factor
+    mesh = axes.pcolormesh(edges(across), edges(up), shown, cmap="viridis", rasterized=True)
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    figure.colorbar(mesh, ax=axes, label=f"[{unit.unit}]")
+    bound = target.bound / unit.factor
+    if np.nanmin(shown) < bound < np.nanmax(shown) and min(shown.shape) > 1:
+        axes.contour(across, up, shown, levels=[bound], colors="white", linewidths=3.0)
+        axes.contour(across, up, shown, levels=[bound], colors=BLACK, linewidths=1.4)
+
+
+MET = {0: "#d9d9d9", 1: "#56B4E9"}
+"""Colours of cells whose motion does not repeat with the drive, and of those in which it does."""
 
 
 def kind_map(drawn: DesignMap) -> Figure:
