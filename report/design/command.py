@@ -193,8 +193,10 @@ def _make(
     from report.design.building import files_of, going_on_from, looked_at, report_on
     from report.design.progress import ProgressLines
     from report.design.words import verdict_sentence
+    from trimmer.design.motions import periods_within
     from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
 
+    periods_within(file.mechanism, 1, 0.0)  # so that kernels that are compiled once take none of the time
     allowed = arguments.budget or (math.inf if arguments.full else BUDGET)
     deadline = Deadline.after(allowed) if allowed < math.inf else NEVER
     told = ProgressLines(place.log, deadline)

@@ -15,8 +15,8 @@ from report.pages.displayed import formula
 from report.pages.environment import MarkdownEnvironment
 
 PIECES = (
-    *("verdict", "ranges", "mechanism", "linear", "motions", "contacts", "spectrum", "maps", "branches"),
-    *("sensitivity", "exposure", "provenance"),
+    *("verdict", "ranges", "maps", "motions", "contacts", "spectrum", "exposure", "branches"),
+    *("sensitivity", "mechanism", "linear", "provenance", "equations"),
 )
 
 

@@ -8,7 +8,12 @@ from functools import partial
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of
 from report.design.figures.over_numbers import Curve, branch, influences, kind_map, over_range, target_maps
-from report.design.figures.over_time import line_spectrum, motion_over_time, transfer_functions
+from report.design.figures.over_time import (
+    acceleration_of,
+    line_spectrum,
+    motion_over_time,
+    transfer_functions,
+)
 from report.design.quantities import percent, place_words, shown
 from report.design.words import bound_words, capital, measure_words
 from report.pages.drawing.drawn import drawn
@@ -33,6 +38,7 @@ def pictures(design: Design) -> dict[str, Figure]:
     found = [
         _diagram(design),
         *_motion(design),
+        *_acceleration(design),
         *_transfer(design),
         *_spectra(design),
         *_ranges(design),
@@ -83,6 +89,26 @@ def _motion(design: Design) -> Iterator[Figure]:
         f"{capital(listed(shown))}, over {span}.{pulls}",
         f"Curves over {span} of {listed(shown)}.",
         partial(motion_over_time, motion),
+    )
+
+
+def _acceleration(design: Design) -> Iterator[Figure]:
+    motion = design.motion
+    if motion is None or motion.kind is MotionKind.REST or not motion.signals.accelerations:
+        return
+    wanted = [each.part for each in design.file.targets if each.measure is Measure.RMS_ACCELERATION]
+    asked = [design.file.held] if design.file.held else wanted
+    if len(asked) != 1:
+        asked = [max(asked or motion.rms_acceleration, key=lambda name: motion.rms_acceleration[name])]
+    rms = shown(motion.rms_acceleration[asked[0]], "m/s²")
+    lines = "each line an exact one" if motion.repeats else "of samples, as the motion does not repeat"
+    yield drawn(
+        "acceleration",
+        f"The acceleration of {asked[0]}",
+        f"Above over time, below its spectrum up to 3 kHz, {lines}: what a sensor on it would measure along "
+        "this axis, without weighting.",
+        f"A curve over time, and lines over frequency; its rms is {rms}.",
+        partial(acceleration_of, motion, asked),
     )
 
 

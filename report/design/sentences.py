@@ -60,15 +60,16 @@ STAGES = {
 """What is missing if a stage was cut."""
 
 
-def time_words(design: Design) -> str:
+def time_words(design: Design) -> Markdown:
     """Say what was left out or ended early as the time was over; empty if nothing was."""
     if not design.cut:
-        return ""
-    missing = listed(dict.fromkeys(STAGES[stage] for stage, _ in design.cut))
-    allowed = written(design.deadline.end - design.deadline.begun)
-    return (
-        f"The {allowed} s that were allowed did not suffice for {missing}. The same command goes on from "
-        "what is done; --budget allows more."
+        return Markdown("")
+    return markdown(
+        "The {} s that were allowed did not suffice for {}. The same command goes on from what is done; {} "
+        "allows more.",
+        written(design.deadline.end - design.deadline.begun),
+        listed(dict.fromkeys(STAGES[stage] for stage, _ in design.cut)),
+        code("--budget"),
     )
 
 
@@ -134,7 +135,7 @@ def settled_sentences(design: Design) -> str:
         exponent = motion.lyapunov
         grown = (
             f" Small distances grow by the factor {written(float(np.exp(exponent.value)), 3)} per "
-            f"drive period. Chaos over so many periods may still be a transient that ends."
+            "drive period, so that nobody can foresee it. It may still calm down after a longer time."
             if exponent is not None and motion.kind is MotionKind.CHAOTIC
             else ""
         )
@@ -148,12 +149,12 @@ def settled_sentences(design: Design) -> str:
         return f"From {begun}, the mechanism comes to a motion of its own that repeats after {period}."
     told = (
         f"From {begun}, the mechanism settles within {count(motion.drive_periods, 'drive period')} to "
-        f"{kind_words(motion)}. It is an exact orbit, {_steadiness(design)}. "
+        f"{kind_words(motion)}. It was solved for exactly, {_steadiness(design)}. "
         f"{capital(count_of(motion.events, 'event'))} happen in a drive period: contacts made or broken, "
         "slips reversed, stick begun or ended."
     )
     if motions.message and motion.neighbour_agrees is False:
-        told += " A neighbouring start does something else."
+        told += " A start that differs by a millionth ends in another motion, so that chance decides."
     return told
 
 
@@ -166,13 +167,13 @@ def _steadiness(design: Design) -> str:
     motion = design.motion
     assert motion is not None
     if not motion.multipliers.size:
-        return "and nothing disturbs it for longer than a moment"
+        return "and every disturbance is gone at once"
     largest = float(abs(motion.multipliers).max())
     if motion.neutral:
-        return "of which a shift stays as it is: friction or the lack of a spring holds no place"
+        return "which may lie anywhere: nothing, neither spring nor friction, brings a shifted part back"
     if largest < 1e-6:
-        return "to which disturbances return within a period"
-    return f"to which a small disturbance returns by the factor {written(largest, 3)} in each period"
+        return "and a small disturbance is gone within a period"
+    return f"and of a small disturbance {percent(largest, 3)} are left after a period"
 
 
 def searched_sentences(design: Design) -> str:
@@ -182,22 +183,24 @@ def searched_sentences(design: Design) -> str:
         return "One start was followed. Without a drive, other motions were not looked for."
     told = (
         f"{capital(count(motions.starts, 'start'))} were followed: the first as the file has it, the others "
-        f"random, up to the displacements and speeds of the first motion (seed {motions.seed})."
+        f"at random within what the first motion reaches (seed {motions.seed})."
     )
+    if motions.starts == 1:
+        told = "One start was followed, that of the file."
     near = motions.neighbours
     if near is not None:
         names = places_listed(near.places)
         end = (
-            "until nothing new came" if near.complete else "and the search was ended before nothing new came"
+            "until nothing new turned up" if near.complete else "and the search was ended before that was all"
         )
         told += (
-            f" {capital(count(near.cells, 'neighbour'))} with another {names} (up to ±{percent(near.reach)}) "
-            f"were followed as well, and {near.tried} of their orbits were handed on as starts, {end}; "
-            f"{count(near.found, 'motion')} came from there alone."
+            f" The same was done for {near.cells} machines with another {names} (up to "
+            f"±{percent(near.reach)}); {near.tried} of their motions were taken as starts here, {end}. "
+            f"{capital(count(near.found, 'motion'))} turned up only in this way."
         )
     if motions.lost:
         told += f" {capital(count(motions.lost, 'motion'))} could not be followed to an end."
-    return told + " A motion that none of these leads to was not looked for."
+    return told + " A motion to which none of these starts leads would not have been noticed."
 
 
 def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:

@@ -26,8 +26,8 @@ from trimmer.response.response import MotionKind
 def map_sentences(drawn: DesignMap) -> str:
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
-    own = f"In the cell of the file, or the nearest one, the motion is {_cell_words(drawn)}."
-    starts = "Each cell was followed from the file’s start alone, so other motions may exist in it."
+    own = f"In the cell nearest to the file’s own point the motion is {_cell_words(drawn)}."
+    starts = "Each cell is what comes of the file’s start alone; from other starts other motions may come."
     failed = len(result.failures)
     told = f"{own} {starts}"
     return told + (
@@ -41,9 +41,9 @@ def _cell_words(drawn: DesignMap) -> str:
     row = int(np.argmin(abs(rows - drawn.second.value)))
     motion = drawn.result.cells[row * len(columns) + column].motions[0]
     return {
-        MotionKind.TORUS: "on a torus",
+        MotionKind.TORUS: "one that beats and never quite repeats",
         MotionKind.REST: "rest, in which nothing moves",
-        MotionKind.CHAOTIC: f"chaotic over {motion.periods} drive periods, which may be a transient",
+        MotionKind.CHAOTIC: f"chaotic for all of the {motion.periods} drive periods",
         MotionKind.DIVERGING: "one that grows without bound",
         MotionKind.UNDECIDED: "not known, because the motion had not settled",
     }.get(motion.kind, f"of {described(motion)}")
@@ -60,7 +60,7 @@ def margin_sentences(design: Design) -> str:
     if not shares and any(side.cut for path in design.paths for side in (path.down, path.up) if side):
         return "As far as it was followed the motion stays stable."
     if not shares:
-        return "Within these ranges the motion stays stable: nothing ends it."
+        return "Within these ranges the motion stays stable."
     share, path, side = min(shares, key=lambda each: abs(each[0]))
     way = "a smaller" if share < 0 else "a larger"
     told = (
@@ -75,7 +75,7 @@ def _ended(side: PathSide) -> str:
         return SPECIAL[side.losing]
     if side.reason is BranchEnd.TORN:
         return "the motion jumps"
-    return "the orbit could not be followed further, or loses its stability"
+    return "the motion becomes unstable, or could not be followed further"
 
 
 def branch_sentences(path: NumberPath) -> str:

@@ -204,7 +204,7 @@ def motion_rows(design: Design) -> Rows:
                 else motion.contacts[each.part].impact_speed
             )
             cells.append(_value(value, each.measure.value))
-        origin = count(motion.starts, "start") if motion.starts else "a neighbour’s motion"
+        origin = count(motion.starts, "start") if motion.starts else "the motion of a similar machine"
         cells.append(f"{origin} of {design.motions.starts}" if motion.starts else origin)
         rows.append(cells + [""] * (4 - len(cells)))
     return rows

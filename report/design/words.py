@@ -104,10 +104,9 @@ def kind_words(motion: FoundMotion) -> str:
             return "a motion that repeats"
         return f"a motion that repeats after {count(motion.period_count, 'drive period')}{_advance(motion)}"
     return {
-        MotionKind.TORUS: "a motion on a torus, which beats and never quite repeats",
+        MotionKind.TORUS: "a motion that beats and never quite repeats (a torus)",
         MotionKind.REST: "rest: nothing moves",
-        MotionKind.CHAOTIC: f"a motion that was chaotic over {motion.drive_periods} drive periods, "
-        "which may be a transient",
+        MotionKind.CHAOTIC: f"a motion that stayed chaotic for {motion.drive_periods} drive periods",
         MotionKind.DIVERGING: "a motion that grows without bound",
     }.get(motion.kind, "a motion that had not settled when the wait was over")
 
@@ -295,7 +294,7 @@ def sureness_sentences(design: Design) -> str:
         Sureness.SURE: "Within the model this is sure",
         Sureness.LIKELY: "Within the model this is likely, not sure",
         Sureness.UNSURE: "This is unsure",
-    }[design.verdict.sureness]
+    }[Sureness.LIKELY if design.cut and design.verdict.sureness is Sureness.SURE else design.verdict.sureness]
     if design.verdict.outcome is DesignOutcome.NO_TARGETS:
         level = "How that was found"
     varied = design.ranges is not None or design.file.uncertainty is not None
@@ -307,7 +306,7 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
     motions = design.motions
     measured = f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
     if motion.repeats:
-        measured = "the motion is an exact periodic orbit, solved to rounding"
+        measured = "the motion repeats exactly, and was solved for to rounding"
     elif motion.kind is MotionKind.REST:
         measured = "nothing moves, and what holds each part is known to rounding"
     grounds = [measured]
@@ -323,7 +322,7 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         grounds.append(f"{count(others, 'other motion')} {'is' if others == 1 else 'are'} there, {same}")
     elif motions.neighbours is not None:
         grounds.append(
-            f"no other motion was found from {count(motions.neighbours.tried, 'orbit')} of neighbours"
+            f"no other motion was found from {count(motions.neighbours.tried, 'motion')} of similar machines"
         )
     if any(each.near for each in design.verdict.judged):
         grounds.append(f"a bound is less than {percent(NEAR)} away")

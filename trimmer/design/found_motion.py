@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.contact.assembly import PUSHING
 from trimmer.contact.outputs import contact_force
+from trimmer.contact.readouts import acceleration
 from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target
@@ -50,6 +51,7 @@ class MotionSignals:
         forces: Of each play and stop by name, N, positive where it pulls its ends together, (n,).
         touching: When each is in contact.
         sticking: When each dry friction sticks.
+        accelerations: Of each body, m/s², between impulses, (n,).
     """
 
     times: Reals
@@ -57,6 +59,7 @@ class MotionSignals:
     forces: Mapping[str, Reals]
     touching: Mapping[str, Spans]
     sticking: Mapping[str, Spans]
+    accelerations: Mapping[str, Reals] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,6 +227,7 @@ def _signals(flow: Flow, course: Course, share: float) -> MotionSignals:
             name: _spans(course, while_status(course, contacts + number, (STICK,)), end)
             for number, name in enumerate(layout.frictions)
         },
+        {name: along(course, acceleration(course.modes, name), rows, states) for name in layout.shaken},
     )
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trimmer.arrays import Complexes
+from trimmer.arrays import Complexes, Reals
 from trimmer.contact.readouts import acceleration
 from trimmer.motion.course import Course
 from trimmer.motion.fourier import fourier
@@ -56,6 +56,7 @@ class HandArm:
         left_out: Bound on what the frequencies that were left out add to ``weighted``, m/s².
         highest: Frequency up to which it was summed, Hz.
         lines: How many lines were summed; 0 where samples were weighted, as the motion does not repeat.
+        frequency, amplitude: The spectrum of the acceleration without weighting, Hz and m/s², (n,) each.
     """
 
     weighted: float
@@ -63,6 +64,8 @@ class HandArm:
     left_out: float
     highest: float
     lines: int
+    frequency: Reals = field(default_factory=lambda: np.empty(0), compare=False)
+    amplitude: Reals = field(default_factory=lambda: np.empty(0), compare=False)
 
     def hours_to(self, daily: float) -> float:
         """Return the hours a day after which this axis alone reaches a daily exposure A(8), m/s²."""
@@ -92,7 +95,10 @@ def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) ->
         rest = max(rms[name] ** 2 - squares[:, body].sum(), 0.0)
         weighted = float(np.sqrt(weights**2 @ squares[:, body]))
         left_out = float(np.sqrt(weighted**2 + beyond**2 * rest)) - weighted
-        found[name] = HandArm(weighted, rms[name], left_out, float(count * omega / (2 * np.pi)), count)
+        each = np.asarray(orders * omega / (2 * np.pi), dtype=np.float64)
+        found[name] = HandArm(
+            weighted, rms[name], left_out, each[-1].item(), count, each, abs(waves[:, body])
+        )
     return found
 
 
@@ -113,13 +119,16 @@ def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -
     times = course.duration * (np.arange(count) + 0.5) / count
     states, taper = course.states(times), np.hanning(count)
     rows = np.searchsorted(course.log.start, times, side="right") - 1
-    frequency = np.fft.rfftfreq(count, course.duration / count)
+    frequency = np.asarray(np.fft.rfftfreq(count, course.duration / count), dtype=np.float64)
     weights = abs(hand_arm_weighting(frequency))
     found = {}
     for name in course.modes.system.layout.shaken:
         signal = along(course, acceleration(course.modes, name), rows, states)
-        power = abs(np.fft.rfft((signal - signal.mean()) * taper)) ** 2
+        lines = abs(np.fft.rfft((signal - signal.mean()) * taper))
+        power = lines**2
         share = float(weights**2 @ power / power.sum()) if power.sum() > 0 else 0.0
         weighted = float(np.sqrt(share)) * rms[name]
-        found[name] = HandArm(weighted, rms[name], float("nan"), rate / 2, 0)
+        near = frequency <= HIGHEST
+        sizes = 2 * lines[near] / taper.sum()
+        found[name] = HandArm(weighted, rms[name], float("nan"), rate / 2, 0, frequency[near], sizes)
     return found

@@ -68,7 +68,7 @@ def test_what_there_was_no_time_for_is_said_where_it_would_stand(tmp_path: Path)
     store = StageStore(tmp_path)
     design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None, Deadline(0.0, 1.0))
     pieces = to_markdown(report_on(design, store, "2026-03-01"))
-    assert "budget allows more" in pieces["verdict"]
+    assert "`--budget` allows more" in pieces["verdict"]
     for name in ("ranges", "motions", "maps", "branches", "sensitivity"):
         assert "There was no time left for" in pieces[name], name
     assert "missed" in pieces["verdict"]

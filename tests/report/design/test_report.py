@@ -23,9 +23,10 @@ from trimmer.design.targets import Measure
 from trimmer.design.verdict import DesignOutcome, DesignVerdict, JudgedTarget, Sureness
 
 SECTIONS = (
-    *("Verdict", "What nobody knows", "The mechanism", "Its equations", "Modes and transfer functions"),
-    *("What it settles to", "Impacts, forces and wear", "Spectrum", "Which motion where"),
-    *("How far the motion reaches", "What to change first", "Exposure to vibration", "What this rests on"),
+    *("Verdict", "What nobody knows", "The targets over two numbers", "What it settles to"),
+    *("Impacts, forces and wear", "Spectrum", "Exposure to vibration", "How far the motion reaches"),
+    *("What to change first", "The mechanism", "Modes and transfer functions", "What this rests on"),
+    "Appendix: the equations",
 )
 
 

@@ -245,8 +245,11 @@ def test_a_whole_and_a_short_look_have_their_stages() -> None:
     assert [each for each in made.keeper.names if each != "row"] == expected  # type: ignore[attr-defined]
     assert told[:2] == [(Stage.MOTIONS, (), 0, 1), (Stage.MOTIONS, (), 1, 1)]
     branches = [over for stage, over, done, _ in told if stage is Stage.BRANCH and done]
-    assert branches == [("stops.wall.gap",), ("frequency",)]
-    assert (Stage.MAP, ("stops.wall.gap", "frequency"), 3, 3) in told
+    (drawn,) = whole.maps
+    assert drawn.targets == (TARGET,) and set(drawn.result.chosen) == {STROKE.column}
+    assert branches == [(drawn.first.place,), (drawn.second.place,)]
+    assert [set(each.up.measures) for each in whole.paths if each.up] == [{STROKE.column}] * 2
+    assert (Stage.MAP, (drawn.first.place, drawn.second.place), 3, 3) in told
     assert whole.cut == ()
     assert [len(each.result.cells) for each in whole.maps] == [9]
     assert whole.verdict.missed == (TARGET,) and whole.remedies is not None and whole.ranges is not None
