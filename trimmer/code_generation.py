@@ -219,7 +219,7 @@ class _Translation:
         constant = self._number("forces", name, "constant", force.constant)
         amplitude = self._number("forces", name, "amplitude", force.amplitude)
         unbalance = self._number("forces", name, "unbalance", force.unbalance)
-        height = total(amplitude, unbalance * (force.order * symbols.omega) ** 2)
+        height = total(amplitude, unbalance * (force.order * self._omega(force)) ** 2)
         wave = product(height, self._wave("forces", name, force))
         profile = [self._function("forces", name, "profile")] if force.profile else []
         law = total(constant, wave if height != 0 else 0, *self._further("forces", name, force), *profile)
@@ -254,7 +254,13 @@ class _Translation:
 
     def _wave(self, section: str, name: str, part: Pin | Force) -> sympy.Expr:
         phase = self._number(section, name, "phase", part.phase)
-        return sympy.sin(total(part.order * symbols.omega * t, phase))
+        return sympy.sin(total(part.order * self._omega(part) * t, phase))
+
+    def _omega(self, part: Pin | Force) -> sympy.Expr:
+        """Return the angular frequency of what drives a part."""
+        if part.drive is None:
+            return symbols.omega
+        return sympy.Symbol(self.printed["drives", part.drive, "omega"].symbol, real=True)
 
     def _further(self, section: str, name: str, part: Pin | Force) -> Iterator[sympy.Expr]:
         """Yield the harmonics of a part, and its waveform."""
@@ -266,7 +272,7 @@ class _Translation:
                 for of in ("amplitude", "phase")
             )
             if amplitude != 0:
-                yield product(amplitude, sympy.sin(total(int(order) * symbols.omega * t, phase)))
+                yield product(amplitude, sympy.sin(total(int(order) * self._omega(part) * t, phase)))
         if part.waveform:
             yield self._function(section, name, "waveform")
 

@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tests.mechanisms.waves import constant, waves
+from tests.mechanisms.waves import constant, waves_in
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin
 
@@ -38,7 +38,7 @@ class Rows:
             name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
         )
         parts = (*mechanism.pins.values(), *mechanism.forces.values())
-        self.orders = tuple(sorted({order for part in parts for order, *_ in waves(part, self.omega)}))
+        self.orders = tuple(sorted({order for part in parts for order, *_ in waves_in(self.mechanism, part)}))
 
     @cached_property
     def omega(self) -> float:
@@ -73,7 +73,7 @@ class Rows:
         return row
 
     def waves(self, part: Pin | Force) -> np.ndarray:
-        found = (self.sine(size, order, phase) for order, size, phase in waves(part, self.omega))
+        found = (self.sine(size, order, phase) for order, size, phase in waves_in(self.mechanism, part))
         return sum(found, np.zeros(self.size))
 
     def clock(self) -> np.ndarray:

@@ -4,12 +4,25 @@ from __future__ import annotations
 
 import math
 
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Force, Pin
 
 
 def constant(part: Pin | Force) -> float:
     own = part.offset if isinstance(part, Pin) else part.constant
     return own + math.fsum(part.waveform or ()) / len(part.waveform or (1,))
+
+
+def faster(mechanism: Mechanism, part: Pin | Force) -> float:
+    """By what the drive of a part is faster than the frequency."""
+    return 1.0 if part.drive is None else mechanism.drives[part.drive] / mechanism.frequency
+
+
+def waves_in(mechanism: Mechanism, part: Pin | Force) -> list[tuple[float, float, float]]:
+    """The same of a part of a mechanism, in orders of its frequency."""
+    ratio = faster(mechanism, part)
+    omega = 2 * math.pi * (mechanism.frequency or 0.0) * ratio
+    return [(ratio * order, *other) for order, *other in waves(part, omega)]
 
 
 def waves(part: Pin | Force, omega: float) -> list[tuple[int, float, float]]:

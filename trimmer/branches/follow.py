@@ -17,9 +17,11 @@ from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.errors import LoopError, MechanismError, OrbitNotFoundError
 from trimmer.loops.loops import Loop
+from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place
 from trimmer.messages import listed
+from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
@@ -126,9 +128,26 @@ def _interval(mechanism: Subject, place: str, start: float | str, stop: float | 
     require_continuous(place)
     if mechanism.frequency is None and parse_place(place) == ("frequency",):
         mechanism.value(place)
-    for each in (begin, end):
-        require_repeating(flow_of(mechanism.with_value(place, each)))
+    flows = [flow_of(mechanism.with_value(place, each)) for each in (begin, end)]
+    for flow in flows:
+        require_repeating(flow)
+    require_together(place, *flows)
     return begin, end
+
+
+def require_together(place: str, first: Flow, last: Flow) -> None:
+    """Check that the drives of a mechanism return together at all values of a number.
+
+    Raises:
+        MechanismError: if they do not, or at single values only.
+    """
+    layouts = [flow.modes.system.layout for flow in (first, last)]
+    if not layouts[0].recurrence:
+        raise MechanismError(f"nothing repeats that could be followed: {told_of_drives(RETURNS)}")
+    if isinstance(first.subject, Mechanism) and layouts[0].drives != layouts[1].drives:
+        raise MechanismError(
+            f"{place}: the drives return together at single values only, with no branch between them"
+        )
 
 
 def _self_excited(

@@ -17,10 +17,11 @@ import numpy as np
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
+from trimmer.mechanism.drives import Drives, drives_of, waves_in
 from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Row, Stop
-from trimmer.mechanism.waves import mean_of, waves_of
+from trimmer.mechanism.waves import mean_of
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
@@ -42,7 +43,8 @@ class Layout:
         curves: Section and name of the parts with a curve.
         walls: Names of the walls.
         relaxing: Names of those contacts whose z is a state.
-        orders: Multiples of the drive's frequency that occur.
+        orders: Multiples of the drive's frequency that occur; not whole where other drives give them.
+        drives: What drives it beside that.
         profiles: Points of the profiles that occur, time, s, and force, N; entries are the force of each and
             its rate.
         ramp: Whether the time is an entry.
@@ -64,7 +66,8 @@ class Layout:
     curves: tuple[tuple[str, str], ...]
     walls: tuple[str, ...]
     relaxing: tuple[str, ...]
-    orders: tuple[int, ...]
+    orders: tuple[float, ...]
+    drives: Drives
     profiles: tuple[tuple[Row, ...], ...]
     ramp: bool
     omega: float
@@ -124,7 +127,16 @@ class Layout:
     @property
     def drifts(self) -> bool:
         """Whether each period is forced in a way of its own."""
-        return self.ramp or bool(self.profiles)
+        return self.ramp or bool(self.profiles) or self.recurrence != 1
+
+    @property
+    def recurrence(self) -> int:
+        """Periods after which all drives return together; 0 if they do not."""
+        return self.drives.periods
+
+    def clock(self, periods: int, phase: float) -> float:
+        """Return the time that waves count, s, at a phase, s, after some periods."""
+        return phase if self.recurrence == 1 else periods * self.period + phase
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:
@@ -201,7 +213,7 @@ class Layout:
             and self.frame.is_alike(other.frame)
         )
 
-    def sine(self, order: int) -> int:
+    def sine(self, order: float) -> int:
         """Return the place of the sine of an order; its cosine follows."""
         return self.state_count + 2 * self.orders.index(order)
 
@@ -210,11 +222,11 @@ class Layout:
 
         Args:
             time: s.
-            before: Whole drive periods that were before, s, which count for ramps and profiles alone.
+            before: Whole drive periods that were before, s, which do not count for waves of the drive alone.
         """
         values = np.ones(self.forcing)
         for place, order in enumerate(self.orders):
-            angle = order * self.omega * time
+            angle = order * self.omega * (time if self.recurrence == 1 else before + time)
             values[2 * place : 2 * place + 2] = np.sin(angle), np.cos(angle)
         for profile in self.profiles:
             place = self.profile(profile) - self.state_count
@@ -254,7 +266,7 @@ def layout_of(
     frame = frame_of(mechanism).fixed() if frame is None else frame
     omega = 2 * np.pi * (mechanism.frequency or 0.0)
     moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
-    orders = sorted({wave.order for part in moved for wave in waves_of(part, omega)})
+    orders = sorted({wave.order for part in moved for wave in waves_in(mechanism, part)})
     speeds = {name: float(each @ frame.velocities) for name, each in weights_of_ends(mechanism).items()}
     for name, pin in mechanism.pins.items():
         speeds[name] += pin.velocity
@@ -274,6 +286,7 @@ def layout_of(
         tuple(mechanism.walls),
         relaxing,
         tuple(orders),
+        drives_of(mechanism),
         tuple(dict.fromkeys(force.profile for force in mechanism.forces.values() if force.profile)),
         ramp,
         omega,
@@ -336,7 +349,7 @@ class Rows:
             row[-1] += mean_of(pin)
             if self.layout.ramp:
                 row[-2] += pin.velocity
-            for wave in waves_of(pin, self.layout.omega):
+            for wave in waves_in(self.mechanism, pin):
                 self._add_wave(row, *wave)
         return row
 
@@ -347,12 +360,12 @@ class Rows:
         if end in self.mechanism.pins:
             pin = self.mechanism.pins[end]
             row[-1] += pin.velocity
-            for order, amplitude, phase in waves_of(pin, self.layout.omega):
+            for order, amplitude, phase in waves_in(self.mechanism, pin):
                 rate = order * self.layout.omega * amplitude
                 self._add_wave(row, order, rate, phase + np.pi / 2)
         return row
 
-    def _add_wave(self, row: Reals, order: int, amplitude: float, phase: float) -> None:
+    def _add_wave(self, row: Reals, order: float, amplitude: float, phase: float) -> None:
         """Add amplitude sin(order w t + phase)."""
         sine = self.layout.sine(order)
         row[sine] += amplitude * np.cos(phase)
@@ -362,7 +375,7 @@ class Rows:
         """Return a given force, N, (N,)."""
         row = np.zeros(self.layout.size)
         row[-1] += mean_of(force)
-        for wave in waves_of(force, self.layout.omega):
+        for wave in waves_in(self.mechanism, force):
             self._add_wave(row, *wave)
         if force.profile:
             row[self.layout.profile(force.profile)] += 1.0

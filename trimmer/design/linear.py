@@ -12,10 +12,10 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.mechanism.coordinates import Inertia, shaken_ends, weights_of_ends
+from trimmer.mechanism.drives import waves_in
 from trimmer.mechanism.linear_outputs import Contacts, output_rows, with_contacts
 from trimmer.mechanism.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.waves import waves_of
 
 POINTS = 2000
 """Frequencies of a transfer function."""
@@ -85,7 +85,7 @@ class LinearState:
 
 
 def linear_states(
-    mechanism: Mechanism, drives: Sequence[tuple[str, str, int]] | None = None
+    mechanism: Mechanism, drives: Sequence[tuple[str, str, float]] | None = None
 ) -> tuple[LinearState, ...]:
     """Return the linear mechanism with its contacts closed, then open; once if it has none.
 
@@ -103,7 +103,7 @@ def linear_states(
 def linear_state(
     mechanism: Mechanism,
     contacts: Contacts | str | Mapping[str, Contacts | str],
-    drives: Sequence[tuple[str, str, int]] | None = None,
+    drives: Sequence[tuple[str, str, float]] | None = None,
 ) -> LinearState:
     """Return the linear mechanism with its contacts in one state, as ``Mechanism.state_space`` takes them."""
     taken = with_contacts(mechanism, contacts)
@@ -118,7 +118,7 @@ def linear_state(
 
 
 def _state(
-    mechanism: Mechanism, contacts: Contacts, left: tuple[str, ...], drives: Sequence[tuple[str, str, int]]
+    mechanism: Mechanism, contacts: Contacts, left: tuple[str, ...], drives: Sequence[tuple[str, str, float]]
 ) -> LinearState:
     matrices = linear_matrices(mechanism, viscous=True)
     values, vectors = np.linalg.eig(_state_matrix(matrices))
@@ -160,7 +160,7 @@ def _transfer(
     mechanism: Mechanism,
     matrices: LinearMatrices,
     modes: list[float],
-    drives: Sequence[tuple[str, str, int]],
+    drives: Sequence[tuple[str, str, float]],
 ) -> Iterator[TransferFunction]:
     marks = [*modes, *([mechanism.frequency] if mechanism.frequency else [])]
     if not marks:
@@ -175,7 +175,7 @@ def _transfer(
             yield TransferFunction(drive, unit, name, frequency, values, at_drive)
 
 
-def all_drives(mechanism: Mechanism) -> list[tuple[str, str, int]]:
+def all_drives(mechanism: Mechanism) -> list[tuple[str, str, float]]:
     """Return name, SI unit and order of all pins and forces."""
     forces = {name: each for name, each in mechanism.forces.items() if name not in mechanism.pins}
     return [
@@ -184,12 +184,11 @@ def all_drives(mechanism: Mechanism) -> list[tuple[str, str, int]]:
     ]
 
 
-def driving(mechanism: Mechanism) -> list[tuple[str, str, int]]:
+def driving(mechanism: Mechanism) -> list[tuple[str, str, float]]:
     """Return name, SI unit and order of the pins and forces that vibrate."""
-    omega = 2 * np.pi * (mechanism.frequency or 0.0)
     waves = [
-        *((name, "m", waves_of(pin, omega)) for name, pin in mechanism.pins.items()),
-        *((name, "N", waves_of(force, omega)) for name, force in mechanism.forces.items()),
+        *((name, "m", waves_in(mechanism, pin)) for name, pin in mechanism.pins.items()),
+        *((name, "N", waves_in(mechanism, force)) for name, force in mechanism.forces.items()),
     ]
     return [(name, unit, found[0].order) for name, unit, found in waves if found]
 

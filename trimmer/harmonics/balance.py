@@ -16,11 +16,12 @@ from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
+from trimmer.mechanism.drives import drives_of, waves_in
 from trimmer.mechanism.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link, Play, Stop
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.waves import mean_of, waves_of
+from trimmer.mechanism.waves import mean_of
 
 MOST_ITERATIONS = 30
 MOST_HALVINGS = 8
@@ -99,6 +100,8 @@ def require_balanceable(mechanism: Mechanism) -> None:
         raise UnsupportedMotionError(
             f"harmonic balance does not know impacts on walls, such as {name}; 'trimmer respond' does"
         )
+    if drives_of(mechanism).ratios:
+        raise UnsupportedMotionError("harmonic balance has one drive; 'trimmer respond' takes several")
     moving = [name for name, pin in mechanism.pins.items() if pin.velocity != 0.0]
     parts: list[Link | Play | Stop] = [*mechanism.links.values()]
     parts += [*mechanism.plays.values(), *mechanism.stops.values()]
@@ -156,12 +159,12 @@ class _Equations:
         waves = np.zeros((len(self.mechanism.pins), self.count), dtype=complex)
         for row, pin in zip(waves, self.mechanism.pins.values(), strict=True):
             row[0] = mean_of(pin)
-            for wave in waves_of(pin, self.omega * self.periods):
+            for wave in waves_in(self.mechanism, pin):
                 self._add_sine(row, *wave)
         return waves
 
-    def _add_sine(self, row: Complexes, order: int, amplitude: float, phase: float) -> None:
-        place = order * self.periods
+    def _add_sine(self, row: Complexes, order: float, amplitude: float, phase: float) -> None:
+        place = int(order) * self.periods
         if place < self.count:
             row[place] += -1j * amplitude * np.exp(1j * phase)
 
@@ -172,7 +175,7 @@ class _Equations:
         forces = np.zeros((len(mechanism.forces), self.count), dtype=complex)
         for row, force in zip(forces, mechanism.forces.values(), strict=True):
             row[0] = mean_of(force)
-            for wave in waves_of(force, self.omega * self.periods):
+            for wave in waves_in(self.mechanism, force):
                 self._add_sine(row, *wave)
         speeds = np.array([pin.velocity for pin in mechanism.pins.values()])
         driving = matrices.forces @ forces + matrices.pin_displacement @ self.pins

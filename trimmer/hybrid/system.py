@@ -154,6 +154,13 @@ class Layout(Protocol):
         """Whether the time itself forces the states."""
 
     @property
+    def recurrence(self) -> int:
+        """Periods after which what forces the states returns together; 0 if it does not."""
+
+    def clock(self, periods: int, phase: float) -> float:
+        """Return the time that waves count, s, at a phase, s, after some periods."""
+
+    @property
     def drifts(self) -> bool:
         """Whether each period is forced in a way of its own."""
 
@@ -173,7 +180,7 @@ class Layout(Protocol):
         """Angular frequency of what forces the states, rad/s; 0 for none."""
 
     @property
-    def orders(self) -> tuple[int, ...]:
+    def orders(self) -> tuple[float, ...]:
         """Multiples of it that occur."""
 
     @property

@@ -212,6 +212,15 @@ class Layout:
         return False
 
     @property
+    def recurrence(self) -> int:
+        """There is but one drive."""
+        return 1
+
+    def clock(self, periods: int, phase: float) -> float:
+        """Return the time that the drive counts, s, at a phase, s, after some periods."""
+        return phase
+
+    @property
     def drifts(self) -> bool:
         """Each period of the drive is as the others."""
         return False

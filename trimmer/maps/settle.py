@@ -126,6 +126,8 @@ class _Following:
 
     def on(self, periods: int) -> Settled | None:
         """Go on for some drive periods; returns what the motion has settled to by then, or why it ended."""
+        together = self.flow.modes.system.layout.recurrence or 1
+        periods += -(self.instant.periods + periods) % together
         strobe = self.flow.strobe(self.instant, periods)
         self.instant = strobe.end
         self.states = np.concatenate([self.states, self.flow.reduced(strobe.states[1:])])
@@ -154,7 +156,12 @@ class _Following:
 
     def _solve(self) -> Orbit | None:
         """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on."""
-        count, difference = recurrence(self.states)
+        together = self.flow.modes.system.layout.recurrence
+        if not together or len(self.states) <= together:
+            return None
+        alike = self.states[(len(self.states) - 1) % together :: together]
+        count, difference = recurrence(alike)
+        count *= together
         if difference >= PROGRESS * self.tried:
             return None
         self.tried = difference
@@ -213,6 +220,9 @@ def beside(flow: Flow, every: Reals, before: Instant, end: Instant, compared: in
     kind, exponent = _compared(states, flow.reduced(neighbour.states), sizes)
     if kind is MotionKind.UNDECIDED and grows(flow, end, states, periods):
         return Settled(MotionKind.DIVERGING, OLDER * periods, end)
+    follows = exponent is not None and exponent < 0 and not flow.modes.system.layout.recurrence
+    if follows and kind is MotionKind.UNDECIDED:
+        kind = MotionKind.TORUS
     return Settled(kind, periods, end, lyapunov=exponent)
 
 

@@ -69,6 +69,13 @@ def _heading(content: Content) -> Iterator[Problem]:
         yield Problem(("title",), f"is too long; use at most {LONGEST_TITLE} characters", title)
     if frequency is not None:
         yield from _number(("frequency",), frequency, FREQUENCY)
+    drives = content["drives"]
+    if not isinstance(drives, Mapping):
+        yield Problem(("drives",), "must map names to frequencies in Hz", drives)
+        return
+    for name, each in drives.items():
+        yield from _name(("drives",), name)
+        yield from _number(("drives", str(name)), each, FREQUENCY)
 
 
 def _name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
@@ -111,6 +118,9 @@ def _word(place: tuple[str, ...], value: object) -> Iterator[Problem]:
                 yield Problem(place, _SYMBOL_RULE, value)
         case "law":
             yield from _law(place, value)
+        case "drive":
+            if value is not None and not isinstance(value, str):
+                yield Problem(place, 'name one of [drives], as in drive = "hum"', value)
         case "on":
             if not isinstance(value, str):
                 yield Problem(place, "name a body", value)

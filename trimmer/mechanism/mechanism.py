@@ -49,6 +49,7 @@ class Mechanism(Shown):
     Attributes:
         bodies: Their order is the order of the displacements.
         frequency: That of the drive, Hz; None for a mechanism that moves by itself.
+        drives: Frequencies of further drives, Hz.
         title: What it is.
         structures: Linear parts given by matrices or modes; their coordinates, such as ``housing.u1``, follow
             the bodies, and stand wherever a body may.
@@ -73,6 +74,7 @@ class Mechanism(Shown):
     points: Mapping[str, Point] = field(default_factory=dict)
     structures: Mapping[str, Structure] = field(default_factory=dict)
     walls: Mapping[str, Wall] = field(default_factory=dict)
+    drives: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if problems := problems_with(vars(self)):
@@ -86,6 +88,8 @@ class Mechanism(Shown):
             name: (DISPLACEMENT.taken(displacement), VELOCITY.taken(velocity))
             for name, (displacement, velocity) in self.start.items()
         }
+        drives = {name: FREQUENCY.taken(each) for name, each in self.drives.items()}
+        object.__setattr__(self, "drives", ReadOnly(drives))
         object.__setattr__(self, "outputs", ReadOnly(outputs))
         object.__setattr__(self, "points", ReadOnly(points))
         object.__setattr__(self, "start", ReadOnly(start))

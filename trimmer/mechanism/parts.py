@@ -88,6 +88,7 @@ class Pin:
         harmonics: Order, amplitude, m, and phase, rad, of further waves.
         waveform: Displacement beside these, m, at even phases of a period of the drive from 0 on.
         orders: Highest order of the waveform; None for 20, or fewer if there are not so many.
+        drive: Name of what drives it, of which orders count; None for the frequency of the mechanism.
     """
 
     on: str
@@ -100,6 +101,7 @@ class Pin:
     harmonics: tuple[Row, ...] | None = None
     waveform: tuple[float, ...] | None = None
     orders: int | None = None
+    drive: str | None = None
 
 
 class _Damped:
@@ -246,6 +248,7 @@ class Force:
         harmonics: Order, amplitude, N, and phase, rad, of further waves.
         waveform: Force beside these, N, at even phases of a period of the drive from 0 on.
         orders: Highest order of the waveform; None for 20, or fewer if there are not so many.
+        drive: Name of what drives it, of which orders count; None for the frequency of the mechanism.
     """
 
     on: str
@@ -259,6 +262,7 @@ class Force:
     harmonics: tuple[Row, ...] | None = None
     waveform: tuple[float, ...] | None = None
     orders: int | None = None
+    drive: str | None = None
 
 
 class OutputKind(Choice):

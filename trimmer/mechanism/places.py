@@ -26,6 +26,7 @@ STATE = ("displacement", "velocity")
 def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
     """Return all numbers that may be set, with what they measure."""
     found: dict[Place, NumberField] = {("frequency",): FREQUENCY}
+    found |= {("drives", name): FREQUENCY for name in mechanism.drives}
     for section in PARTS:
         for name in getattr(mechanism, section):
             found |= {(section, name, *end): each for end, each in _of_part(mechanism, section, name).items()}
@@ -67,6 +68,8 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             if mechanism.frequency is None:
                 raise MechanismError("frequency: the mechanism has none; it moves by itself")
             return mechanism.frequency
+        case ("drives", name):
+            return mechanism.drives[name]
         case ("outputs" | "points", name, *_, body):
             return getattr(mechanism, names[0])[name].weights[body]  # type: ignore[no-any-return]
         case ("start", name, key):
@@ -100,6 +103,8 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
     match names:
         case ("frequency",):
             return changed(mechanism, "frequency", number)
+        case ("drives", name):
+            return _with_entry(mechanism, "drives", name, number)
         case ("outputs" | "points", name, *_, body):
             part = getattr(mechanism, names[0])[name]
             weights = ReadOnly({**part.weights, body: number})
@@ -177,6 +182,8 @@ def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
     match names:
         case ("frequency",):
             return FREQUENCY
+        case ("drives", name):
+            return FREQUENCY if name in mechanism.drives else None
         case ("points", name, body):
             there = name in mechanism.points and body in mechanism.points[name].weights
             return _weight(mechanism, "points", name, body) if there else None

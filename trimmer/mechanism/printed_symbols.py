@@ -13,6 +13,8 @@ from keyword import iskeyword
 from types import MappingProxyType
 from typing import Any
 
+import numpy as np
+
 from trimmer.errors import MechanismError
 from trimmer.mechanism import number_rows
 from trimmer.mechanism.kinds import Kind, number_of_weight
@@ -130,6 +132,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("profile", "Q", "profile of %s over time", "N"),
         ),
         "points": (Stem("displacement", "p", "displacement of %s", "m"),),
+        "drives": (Stem("omega", "omega", "angular frequency of the drive %s", "rad/s"),),
         "outputs": (Stem("value", "y", "output %s", "m"),),
     }
 )
@@ -205,6 +208,8 @@ def _occurs(part: Any, stem: Stem) -> bool:
 
 def stems_of(mechanism: Mechanism, section: str, name: str) -> tuple[Stem, ...]:
     """Return what has a symbol of its own of a part, in the words and units of its kind."""
+    if section == "drives":
+        return STEMS[section]
     kind = mechanism.kind_of(section, name)
     stems = (*STEMS[section], *_of_harmonics(section, getattr(mechanism, section)[name]))
     if section == "outputs":
@@ -251,6 +256,8 @@ def value_of(mechanism: Mechanism, place: Place) -> float | None:
     part = getattr(mechanism, section)[name]
     if isinstance(part, Structure):
         return next(each.value for each in symbols_of(mechanism, name) if each.of == of)
+    if section == "drives":
+        return float(2 * np.pi * part)
     if of == "static":
         return float(part.static_force)
     if of.startswith("harmonics."):

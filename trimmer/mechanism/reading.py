@@ -39,7 +39,7 @@ from trimmer.mechanism.waves import samples_of
 from trimmer.messages import listed, near_match
 from trimmer.toml_files import decoded, is_parameter_file, parsed, read_bytes_of_text
 
-SECTIONS = (*PARTS, "points", "outputs", "start")
+SECTIONS = ("drives", *PARTS, "points", "outputs", "start")
 FOR_OTHERS = ("author", "held", "targets", "uncertainty")
 """Keys that are no part of the mechanism: ``trimmer design`` and ``trimmer sample`` read them."""
 KEYS = ("title", "frequency", *SECTIONS, *FOR_OTHERS)
@@ -187,6 +187,8 @@ def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]
     arguments: dict[str, Any] = {each.name: {} for each in fields(Mechanism)}
     arguments["title"] = content.get("title", "")
     arguments["frequency"] = convert.number(("frequency",), content.get("frequency"), FREQUENCY)
+    for name, value in content.get("drives", {}).items():
+        arguments["drives"][name] = convert.number(("drives", name), value, FREQUENCY)
     for section, kind in PARTS.items():
         rows = number_rows.forms_of(kind)
         for name, entries in content.get(section, {}).items():

@@ -172,16 +172,22 @@ def _frictions(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 
 def _drive(content: Mapping[str, Any]) -> Iterator[Problem]:
-    if content["frequency"] is not None:
-        return
+    give = "give one, as in frequency = 110.0 (Hz), before the bodies"
+    drives, lacks = content["drives"], content["frequency"] is None
+    if lacks:
+        for name, value in drives.items():
+            yield Problem(
+                ("drives", name), f"periods count in those of frequency, which there is not; {give}", value
+            )
     for section in ("pins", "forces"):
         for name, part in content[section].items():
-            if is_driven(part):
+            if part.drive is not None and part.drive not in drives:
+                yield Problem((section, name, "drive"), no_such("drive", part.drive, drives), part.drive)
+            elif lacks and not part.drive and is_driven(part):
                 keys = ("amplitude", "unbalance", "harmonics", "waveform")
                 key = next(key for key in keys if getattr(part, key, None))
-                reason = "but no frequency; give one, as in frequency = 110.0 (Hz), before the bodies"
                 article = {"harmonics": "are", "waveform": "is a"}.get(key, "is an")
-                yield Problem((section, name, key), f"there {article} {key}, {reason}")
+                yield Problem((section, name, key), f"there {article} {key}, but no frequency; {give}")
 
 
 def _rises(place: tuple[str, ...], profile: tuple[tuple[float, ...], ...]) -> Iterator[Problem]:

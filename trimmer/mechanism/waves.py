@@ -30,9 +30,9 @@ ROUNDING = 1e-14
 
 
 class Wave(NamedTuple):
-    """amplitude sin(order w t + phase)."""
+    """amplitude sin(order w t + phase); the order is whole, but in those of another drive's frequency."""
 
-    order: int
+    order: float
     amplitude: float
     phase: float
 

@@ -32,6 +32,8 @@ def _paragraphs(mechanism: Mechanism) -> Iterator[str]:
         yield f"title = {_value(mechanism.title)}\n"
     if mechanism.frequency is not None:
         yield f"frequency = {_value(mechanism.frequency)}\n"
+    if mechanism.drives:
+        yield _section("drives", {name: _value(each) for name, each in mechanism.drives.items()})
     for section in PARTS:
         if parts := getattr(mechanism, section):
             yield _section(section, {name: _inline(_entries(part)) for name, part in parts.items()})

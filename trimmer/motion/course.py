@@ -70,13 +70,18 @@ class Course:
             self.begin,
             state=extended[: self.modes.system.layout.state_count],
             statuses=self.modes[mode].statuses,
-            periods=0,
+            periods=self._later(time, phase),
             phase=phase,
             zeros=np.zeros_like(self.begin.zeros),
         )
-        end = replace(begin, periods=self.end.periods - self.begin.periods)
+        end = replace(begin, periods=begin.periods + self.end.periods - self.begin.periods)
         joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
         return replace(self, begin=begin, end=end, log=joined)
+
+    def _later(self, time: float, phase: float) -> int:
+        """Return the periods before an instant, s, from the start; 0 where each is as the others."""
+        layout, begin = self.modes.system.layout, self.begin
+        return begin.periods + round((begin.phase + time - phase) / layout.period) if layout.drifts else 0
 
     def tangents(self, at_start: Reals) -> Reals:
         """Return what becomes of small distances of the state, (n, columns), over the motion.

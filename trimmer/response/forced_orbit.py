@@ -88,10 +88,19 @@ def exact_orbit(
 def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orbit:
     from trimmer.errors import OrbitNotFoundError
     from trimmer.hybrid.advance import Ending
+    from trimmer.mechanism.drives import RETURNS, told_of_drives
     from trimmer.response.orbit import orbit_of
     from trimmer.response.shooting import Return, solve
     from trimmer.response.starts import instant_of
 
+    together = flow.modes.system.layout.recurrence
+    if not together:
+        raise OrbitNotFoundError(f"nothing repeats: {told_of_drives(RETURNS)}")
+    if periods % together:
+        raise OrbitNotFoundError(
+            f"nothing repeats after {periods} drive periods: its drives return together after {together}, so "
+            "give a multiple of that"
+        )
     instant, followed, orbit = instant_of(flow, guess), 0, None
     waits = (settling,) if settling is not None else SETTLING if guess is None else (0,)
     for wait in waits:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.mechanism.drives import apart
 from trimmer.motion.measures import HARMONICS
 from trimmer.motion.signals import Signal
 
@@ -71,9 +72,18 @@ class LinearLines:
     def _swing(self, waves: Complexes, free: Reals) -> float:
         if len(waves) <= 1:
             return float(2 * abs(waves).sum() + 2 * free.sum())
-        angles = 2 * np.pi * np.arange(ANGLES) / ANGLES
-        driven = (np.exp(1j * np.outer(angles, self.motion.orders)) @ waves).real
-        return float(np.ptp(driven) + 2 * free.sum())
+        layout, orders = self.motion.flow.modes.system.layout, self.motion.orders
+        turns = layout.recurrence
+        if turns:
+            angles = 2 * np.pi * np.arange(turns * ANGLES) / ANGLES
+            return float(np.ptp((np.exp(1j * np.outer(angles, orders)) @ waves).real) + 2 * free.sum())
+        # Drives that do not return together meet in all phases.
+        swing, ratios = 2 * float(free.sum()), tuple(layout.drives.ratios.values())
+        turn = 2 * np.pi * np.arange(ANGLES) / ANGLES
+        for ratio, places in apart(tuple(orders), ratios):
+            driven = np.exp(1j * np.outer(turn, np.rint(orders[places] / ratio))) @ waves[places]
+            swing += float(np.ptp(driven.real))
+        return swing
 
     @property
     def harmonics(self) -> Mapping[str, Reals]:
@@ -81,9 +91,9 @@ class LinearLines:
         found = {}
         for name, (waves, _) in self._of_outputs.items():
             found[name] = np.zeros(HARMONICS)
-            for order, wave in zip(self.motion.orders.astype(int), waves, strict=True):
-                if order <= HARMONICS:
-                    found[name][order - 1] = abs(wave)
+            for order, wave in zip(self.motion.orders.tolist(), waves, strict=True):
+                if order <= HARMONICS and order == int(order):
+                    found[name][int(order) - 1] = abs(wave)
         return found
 
     @property

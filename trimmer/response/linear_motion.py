@@ -138,6 +138,10 @@ class LinearMotion:
         functions = _mode(self.flow, self.instant).functions
         return all(self._stays_positive(function.row) for function in functions)
 
+    @property
+    def _time(self) -> float:
+        return float(self.flow.modes.system.layout.clock(self.instant.periods, self.instant.phase))
+
     def seen_by(self, row: Reals) -> tuple[float, Complexes, Complexes]:
         """Return the constant part of a functional of the extended state, (N,), its waves and its free parts.
 
@@ -145,7 +149,7 @@ class LinearMotion:
         """
         layout, size = self.flow.modes.system.layout, self.flow.size
         forcing, waves = row[size:], self.waves @ row[:size]
-        turns = np.exp(1j * np.array(layout.orders) * layout.omega * self.instant.phase)
+        turns = np.exp(1j * np.array(layout.orders) * layout.omega * self._time)
         waves += layout.phasors @ forcing * turns
         return float(row[:size] @ self.mean + forcing @ layout.steady), waves, self.parts @ row[:size]
 
@@ -287,7 +291,8 @@ def _motion(flow: Flow, instant: Instant, held: _Held, modal: _Modal) -> LinearM
     forced = _forced(held, modal)
     if forced is None:
         return None
-    turns = np.exp(1j * held.omegas * instant.phase)[:, None]
+    time = flow.modes.system.layout.clock(instant.periods, instant.phase)
+    turns = np.exp(1j * held.omegas * time)[:, None]
     states = (forced @ held.basis.T + held.forcing @ held.shift.T) * turns
     start = held.basis.T @ (instant.state - states.sum(axis=0).real)
     scaled = modal.inverse @ (modal.onto_rest @ start)
@@ -333,7 +338,7 @@ def _least(constant: float, orders: Reals, waves: Complexes) -> float:
     """Return a lower bound of a constant and waves at multiples of one frequency."""
     sizes = abs(waves)
     surely = constant - float(sizes.sum())
-    if surely > 0 or len(orders) <= 1:
+    if surely > 0 or len(orders) <= 1 or (orders % 1).any():
         return surely
     count = SAMPLES * int(orders.max())
     angles = 2 * np.pi * np.arange(count) / count

@@ -301,7 +301,8 @@ def _smallest(flow: Flow, shot: Shot, periods: int) -> int:
         return 1
     strobed = shot.course.states(np.arange(periods, dtype=np.float64) * flow.period)[:, : flow.size]
     apart = abs((strobed - strobed[0]) / shot.sizes).max(axis=1)
-    return next(each for each in range(1, periods + 1) if each == periods or _divides(each, periods, apart))
+    counts = range(flow.modes.system.layout.recurrence, periods + 1, flow.modes.system.layout.recurrence)
+    return next(each for each in counts if each == periods or _divides(each, periods, apart))
 
 
 def _divides(count: int, periods: int, apart: Reals) -> bool:

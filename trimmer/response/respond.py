@@ -137,7 +137,7 @@ class _Search:
             seen = look_closely(self.flow, settling.instant)
             if seen is not None and seen.grows(settling.periods):
                 return grown(seen, settling.periods)
-            if seen is not None and seen.contracts:
+            if seen is not None and seen.contracts and self.flow.modes.system.layout.recurrence:
                 orbit = settling.until_settled(MORE * self.most_periods)
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
         if settling.solved is not None:

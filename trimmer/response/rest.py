@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -65,5 +66,9 @@ class Rest:
 
     @cached_property
     def _over_a_period(self) -> Mapping[str, Reals]:
-        count = SAMPLES * max(self.flow.modes.system.layout.orders, default=1) if self.flow.period else 1
+        count = (
+            SAMPLES * math.ceil(max(self.flow.modes.system.layout.orders, default=1))
+            if self.flow.period
+            else 1
+        )
         return self.flow.forces(self.course, self.course.duration * np.arange(count) / count)

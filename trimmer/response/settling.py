@@ -126,14 +126,23 @@ class Settling:
         )
 
     def _looked_for(self) -> Orbit | None:
+        together = self.flow.modes.system.layout.recurrence
+        if not together:  # Its drives never return together.
+            return None
+        late = -self.instant.periods % together
+        if late and not self.follow(late):
+            return None
+        # Seen where all drives have returned.
+        alike = self.states[(len(self.states) - 1) % together :: together]
+        most = max(MOST_REPEATS // together, 1)
         course = self.flow.course(self.instant, 1)
         if course.ending is not Ending.REACHED_END:
             return None
         sizes, here = sizes_of(course), self.instant.state
-        tried = [(periods, here) for periods in candidates(self.states, sizes, MOST_REPEATS)]
+        tried = [(periods * together, here) for periods in candidates(alike, sizes, most)]
         if not self.known:
             # A motion that winds around an orbit for long comes near itself late, but has it in its middle.
-            tried.append((1, self.states[len(self.states) // 2 :].mean(axis=0)))
+            tried.append((together, alike[len(alike) // 2 :].mean(axis=0)))
         for periods, state in tried:
             orbit = self._orbit(periods, state)
             if orbit is None:
@@ -149,7 +158,8 @@ class Settling:
     def _orbit(self, periods: int, state: Reals) -> Orbit | None:
         """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""
         start = self.flow.at(state, like=self.instant)
-        for count in _counts(periods):
+        together = self.flow.modes.system.layout.recurrence
+        for count in (each for each in _counts(periods) if each % together == 0):
             shot = solve(Return(self.flow, count), start, patience=PATIENCE)
             if shot is None:
                 return None

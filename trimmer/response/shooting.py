@@ -64,7 +64,7 @@ class Shot:
         """End less start as shares of the sizes, (n,)."""
         # What is held is exact at the start, and drifts by rounding.
         course, end = self.course, self.course.end
-        extended = np.concatenate([end.state, course.modes.system.layout.forcing_at(end.phase)])
+        extended = np.concatenate([end.state, _forcing(course, end)])
         held = course.modes[course.modes.number(end.statuses)].hold @ extended
         reached = held[: len(end.state)]
         if self.signs is not None:
@@ -88,11 +88,14 @@ class Shot:
     def rates(self) -> tuple[Reals, Reals]:
         """Rates of the states at the start and at the end, each (n,)."""
         course = self.course
-        layout = course.modes.system.layout
-        begin, end = (
-            _rate(course, instant, layout.forcing_at(instant.phase)) for instant in (course.begin, course.end)
-        )
+        begin, end = (_rate(course, each, _forcing(course, each)) for each in (course.begin, course.end))
         return begin, end if self.signs is None else self.signs * end
+
+
+def _forcing(course: Course, instant: Instant) -> Reals:
+    layout = course.modes.system.layout
+    forcing: Reals = layout.forcing_at(instant.phase, instant.periods * layout.period)
+    return forcing
 
 
 def _rate(course: Course, instant: Instant, forcing: Reals) -> Reals:
@@ -137,6 +140,9 @@ class Return:
             duration: The unknown period, s; without effect with a drive.
             sizes: Scale of each state; that of this motion if not given.
         """
+        together = self.flow.modes.system.layout.recurrence
+        if self.periods and (not together or self.periods % together):
+            return None
         if self.periods:
             course = self.flow.course(instant, self.periods, self.most_steps * self.periods)
         else:

@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.advance import Instant
+from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.messages import listed
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
@@ -115,7 +116,8 @@ def _repeats(flow: Flow, frequencies: Reals) -> tuple[int, float]:
         frequencies: Of free vibrations that never decay, rad/s.
     """
     base = flow.period or (2 * np.pi / float(frequencies[0]) if len(frequencies) else A_SECOND)
-    for count in range(1, MOST_PERIODS + 1):
+    recurrence = flow.modes.system.layout.recurrence
+    for count in range(recurrence, MOST_PERIODS + 1, recurrence) if recurrence else ():
         turns = count * base * frequencies / (2 * np.pi)
         if (abs(turns - np.round(turns)) <= A_TURN).all():
             return count, count * base
@@ -166,6 +168,8 @@ def _told(found: Solved) -> str:
         if found.motion.alive.any():
             return f"{told}: {_undamped(found)}"
         return f"{told}: {_decay(found)}" if found.decay else told
+    if not found.motion.flow.modes.system.layout.recurrence and not found.motion.alive.any():
+        return f"It runs on a torus: {told_of_drives(RETURNS)}"
     beside = "the drive" if found.motion.flow.period else "one another"
     return (
         f"It runs on a torus: {_undamped(found)}, and beside {beside} nothing repeats within "

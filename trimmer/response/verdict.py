@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.hybrid.advance import Ending
+from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.response.growth import OLDER, grows
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
@@ -123,6 +124,8 @@ class Seen:
         error = ERRORS * largest.uncertainty
         if largest.value - error > 0:
             return MotionKind.CHAOTIC if self.leaves else MotionKind.UNDECIDED
+        if self.contracts and not self.flow.modes.system.layout.recurrence:
+            return MotionKind.TORUS
         zero = abs(largest.value) <= error and abs(largest.value) + error < RESOLVED
         return (
             MotionKind.TORUS
@@ -160,6 +163,12 @@ def _neighbour_leaves(flow: Flow, window: Window) -> bool:
 def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
     largest = seen.window.exponents[0]
     exponent = f"{largest.value:.3g} +- {largest.uncertainty:.1g} per drive period"
+    if seen.kind is MotionKind.TORUS and seen.contracts:
+        return (
+            f"It runs on a torus: {told_of_drives(RETURNS)}. After {waited} of them all small distances "
+            f"shrink, so that it follows the drives (largest Lyapunov exponent {exponent}); figures are "
+            f"those of {seen.window.periods} periods."
+        )
     kinds = {
         MotionKind.CHAOTIC: "It is chaotic",
         MotionKind.TORUS: "It seems to run on a torus",
