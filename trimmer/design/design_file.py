@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -132,10 +132,10 @@ def _design_file(
     mechanism = mechanism_of_text(text, name, {**values, **set_values}, folder)
     for place, value in changes:
         mechanism = mechanism.with_value(place, value)
+    mechanism = _of_displacements(mechanism)
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)
-    problems += _no_displacements(mechanism)
     author = _author(content.get("author", ""), problems)
     _stop_at(problems, name, content, lines)
     for each in ranges:
@@ -146,11 +146,10 @@ def _design_file(
     return DesignFile(name + told, mechanism, targets, held, ranges, lines, author, digest, scatter)
 
 
-def _no_displacements(mechanism: Mechanism) -> Iterator[Problem]:
-    """Find outputs that the report has no words for."""
-    for name, output in mechanism.outputs.items():
-        if output.kind is not OutputKind.DISPLACEMENT:
-            yield Problem(("outputs", name), "a design is judged by displacements; leave this output out")
+def _of_displacements(mechanism: Mechanism) -> Mechanism:
+    """Return a mechanism without outputs of other kinds, of which a design does not speak."""
+    kept = {name: each for name, each in mechanism.outputs.items() if each.kind is OutputKind.DISPLACEMENT}
+    return mechanism if len(kept) == len(mechanism.outputs) else replace(mechanism, outputs=kept)
 
 
 def _stop_at(
