@@ -31,14 +31,15 @@ def without(text: str, name: str) -> str:
 
 
 def cases() -> list[tuple[str, str]]:
-    """Return each example with each thing that it has and may be without."""
-    found = []
+    """Return each thing that examples have and may be without, with the first three that have it."""
+    having: dict[str, list[str]] = {}
     for name in examples():
         text = example_text(name)
         sections = [each for each in re.findall(r"(?m)^\[(\w+)\]", text) if each != "bodies"]
         keys = [each for each in KEYS if re.search(KEY.format(each), text)]
-        found += [(name, each) for each in (*keys, *sections)]
-    return found
+        for each in (*keys, *sections):
+            having.setdefault(each, []).append(name)
+    return [(name, each) for each, names in having.items() for name in names[:3]]
 
 
 def reported(file: DesignFile, folder: Path) -> tuple[DesignReport, str]:
