@@ -25,7 +25,8 @@ from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
 from trimmer.design.comparison import DesignComparison
 from trimmer.design.design import Design
-from trimmer.design.targets import Measure
+from trimmer.design.targets import Measure, unit_of_measure
+from trimmer.design.trial import MeasureOfPart, all_measures
 
 NEITHER = "—"
 
@@ -94,12 +95,20 @@ def _number(value: float | None, unit: str) -> str:
     return NEITHER if value is None else shown(value, unit, 6)
 
 
+def _unit(comparison: DesignComparison, asked: MeasureOfPart) -> str:
+    mechanism = comparison.after.file.mechanism
+    if asked not in all_measures(mechanism):
+        mechanism = comparison.before.file.mechanism
+    return unit_of_measure(mechanism, asked.measure, asked.part)
+
+
 def difference_rows(comparison: DesignComparison) -> list[list[str]]:
     """Return the measures side by side."""
     rows = [["Measure", "Before", "After", "Change"]]
     for each in comparison.differences:
+        unit = _unit(comparison, each.asked)
         cells = [
-            NEITHER if value is None else measure_value(each.asked.measure, value)
+            NEITHER if value is None else measure_value(each.asked.measure, value, unit)
             for value in (each.before, each.after)
         ]
         shows = each.change is not None and each.asked.measure is not Measure.PERIOD

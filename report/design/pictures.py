@@ -23,7 +23,7 @@ from trimmer.design.kept_map import DesignMap
 from trimmer.design.linear import LinearState, driving
 from trimmer.design.paths import NumberPath
 from trimmer.design.spectrum import OutputLine
-from trimmer.design.targets import Measure
+from trimmer.design.targets import Measure, unit_of_measure
 from trimmer.design.trial import MeasureOfPart
 from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
@@ -160,6 +160,7 @@ def _ranges(design: Design) -> Iterator[Figure]:
         return
     first = study.narrowings[0].range
     named = [(each, _words(each)) for each in asked]
+    units = {each: unit_of_measure(design.file.mechanism, each.measure, each.part) for each in asked}
     bounds = {MeasureOfPart(each.measure, each.part): each.bound for each in design.file.targets}
     others = (
         " The other numbers that nobody knows are anywhere in their ranges." if len(study.ranges) > 1 else ""
@@ -174,7 +175,9 @@ def _ranges(design: Design) -> Iterator[Figure]:
         f"Over the {place_words(first.place)}",
         f"What the mechanism does from its start over the {place_words(first.place)}.{others}{met}",
         "Points of some measures over the number that nobody knows.",
-        partial(over_range, study, first, named, bounds if design.file.targets else {}, design.file.targets),
+        partial(
+            over_range, study, first, named, bounds if design.file.targets else {}, design.file.targets, units
+        ),
     )
 
 
@@ -232,10 +235,11 @@ def _target_map(design: Design, each: DesignMap, number: int) -> Figure:
 
 
 def _branches(design: Design) -> Iterator[Figure]:
-    asked = curves_of(design)
+    asked, mechanism = curves_of(design), design.file.mechanism
+    units = {each: unit_of_measure(mechanism, each.measure, each.part) for each, *_ in asked}
     for number, each in enumerate(design.paths, start=1):
         if asked and any(side is not None and len(side.values) > 1 for side in (each.down, each.up)):
-            yield _branch(each, number, asked)
+            yield _branch(each, number, asked, units)
 
 
 def curves_of(design: Design) -> list[Curve]:
@@ -255,7 +259,9 @@ def curves_of(design: Design) -> list[Curve]:
     return found
 
 
-def _branch(path: NumberPath, number: int, asked: list[Curve]) -> Figure:
+def _branch(
+    path: NumberPath, number: int, asked: list[Curve], units: Mapping[MeasureOfPart, str]
+) -> Figure:
     words = place_words(path.varied.place)
     return drawn(
         f"branch-{number}",
@@ -264,7 +270,7 @@ def _branch(path: NumberPath, number: int, asked: list[Curve]) -> Figure:
         "stable, the machine runs so. Dashed: it is unstable, the slightest disturbance leads elsewhere. A "
         "dotted line is what is wanted.",
         f"Curves over the {words}, with marks where the motion changes.",
-        partial(branch, path, asked),
+        partial(branch, path, asked, units),
     )
 
 

@@ -91,7 +91,20 @@ def percent(share: float, digits: int = 2) -> str:
     return f"{written(100 * share, digits)} %"
 
 
+WORDS = {
+    **{"m": "displacement", "m/s": "velocity", "m/s²": "acceleration", "N": "force"},
+    **{"rad": "angle", "rad/s": "angular velocity", "rad/s²": "angular acceleration", "N m": "moment"},
+}
+"""What is measured in a unit."""
+
+
+def quantity_words(unit: str) -> str:
+    """Return what an output is that has a unit."""
+    return WORDS.get(unit, "output")
+
+
 KEYS = {
+    "inertia": "moment of inertia",
     "mass": "mass",
     "stiffness": "stiffness",
     "damping": "damping",
@@ -116,6 +129,6 @@ def place_words(place: str) -> str:
         return "frequency of the drive"
     if names[0] == "start":
         return f"{names[2]} of {names[1]} at the start"
-    if names[0] == "outputs":
-        return f"weight of {names[2]} in {names[1]}"
+    if names[0] in ("outputs", "points"):
+        return f"weight of {names[-1]} in {names[1]}"
     return f"{KEYS.get(names[2], names[2])} of {names[1]}"

@@ -28,7 +28,7 @@ def question_words(question: Question, design: Design) -> Markdown:
     where = markdown("Line {}, {}", line, place) if line else place
     unit = dict(design.file.mechanism.places).get(question.place_text, "")
     value, beside = (shown(each, unit) for each in (question.value, question.beside))
-    depth, stroke = (shown(each, "m") for each in (question.value, question.beside))
+    depth, stroke = (shown(each, _length(question, design)) for each in (question.value, question.beside))
     why = {
         Oddity.HEAVY_BODY: f"{value} is far from the other bodies; the middle one has {beside}. "
         "Grams for kilograms?",
@@ -45,6 +45,13 @@ def question_words(question: Question, design: Design) -> Markdown:
         Oddity.FRICTION_HOLDS: f"with {value} this friction never slides. Is it meant to hold?",
     }[question.oddity]
     return markdown("{}: {}", where, why)
+
+
+def _length(question: Question, design: Design) -> str:
+    """Return the unit of displacements at what is asked about."""
+    section, name, *_ = (*question.place, "")
+    mechanism = design.file.mechanism
+    return mechanism.kind_of(section, name).unit("m") if section in ("plays", "stops") else "m"
 
 
 STAGES = {
@@ -206,7 +213,7 @@ def searched_sentences(design: Design) -> str:
 def spectrum_sentences(spectrum: OutputSpectrum, design: Design) -> str:
     """Say what the table of lines leaves out."""
     share = percent(spectrum.share, 4)
-    floor = shown(spectrum.floor, "m", 2)
+    floor = shown(spectrum.floor, spectrum.unit, 2)
     motion = design.motion
     told = f"These lines hold {share} of the mean square of {spectrum.output}."
     if motion is not None and not motion.repeats and motion.kind is not MotionKind.REST:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from report.design.origin import Origin
 from report.design.pictures import important
-from report.design.quantities import percent, place_words, shown, written
+from report.design.quantities import percent, place_words, quantity_words, shown, written
 from report.design.report import Equations
 from report.design.words import (
     SPECIAL,
@@ -28,7 +28,7 @@ from trimmer.design.paths import NumberPath, PathSide
 from trimmer.design.remedies import Remedy
 from trimmer.design.spectrum import LineKind, OutputLine, OutputSpectrum
 from trimmer.design.surroundings import SPEEDS, Beside
-from trimmer.design.targets import Measure
+from trimmer.design.targets import Measure, unit_of_measure
 from trimmer.design.trial import all_measures
 from trimmer.messages import listed
 
@@ -60,9 +60,12 @@ def target_rows(design: Design) -> Rows:
             [
                 capital(measure_words(target.measure, target.part)),
                 bound_words(target),
-                measure_value(target.measure, each.value),
+                measure_value(target.measure, each.value, target.unit),
                 DASH if without_margin(target) else percent(each.margin),
-                *(DASH if one is None else measure_value(target.measure, one[1]) for one in worst),
+                *(
+                    DASH if one is None else measure_value(target.measure, one[1], target.unit)
+                    for one in worst
+                ),
                 Markdown("**missed**")
                 if not each.met
                 else "missed beside it"
@@ -101,7 +104,7 @@ def mend_rows(design: Design) -> Rows:
             rows.append([which, "no number that was tried", DASH, DASH])
             continue
         others = [measure_words(one.measure, one.part) for one in each.missed]
-        value = measure_value(each.target.measure, each.value)
+        value = measure_value(each.target.measure, each.value, each.target.unit)
         rows.append([which, change_words(each.change), value, listed(others) if others else "none"])
     return rows
 
@@ -167,7 +170,7 @@ def transfer_rows(design: Design) -> Rows:
     for state in design.linear:
         for each in state.transfer:
             if each.at_drive is not None:
-                value = _value(abs(each.at_drive), "m/N" if each.unit == "N" else "", 4)
+                value = _value(abs(each.at_drive), each.per_unit, 4)
                 degrees = math.degrees(math.atan2(each.at_drive.imag, each.at_drive.real))
                 angle = f"{written(degrees, 3)}°"
                 rows.setdefault((each.drive, each.output), []).append(f"{value} at {angle}")
@@ -180,13 +183,16 @@ def transfer_rows(design: Design) -> Rows:
 def measure_rows(design: Design) -> Rows:
     """Return outputs and bodies of the first motion."""
     motion = design.motion
+    rows, mechanism = [["What", "Peak to peak", "rms"]], design.file.mechanism
     if motion is None:
-        return [["What", "Peak to peak", "rms"]]
-    rows = [["What", "Peak to peak", "rms"]]
+        return rows
     for name, each in motion.outputs.items():
-        rows.append([f"{name}, displacement", _value(each.peak_to_peak, "m", 4), _value(each.rms, "m", 4)])
+        unit = mechanism.output_units[name]
+        what = f"{name}, {quantity_words(unit)}"
+        rows.append([what, _value(each.peak_to_peak, unit, 4), _value(each.rms, unit, 4)])
     for name, rms in motion.rms_acceleration.items():
-        rows.append([f"{name}, acceleration", DASH, _value(rms, "m/s²", 4)])
+        unit = unit_of_measure(mechanism, Measure.RMS_ACCELERATION, name)
+        rows.append([f"{name}, acceleration", DASH, _value(rms, unit, 4)])
     return rows
 
 
@@ -203,7 +209,7 @@ def motion_rows(design: Design) -> Rows:
                 if each.measure is Measure.STROKE
                 else motion.contacts[each.part].impact_speed
             )
-            cells.append(_value(value, each.measure.value))
+            cells.append(_value(value, unit_of_measure(design.file.mechanism, each.measure, each.part)))
         origin = count(motion.starts, "start") if motion.starts else "the motion of a similar machine"
         cells.append(f"{origin} of {design.motions.starts}" if motion.starts else origin)
         rows.append(cells + [""] * (4 - len(cells)))
@@ -213,15 +219,17 @@ def motion_rows(design: Design) -> Rows:
 def contact_rows(design: Design) -> Rows:
     """Return what plays and stops do."""
     rows = [["Contact", "Impacts per period", "Largest speed", "Largest force", "Time in contact"]]
+    mechanism = design.file.mechanism
     if design.motion is not None:
         for name, each in design.motion.contacts.items():
+            kind = mechanism.kind_of("plays" if name in mechanism.plays else "stops", name)
             assert each.largest_force is not None, "contacts of mechanisms have springs"
             rows.append(
                 [
                     name,
                     written(each.impacts, 3),
-                    _value(each.impact_speed, "m/s"),
-                    _value(each.largest_force, "N"),
+                    _value(each.impact_speed, kind.unit("m/s")),
+                    _value(each.largest_force, kind.unit("N")),
                     percent(each.share),
                 ]
             )
@@ -243,7 +251,7 @@ def line_rows(spectrum: OutputSpectrum) -> Rows:
     return [["Frequency", "Amplitude", "Of the largest", "What it is"]] + [
         [
             _value(line.frequency, "Hz", 4),
-            _value(line.amplitude, "m"),
+            _value(line.amplitude, spectrum.unit),
             percent(line.amplitude / largest),
             _explained(line),
         ]
@@ -298,7 +306,8 @@ def _reach(side: PathSide | None, unit: str) -> str:
 
 def special_rows(path: NumberPath, design: Design) -> Rows:
     """Return the special points of a branch up to where it loses its stability, by rising value."""
-    outputs = list(design.file.mechanism.outputs)[:1]
+    units = design.file.mechanism.output_units
+    outputs = list(units)[:1]
     found = [each for side in (path.down, path.up) if side is not None for each in side.first_special]
     rows = [["At", "What happens", *(capital(measure_words(Measure.STROKE, name)) for name in outputs)]]
     for each in sorted(found, key=lambda special: special.value):
@@ -307,7 +316,7 @@ def special_rows(path: NumberPath, design: Design) -> Rows:
             [
                 _value(each.value, path.varied.unit, 5),
                 SPECIAL[each.kind] + parts,
-                *(_value(each.stroke[name], "m") for name in outputs),
+                *(_value(each.stroke[name], units[name]) for name in outputs),
             ]
         )
     return rows
@@ -339,11 +348,12 @@ def range_rows(design: Design) -> Rows:
     if design.ranges is not None:
         for each in all_measures(design.file.mechanism):
             low, high = design.ranges.extremes(each)
+            unit = unit_of_measure(design.file.mechanism, each.measure, each.part)
             rows.append(
                 [
                     capital(measure_words(each.measure, each.part)),
-                    measure_value(each.measure, low),
-                    measure_value(each.measure, high),
+                    measure_value(each.measure, low, unit),
+                    measure_value(each.measure, high, unit),
                 ]
             )
     return rows

@@ -77,11 +77,11 @@ def measure_words(measure: Measure, part: str) -> str:
     }[measure]
 
 
-def measure_value(measure: Measure, value: float) -> str:
-    """Return a measure's value as plain text."""
+def measure_value(measure: Measure, value: float, unit: str = "") -> str:
+    """Return a measure's value as plain text, in its unit or in that of translations."""
     if measure is Measure.PERIOD and not math.isnan(value):
         return "it does not repeat" if math.isinf(value) else count(int(value), "drive period")
-    return shown(value, measure.value)
+    return shown(value, unit or measure.value)
 
 
 def bound_words(target: Target) -> str:
@@ -89,7 +89,7 @@ def bound_words(target: Target) -> str:
     if target.measure is Measure.PERIOD:
         return "that of the drive alone"
     side = "at least" if target.at_least else "at most"
-    return f"{side} {shown(target.bound, target.measure.value)}"
+    return f"{side} {shown(target.bound, target.unit or target.measure.value)}"
 
 
 def without_margin(target: Target) -> bool:
@@ -175,7 +175,7 @@ def _met(design: Design) -> Markdown:
     if near is None:
         return markdown("**{}.**", all_of)
     which = measure_words(near.target.measure, near.target.part)
-    value = measure_value(near.target.measure, near.value)
+    value = measure_value(near.target.measure, near.value, near.target.unit)
     measured = not without_margin(near.target) and near.margin <= FAR
     away = f" ({percent(near.margin)} away)" if measured else ""
     return markdown(
@@ -207,7 +207,7 @@ def _miss(judged: JudgedTarget) -> str:
     which = measure_words(judged.target.measure, judged.target.part)
     if judged.target.measure is Measure.PERIOD and math.isinf(judged.value):
         return f"the motion does not repeat, and {bound_words(judged.target)} is wanted as its period"
-    value = measure_value(judged.target.measure, judged.value)
+    value = measure_value(judged.target.measure, judged.value, judged.target.unit)
     return f"the {which} is {value}, where {bound_words(judged.target)} is wanted"
 
 

@@ -11,7 +11,6 @@ from trimmer.contact.assembly import PUSHING, force_of
 from trimmer.contact.curve_forces import force_signal as curve_signal
 from trimmer.contact.friction_forces import hold_forces, rows_in_mode
 from trimmer.contact.layout import Rows
-from trimmer.mechanism.outputs import UNITS
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion.signals import OwnValues, Readout, Steady, along, rate
 
@@ -37,7 +36,7 @@ def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str,
     return {
         name: Readout(
             _signal(mechanism, modes, each),
-            mechanism.kind_of("outputs", name).unit(UNITS[each.kind]),
+            mechanism.output_units[name],
             _speed(modes.system.layout, each),
         )
         for name, each in mechanism.outputs.items()

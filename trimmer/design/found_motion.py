@@ -47,11 +47,13 @@ class MotionSignals:
 
     Attributes:
         times: s, (n,).
-        outputs: By name, m, (n,).
-        forces: Of each play and stop by name, N, positive where it pulls its ends together, (n,).
+        outputs: By name, (n,).
+        forces: Of each play and stop by name, positive where it pulls its ends together, (n,).
         touching: When each is in contact.
         sticking: When each dry friction sticks.
         accelerations: Of each body, m/s², between impulses, (n,).
+        units: SI unit of each output.
+        force_units: Of the force of each play and stop.
     """
 
     times: Reals
@@ -60,6 +62,8 @@ class MotionSignals:
     touching: Mapping[str, Spans]
     sticking: Mapping[str, Spans]
     accelerations: Mapping[str, Reals] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
+    force_units: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -228,6 +232,8 @@ def _signals(flow: Flow, course: Course, share: float) -> MotionSignals:
             for number, name in enumerate(layout.frictions)
         },
         {name: along(course, acceleration(course.modes, name), rows, states) for name in layout.shaken},
+        {name: output.unit for name, output in flow.outputs.items()},
+        {name: flow.force_unit(name) for name in layout.contacts},
     )
 
 

@@ -49,8 +49,9 @@ class TransferFunction:
         unit: SI unit of the drive.
         output: Name of the output.
         frequency: Hz, (n,).
-        response: m per unit, (n,).
-        at_drive: The same at the frequency of that drive, m per unit; None without a drive.
+        response: Output per unit of the drive, (n,).
+        at_drive: The same at the frequency of that drive; None without a drive.
+        output_unit: SI unit of the output.
     """
 
     drive: str
@@ -59,6 +60,13 @@ class TransferFunction:
     frequency: Reals
     response: Complexes
     at_drive: complex | None
+    output_unit: str = "m"
+
+    @property
+    def per_unit(self) -> str:
+        """SI unit of the response; empty for a number."""
+        drive = f"({self.unit})" if " " in self.unit else self.unit
+        return "" if self.unit == self.output_unit else f"{self.output_unit}/{drive}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,25 +180,32 @@ def _transfer(
         there = {} if own is None else _responses(mechanism, matrices, drive, own)
         for name, values in response.items():
             at_drive = complex(there[name][0]) if there else None
-            yield TransferFunction(drive, unit, name, frequency, values, at_drive)
+            of = mechanism.output_units[name]
+            yield TransferFunction(drive, unit, name, frequency, values, at_drive, of)
 
 
 def all_drives(mechanism: Mechanism) -> list[tuple[str, str, float]]:
     """Return name, SI unit and order of all pins and forces."""
     forces = {name: each for name, each in mechanism.forces.items() if name not in mechanism.pins}
     return [
-        *((name, "m", pin.order) for name, pin in mechanism.pins.items()),
-        *((name, "N", force.order) for name, force in forces.items()),
+        *((name, _unit(mechanism, name), pin.order) for name, pin in mechanism.pins.items()),
+        *((name, _unit(mechanism, name), force.order) for name, force in forces.items()),
     ]
 
 
 def driving(mechanism: Mechanism) -> list[tuple[str, str, float]]:
     """Return name, SI unit and order of the pins and forces that vibrate."""
     waves = [
-        *((name, "m", waves_in(mechanism, pin)) for name, pin in mechanism.pins.items()),
-        *((name, "N", waves_in(mechanism, force)) for name, force in mechanism.forces.items()),
+        *((name, waves_in(mechanism, pin)) for name, pin in mechanism.pins.items()),
+        *((name, waves_in(mechanism, force)) for name, force in mechanism.forces.items()),
     ]
-    return [(name, unit, found[0].order) for name, unit, found in waves if found]
+    return [(name, _unit(mechanism, name), found[0].order) for name, found in waves if found]
+
+
+def _unit(mechanism: Mechanism, drive: str) -> str:
+    """Return the SI unit of a pin or a force."""
+    section, unit = ("pins", "m") if drive in mechanism.pins else ("forces", "N")
+    return mechanism.kind_of(section, drive).unit(unit)
 
 
 def _responses(

@@ -57,8 +57,9 @@ class OutputSpectrum:
         output: Its name.
         lines: The largest ones, by rising frequency.
         left_out: How many lines of the first harmonics are smaller than what is listed.
-        floor: Amplitude below which none is listed, m.
+        floor: Amplitude below which none is listed.
         share: Share of the output's mean square that the listed lines hold.
+        unit: SI unit of the output.
     """
 
     output: str
@@ -66,6 +67,7 @@ class OutputSpectrum:
     left_out: int
     floor: float
     share: float
+    unit: str = "m"
 
 
 def spectra(
@@ -97,7 +99,8 @@ def _of_output(
     )
     held = sum(0.5 * line.amplitude**2 for line in lines)
     share = min(held / measures.rms**2, 1.0) if measures.rms else 1.0
-    return OutputSpectrum(name, lines, len(found) - len(lines), floor, share)
+    unit = motion.signals.units.get(name, "m")
+    return OutputSpectrum(name, lines, len(found) - len(lines), floor, share, unit)
 
 
 def _line(

@@ -17,7 +17,7 @@ from trimmer.messages import listed, near_match
 
 
 class Measure(Enum):
-    """What is measured of a motion. The value is the unit."""
+    """What is measured of a motion. The value is the unit, of displacements and translations."""
 
     STROKE = "m"
     RMS_ACCELERATION = "m/s²"
@@ -35,12 +35,14 @@ class Target:
         measure: What is bounded.
         part: The output, body or contact; empty for the period of the motion.
         bound: In SI units: the least stroke, or the most of the others.
+        unit: The unit; empty for that of the measure.
     """
 
     key: str
     measure: Measure
     part: str
     bound: float
+    unit: str = ""
 
     @property
     def at_least(self) -> bool:
@@ -62,13 +64,16 @@ class Target:
         return value >= self.bound if self.at_least else value <= self.bound
 
 
-_NOT_NEGATIVE = Range.NOT_NEGATIVE
-BOUNDS: Mapping[str, tuple[Measure, NumberField]] = {
-    "stroke_at_least": (Measure.STROKE, NumberField("m", "2.5 mm", _NOT_NEGATIVE)),
-    "rms_acceleration_at_most": (Measure.RMS_ACCELERATION, NumberField("m/s²", "90 m/s²", _NOT_NEGATIVE)),
-    "impact_speed_at_most": (Measure.IMPACT_SPEED, NumberField("m/s", "0.2 m/s", _NOT_NEGATIVE)),
+BOUNDS: Mapping[str, Measure] = {
+    "stroke_at_least": Measure.STROKE,
+    "rms_acceleration_at_most": Measure.RMS_ACCELERATION,
+    "impact_speed_at_most": Measure.IMPACT_SPEED,
 }
-"""What each key bounds, and in which unit."""
+"""What each key bounds."""
+_EXAMPLES = {
+    **{"m": "2.5 mm", "m/s": "0.2 m/s", "m/s²": "90 m/s²", "N": "20 N"},
+    **{"rad": "2 deg", "rad/s": "0.5 rad/s", "rad/s²": "900 rad/s^2", "N m": "20 mN m"},
+}
 ONLY_DRIVE_PERIOD = "only_drive_period"
 KEYS = (*BOUNDS, ONLY_DRIVE_PERIOD)
 
@@ -98,6 +103,20 @@ def targets_of(
     return tuple(found)
 
 
+def unit_of_measure(mechanism: Mechanism, measure: Measure, part: str) -> str:
+    """Return the SI unit of a measure of a part of a mechanism."""
+    match measure:
+        case Measure.STROKE:
+            return mechanism.output_units[part]
+        case Measure.RMS_ACCELERATION:
+            return mechanism.kinds[part].unit(measure.value)
+        case Measure.IMPACT_SPEED:
+            section = "plays" if part in mechanism.plays else "stops"
+            return mechanism.kind_of(section, part).unit(measure.value)
+        case _:
+            return str(measure.value)
+
+
 def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
     place = ("targets", ONLY_DRIVE_PERIOD)
     if not isinstance(value, bool):
@@ -109,7 +128,7 @@ def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> 
 
 
 def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
-    measure, wanted = BOUNDS[key]
+    measure = BOUNDS[key]
     parts = _parts(measure, mechanism)
     if not parts:
         reason = f"the mechanism has no {_NAMES[measure]} that this could bound; leave the line out"
@@ -121,8 +140,11 @@ def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Proble
         if part not in parts:
             advice = near_match(part, parts) or f"there {'is' if len(parts) == 1 else 'are'} {listed(parts)}"
             problems.append(Problem(place, f"there is no {_NAMES[measure]} {part!r}; {advice}", bound))
-        elif (number := _number(place, bound, wanted, problems)) is not None:
-            yield Target(key, measure, part, number)
+            continue
+        unit = unit_of_measure(mechanism, measure, part)
+        wanted = NumberField(unit, _EXAMPLES[unit], Range.NOT_NEGATIVE)
+        if (number := _number(place, bound, wanted, problems)) is not None:
+            yield Target(key, measure, part, number, unit)
 
 
 _NAMES = {Measure.STROKE: "output", Measure.RMS_ACCELERATION: "body", Measure.IMPACT_SPEED: "play or stop"}

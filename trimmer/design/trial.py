@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.design.targets import Measure, Target
+from trimmer.design.targets import Measure, Target, unit_of_measure
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
@@ -16,7 +16,6 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
-from trimmer.motion.units import Units
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
 
@@ -48,8 +47,11 @@ class MeasureOfPart:
         section, name = _COLUMNS[self.measure]
         return f"{section}.{self.part}.{name}"
 
-    def unit(self, units: Units) -> str:
-        """Return its unit among those of what moves; empty for a number."""
+    def unit(self, flow: Flow) -> str:
+        """Return its unit for what moves; empty for a number."""
+        if isinstance(flow.subject, Mechanism):
+            return unit_of_measure(flow.subject, self.measure, self.part)
+        units = flow.units
         match self.measure:
             case Measure.STROKE:
                 return units.length

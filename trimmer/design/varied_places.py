@@ -85,7 +85,9 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNum
         return
     name = max(live, key=lambda each: _told_apart(motion.contacts[each].impact_speed) if motion else 0.0)
     section, part = parts[name]
-    stroke = max((each.peak_to_peak for each in motion.outputs.values()), default=0.0) if motion else 0.0
+    unit = mechanism.kind_of(section, name).unit("m")
+    alike = [each for each, of in mechanism.output_units.items() if of == unit]
+    stroke = max((motion.outputs[each].peak_to_peak for each in alike), default=0.0) if motion else 0.0
     reach = abs(part.gap) or SLACK * stroke
     if not reach:
         return
@@ -93,7 +95,7 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNum
     if section == "plays":
         lowest = max(lowest, 0.0)
     yield VariedNumber(
-        NumberRole.GAP, place_text((section, name, "gap")), name, "m", part.gap, lowest, highest
+        NumberRole.GAP, place_text((section, name, "gap")), name, unit, part.gap, lowest, highest
     )
 
 
@@ -122,4 +124,5 @@ def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[Vari
         highest, bounded = kinetic, True
     else:
         highest, bounded = 4 * kinetic, False
-    yield VariedNumber(NumberRole.FRICTION, place, name, "N", kinetic, 0.0, highest, bounded)
+    unit = mechanism.kind_of("frictions", name).unit("N")
+    yield VariedNumber(NumberRole.FRICTION, place, name, unit, kinetic, 0.0, highest, bounded)

@@ -12,7 +12,7 @@ from trimmer.errors import MechanismError
 from trimmer.mechanism import curves, number_rows
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
-from trimmer.mechanism.outputs import taken
+from trimmer.mechanism.outputs import UNITS, taken
 from trimmer.mechanism.parts import (
     Body,
     ContactLaw,
@@ -121,6 +121,13 @@ class Mechanism(Shown):
         if section == "outputs":
             return kind_of_output(vars(self), self.kinds, part)
         return kind_of_part(self.kinds, section, name, part)
+
+    @property
+    def output_units(self) -> Mapping[str, str]:
+        """The SI unit of each output, by name."""
+        return {
+            name: self.kind_of("outputs", name).unit(UNITS[each.kind]) for name, each in self.outputs.items()
+        }
 
     def _told(self) -> str:
         sections = ((name, len(getattr(self, name))) for name in (*PARTS, "points"))

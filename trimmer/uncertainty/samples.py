@@ -16,8 +16,8 @@ from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
-from trimmer.motion.units import Units
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of
 from trimmer.runners.processes import ProcessRunner
@@ -80,9 +80,9 @@ class Samples(Tabular, Drawn):
         return np.array([trial.value(asked.measure, asked.part) for trial in self.trials], dtype=float)
 
     @cached_property
-    def units(self) -> Units:
-        """Units of what is measured: a loop whose unit is not known has no metres."""
-        return flow_of(self.inputs.subject).units
+    def flow(self) -> Flow:
+        """What moves, which knows the units of what is measured."""
+        return flow_of(self.inputs.subject)
 
     def _told(self) -> str:
         kinds = (f"{count} {kind}" for kind, count in self.kinds.items())
@@ -94,7 +94,7 @@ class Samples(Tabular, Drawn):
         columns = (
             *(Column(each.place, each.unit, _value_at(at)) for at, each in enumerate(scatters)),
             *attributes(kind="", period_count=""),
-            *(Column(each.column, each.unit(self.units), _measure(each)) for each in asked),
+            *(Column(each.column, each.unit(self.flow), _measure(each)) for each in asked),
         )
         return Table("Samples", self.trials, columns)
 

@@ -40,14 +40,14 @@ Curve = tuple[MeasureOfPart, str, float | None]
 """A measure along a branch, what it is called, and its bound."""
 
 
-def branch(path: NumberPath, asked: Sequence[Curve]) -> Figure:
+def branch(path: NumberPath, asked: Sequence[Curve], units: Mapping[MeasureOfPart, str]) -> Figure:
     """Draw measures along a branch, one panel each: stable orbits solid, unstable ones dashed."""
     sides = [side for side in (path.down, path.up) if side is not None]
     across = scale_for(np.concatenate([side.values for side in sides]), path.varied.unit)
     figure, every = panels(0.6 + 2.4 * len(asked), len(asked), 1, sharex=True, squeeze=False)
     for axes, (measure, name, bound) in zip(every[:, 0], asked, strict=True):
         heights = [_heights(side, measure) for side in sides]
-        up = scale_for([*np.concatenate(heights), bound or 0.0], measure.measure.value)
+        up = scale_for([*np.concatenate(heights), bound or 0.0], units[measure])
         for side, values in zip(sides, heights, strict=True):
             _line(axes, side, values, across, up)
         seen: set[SpecialKind] = set()
@@ -100,6 +100,7 @@ def over_range(
     asked: Sequence[tuple[MeasureOfPart, str]],
     bounds: Mapping[MeasureOfPart, float],
     targets: tuple[Target, ...],
+    units: Mapping[MeasureOfPart, str],
 ) -> Figure:
     """Draw measures at the points of a study over one of its numbers."""
     at = study.ranges.index(of)
@@ -111,7 +112,7 @@ def over_range(
     flat = list(all_axes.flat)
     for axes, (each, name) in zip(flat, asked, strict=False):
         found = np.array([trial.value(each.measure, each.part) for trial in study.trials])
-        up = scale_for([*found, bounds.get(each, 0.0)], each.measure.value)
+        up = scale_for([*found, bounds.get(each, 0.0)], units[each])
         colour = LINES[0]["color"]
         for chosen, face in ((met, colour), (~met, "white")):
             axes.plot(

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from report.design.quantities import Scale, scale_for
+from report.design.quantities import Scale, quantity_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 from trimmer.design.found_motion import FoundMotion, Spans
@@ -30,8 +30,8 @@ def motion_over_time(motion: FoundMotion) -> Figure:
         *((name, "stick", spans) for name, spans in signals.sticking.items()),
     ]
     curves = [
-        *([(OUTPUT_HEIGHT, signals.outputs, "displacement", "m")] if signals.outputs else []),
-        *([(FORCE_HEIGHT, signals.forces, "force", "N")] if signals.forces else []),
+        *((OUTPUT_HEIGHT, each, unit) for unit, each in _by_unit(signals.outputs, signals.units, "m")),
+        *((FORCE_HEIGHT, each, unit) for unit, each in _by_unit(signals.forces, signals.force_units, "N")),
     ]
     heights = [
         *(height for height, *_ in curves),
@@ -42,13 +42,24 @@ def motion_over_time(motion: FoundMotion) -> Figure:
     )
     time = scale_for(signals.times, "s")
     axes = list(all_axes[:, 0])
-    for own, (_, found, name, unit) in zip(axes, curves, strict=False):
-        _curves(own, signals.times / time.factor, found, name, unit)
+    for own, (_, found, unit) in zip(axes, curves, strict=False):
+        _curves(own, signals.times / time.factor, found, quantity_words(unit), unit)
     if rows:
         _bars(axes[-1], rows, time)
     axes[-1].set_xlabel(f"time [{time.unit}]")
     axes[-1].set_xlim(0.0, float(signals.times[-1]) / time.factor)
     return figure
+
+
+def _by_unit(
+    curves: Mapping[str, Reals], units: Mapping[str, str], usual: str
+) -> list[tuple[str, dict[str, Reals]]]:
+    """Return curves that share axes: those of one unit."""
+    of = {name: units.get(name, usual) for name in curves}
+    return [
+        (unit, {name: curves[name] for name in curves if of[name] == unit})
+        for unit in dict.fromkeys(of.values())
+    ]
 
 
 def _curves(axes: Axes, times: Reals, curves: Mapping[str, Reals], name: str, unit: str) -> None:
@@ -116,7 +127,7 @@ def line_spectrum(spectra: list[tuple[str, OutputSpectrum]]) -> Figure:
     figure, axes = panels(2.9)
     every = [line for _, each in spectra for line in each.lines]
     frequency = scale_for((line.frequency for line in every), "Hz")
-    amplitude = scale_for((line.amplitude for line in every), "m")
+    amplitude = scale_for((line.amplitude for line in every), spectra[0][1].unit)
     for number, (name, each) in enumerate(spectra):
         _stems(axes, each, frequency, amplitude, name, number)
     floor = min((line.amplitude for line in every), default=1.0) / amplitude.factor
@@ -161,7 +172,7 @@ def transfer_functions(
     for state, look in zip(states, LINES, strict=False):
         for each in state.transfer:
             if (each.drive, each.output) == (drive, output) and abs(each.response).max() > 0:
-                unit = "m/m" if each.unit == "m" else "m/N"
+                unit = each.per_unit or f"{each.unit}/{each.unit}"
                 name = NAMES[state.contacts] if len(states) > 1 else None
                 modulus.plot(each.frequency, abs(each.response), label=name, **look)
                 phase.plot(each.frequency, np.degrees(np.angle(each.response)), **look)

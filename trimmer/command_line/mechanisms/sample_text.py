@@ -76,7 +76,7 @@ def _measure_rows(samples: Samples) -> Iterator[tuple[str, ...]]:
                 f"{found.mean:.4g}",
                 f"{found.deviation:.3g}",
                 *(quantile_text(each) for each in found.quantiles),
-                asked.unit(samples.units),
+                asked.unit(samples.flow),
             )
 
 
@@ -141,7 +141,7 @@ def as_json(study: SampleStudy) -> str:
             {
                 "measure": asked.measure.name.lower(),
                 "part": asked.part,
-                "unit": asked.unit(samples.units),
+                "unit": asked.unit(samples.flow),
                 **distribution_data(distribution_of(samples.measured(asked))),
             }
             for asked in samples.asked

@@ -23,7 +23,10 @@ from trimmer.motion.units import with_unit
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
 
-WORDS = {"m": "displacement", "m/s": "velocity", "m/s²": "acceleration", "N": "force"}
+WORDS = {
+    **{"m": "displacement", "m/s": "velocity", "m/s²": "acceleration", "N": "force"},
+    **{"rad": "angle", "rad/s": "angular velocity", "rad/s²": "angular acceleration", "N m": "moment"},
+}
 """What all signals are if this is their unit."""
 POINTS = 4000
 """Points of a curve."""
@@ -108,7 +111,7 @@ def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int 
     forcing = np.tile(flow.modes.system.layout.forcing_at(0.0), (len(states), 1))
     extended = np.hstack([states, forcing])
     # Only the rate of a displacement is the same in every mode.
-    alike = isinstance(first.signal, Steady) and first.unit == "m"
+    alike = isinstance(first.signal, Steady) and first.unit in ("m", "rad")
     modes = [flow.modes.number(flow.at(state).statuses) for state in (states[:1] if alike else states)]
     rows = np.array([(first.signal(mode), rate(flow.modes, first.signal)(mode)) for mode in modes])
     points = (rows @ extended[:, :, None])[:, :, 0]
@@ -121,5 +124,7 @@ def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int 
 def _name_plane(axes: Axes, name: str, unit: str) -> None:
     axes.locator_params(nbins=5)
     name_axis(axes.xaxis, name, unit)
-    name_axis(axes.yaxis, f"rate of {name}", {"m/s": "m/s²", "m/s²": "m/s³"}.get(unit, f"{unit or 1}/s"))
+    length, per_second, power = unit.partition("/s")
+    of_rate = f"{length}/s{'³' if power else '²'}" if per_second else f"{unit or 1}/s"
+    name_axis(axes.yaxis, f"rate of {name}", of_rate)
     axes.grid(alpha=0.3)

@@ -56,5 +56,5 @@ def draw_distribution(samples: Samples, asked: MeasureOfPart, axes: Axes) -> Axe
     for each in bounds:
         axes.axvline(each.bound, color="black", linestyle="--", linewidth=1.0)
     axes.set_ylabel("samples")
-    name_axis(axes.xaxis, name_of(asked), asked.unit(samples.units))
+    name_axis(axes.xaxis, name_of(asked), asked.unit(samples.flow))
     return axes
