@@ -84,6 +84,7 @@ class MechanismEvent:
         rate: Of its end less that of its start, m/s, just before an impulse; 0 where friction is held or
             turns back.
         impulse: That of a wall, N s; None of what gives none.
+        unit: Unit of the rate, rad/s of rotations.
     """
 
     time: float
@@ -91,6 +92,7 @@ class MechanismEvent:
     kind: MechanismEventKind
     rate: float = 0.0
     impulse: float | None = None
+    unit: str = "m/s"
 
     @property
     def speed(self) -> float:
@@ -107,7 +109,10 @@ class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
         return counted(len(self), "event")
 
     def _table(self) -> Table:
-        return Table("Events", self, attributes(time="s", kind="", part="", speed="m/s", impulse="N s"))
+        units = {each.unit for each in self} or {"m/s"}
+        speed = units.pop() if len(units) == 1 else ""
+        impulse = {"m/s": "N s", "rad/s": "N m s"}.get(speed, "")
+        return Table("Events", self, attributes(time="s", kind="", part="", speed=speed, impulse=impulse))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -153,11 +158,13 @@ class MechanismMotion(Motion):
     def events(self) -> MechanismEvents:
         """All events in order of time."""
         parts = [part.name for part in self.flow.parts]
+        units = [self.flow.units_of_part(name).speed for name in parts]
         walls = len(parts) - len(self.mechanism.walls)
         events = zip(self.course.events, event_rates(self.course), strict=True)
         return MechanismEvents(
             MechanismEvent(
-                time, parts[part], (KINDS if part < walls else KINDS_OF_WALLS)[kind], rate, impulse
+                *(time, parts[part], (KINDS if part < walls else KINDS_OF_WALLS)[kind], rate, impulse),
+                unit=units[part],
             )
             for (time, part, kind), (rate, impulse) in events
         )

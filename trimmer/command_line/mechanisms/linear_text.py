@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any
 from trimmer.command_line.json_values import document, finite, pair
 from trimmer.command_line.parser import OptionError
 from trimmer.command_line.table import table
+from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
+from trimmer.motion.units import with_unit
 from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
@@ -107,13 +109,15 @@ def _state(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
     yield f"{contacts_of(mechanism, state)}: {counted(len(state.modes), 'mode')}" + "".join(
         f", {each}" for each in others
     )
-    heads = ("Hz", "damping ratio", *state.bodies)
+    units = {name: kind.unit("m") for name, kind in mechanism.kinds.items()}
+    mixed = Kind.ROTATION in mechanism.kinds.values()
+    heads = ("Hz", "damping ratio", *(with_unit(n, units[n]) if mixed else n for n in state.bodies))
     yield from table(
         heads, [_mode(mode.frequency, mode.damping_ratio, mode.shape.tolist()) for mode in state.modes]
     )
     if state.transfer:
         heads = ("from", "to", "at the drive", "phase", "largest", "at Hz")
-        yield from table(heads, [_peak(each) for each in state.transfer])
+        yield from table(heads, [_peak(each, mixed) for each in state.transfer])
 
 
 def _others(state: LinearState) -> tuple[tuple[int, str], ...]:
@@ -135,15 +139,18 @@ def _share(entry: complex) -> str:
     return f"{abs(entry):.3g} at {degrees:.0f}°"
 
 
-def _peak(function: TransferFunction) -> tuple[str, ...]:
+def _peak(function: TransferFunction, mixed: bool) -> tuple[str, ...]:
+    drive, output = function.drive, function.output
+    if mixed:
+        drive, output = with_unit(drive, function.unit), with_unit(output, function.output_unit)
     sizes = abs(function.response)
     at = int(sizes.argmax())
     there = function.at_drive
     if not sizes[at]:
-        return function.drive, function.output, "0", "-", "0", "-"
+        return drive, output, "0", "-", "0", "-"
     own = (
         ("-", "-")
         if there is None
         else (f"{abs(there):.5g}", f"{round(math.degrees(cmath.phase(there)), 1) + 0.0:.1f}°")
     )
-    return function.drive, function.output, *own, f"{sizes[at]:.5g}", f"{function.frequency[at]:.6g}"
+    return drive, output, *own, f"{sizes[at]:.5g}", f"{function.frequency[at]:.6g}"
