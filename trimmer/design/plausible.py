@@ -130,7 +130,8 @@ def _contacts(mechanism: Mechanism, motion: FoundMotion) -> Iterator[Question]:
 def largest_stroke(mechanism: Mechanism, motion: FoundMotion, kind: Kind) -> float:
     """Return the largest peak to peak of the outputs of a kind, m or rad."""
     units = mechanism.output_units
-    alike = (each for name, each in motion.outputs.items() if units[name] == kind.unit("m"))
+    unit = kind.unit("m")
+    alike = (each for name, each in motion.outputs.items() if units.get(name, "m") == unit)
     return max((each.peak_to_peak for each in alike), default=0.0)
 
 

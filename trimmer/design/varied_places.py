@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.design.found_motion import FoundMotion
+from trimmer.design.plausible import largest_stroke
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 
@@ -86,8 +87,9 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNum
     name = max(live, key=lambda each: _told_apart(motion.contacts[each].impact_speed) if motion else 0.0)
     section, part = parts[name]
     unit = mechanism.kind_of(section, name).unit("m")
-    alike = [each for each, of in mechanism.output_units.items() if of == unit]
-    stroke = max((motion.outputs[each].peak_to_peak for each in alike), default=0.0) if motion else 0.0
+    stroke = 0.0
+    if motion is not None:
+        stroke = largest_stroke(mechanism, motion, mechanism.kind_of(section, name))
     reach = abs(part.gap) or SLACK * stroke
     if not reach:
         return
