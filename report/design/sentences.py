@@ -12,6 +12,7 @@ from report.pages.escaping import Markdown, code, markdown
 from trimmer.design.design import Design, Stage
 from trimmer.design.plausible import Oddity, Question
 from trimmer.design.spectrum import OutputSpectrum
+from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -108,6 +109,7 @@ def inventory(design: Design) -> str:
     counted = [
         (len(mechanism.bodies), "body", "bodies"),
         (len(mechanism.structures), "structure", "structures"),
+        (len(mechanism.points), "point on a lever or gear", "points on levers or gears"),
         (len(mechanism.pins), "pin", "pins"),
         (len(mechanism.links), "spring or damper", "springs and dampers"),
         (len(mechanism.plays), "play", "plays"),
@@ -126,7 +128,9 @@ def inventory(design: Design) -> str:
         else "It has no drive: it moves by itself, or not at all."
     )
     none = f" There are no {listed(lacking, 'or')}." if lacking else ""
-    return f"All of it moves along one line: {listed(there)}. {drive}{none}"
+    turning = Kind.ROTATION in mechanism.kinds.values()
+    how = "It moves along one line or turns" if turning else "All of it moves along one line"
+    return f"{how}: {listed(there)}. {drive}{none}"
 
 
 def settled_sentences(design: Design) -> str:
@@ -230,6 +234,8 @@ def exposure_sentences(design: Design) -> Markdown:
     """Say which body is held, and how its vibration was weighted."""
     motion, held = design.motion, design.file.held
     assert motion is not None
+    if not motion.hand_arm:
+        return Markdown("All bodies turn; what a hand feels is known of bodies that move along a line alone.")
     if held is None:
         told = Markdown(
             'The file does not say which body is held; write `held = "NAME"` at its top, with the name of a '

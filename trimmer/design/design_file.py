@@ -15,6 +15,7 @@ from trimmer.design.targets import Target, targets_of
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.coordinates import shaken_ends
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.parts import OutputKind
@@ -199,9 +200,13 @@ def _author(value: object, problems: list[Problem]) -> str:
 
 
 def _held(value: object, mechanism: Mechanism, problems: list[Problem]) -> str | None:
-    bodies = shaken_ends(mechanism)
+    ends, kinds = shaken_ends(mechanism), mechanism.kinds
+    bodies = [name for name in ends if kinds[name] is Kind.TRANSLATION]
     if value is None or (isinstance(value, str) and value in bodies):
         return value
-    advice = near_match(str(value), bodies) or f"the bodies are {listed(bodies)}"
+    if value in ends:
+        advice = "this one turns, and what a hand feels is known of what moves along a line alone"
+    else:
+        advice = near_match(str(value), bodies) or f"the bodies are {listed(bodies)}"
     problems.append(Problem(("held",), f"names the body that a hand holds; {advice}", value))
     return None

@@ -84,7 +84,7 @@ class FoundMotion:
         state: State at the start of the period, (n,).
         measured_periods: Drive periods over which it was measured.
         outputs, rms_acceleration, contacts, frictions: Its measures, by name.
-        hand_arm: Vibration of each body as a hand would feel it.
+        hand_arm: Vibration of each body that does not turn, as a hand would feel it.
         events: Events per drive period.
         signals: Over a period, or over some drive periods.
     """
@@ -195,7 +195,11 @@ def _made(
         rms_acceleration=dict(measures.rms_acceleration),
         contacts=dict(measures.contacts),
         frictions=dict(measures.frictions),
-        hand_arm=_hand_arm(course, orbit, dict(measures.rms_acceleration), periods),
+        hand_arm={
+            name: each
+            for name, each in _hand_arm(course, orbit, dict(measures.rms_acceleration), periods).items()
+            if flow.units_of_body(name).length == "m"
+        },
         events=measures.events_per_period,
         signals=_signals(flow, course, min(1.0, SHOWN / periods)),
     )

@@ -13,9 +13,10 @@ from trimmer.design.found_motion import FoundMotion
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, all_measures, measured
 from trimmer.errors import TrimmerError
+from trimmer.mechanism.kinds import numbers_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
+from trimmer.mechanism.quantities import PARTS, Range
 from trimmer.response.forced_orbit import exact_orbit
 from trimmer.response.orbit import Orbit
 
@@ -123,12 +124,17 @@ def designable(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:
     """Return place, SI unit and value of each number that a designer may change, as far as it is not zero."""
     if mechanism.frequency is not None:
         yield "frequency", "Hz", mechanism.frequency
-    for section, kind in PARTS.items():
+    for section in PARTS:
         for name, part in getattr(mechanism, section).items():
-            for key, quantity in QUANTITIES[kind].items():
+            for key, quantity in numbers_of_part(mechanism.kinds, section, name, part).items():
                 value = getattr(part, key)
                 if value and key not in LEFT_OUT and quantity.range is not Range.WHOLE:
                     yield place_text((section, name, key)), quantity.unit, value
+    for name, point in mechanism.points.items():
+        for of, weight in point.weights.items():
+            place = place_text(("points", name, of))
+            if weight and (abs(weight) != 1.0 or mechanism.places[place] == "m"):
+                yield place, mechanism.places[place], weight
 
 
 def _agree(one: float, other: float) -> bool:
