@@ -233,7 +233,9 @@ class _Translation:
         return parts.Output(self._function("outputs", name, "value"), weights, output.kind.value or 0, force)
 
     def _force_of(self, part: str, ends: Mapping[str, parts.End]) -> sympy.Expr:
-        """Return the force of a link, play, stop or friction."""
+        """Return the force of a link, play, stop, wall or friction."""
+        if part in self.data.walls:
+            return self._function("walls", part, "tension")
         for section, contacts in (("plays", self.data.plays), ("stops", self.data.stops)):
             if part in contacts:
                 return self._function(section, part, "tension") if _pushes(contacts[part]) else sympy.S.Zero

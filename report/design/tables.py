@@ -222,14 +222,14 @@ def contact_rows(design: Design) -> Rows:
     mechanism = design.file.mechanism
     if design.motion is not None:
         for name, each in design.motion.contacts.items():
-            kind = mechanism.kind_of("plays" if name in mechanism.plays else "stops", name)
+            speed = unit_of_measure(mechanism, Measure.IMPACT_SPEED, name)
             assert each.largest_force is not None, "contacts of mechanisms have springs"
             rows.append(
                 [
                     name,
                     written(each.impacts, 3),
-                    _value(each.impact_speed, kind.unit("m/s")),
-                    _value(each.largest_force, kind.unit("N")),
+                    _value(each.impact_speed, speed),
+                    _value(each.largest_force, "N" if speed == "m/s" else "N m"),
                     percent(each.share),
                 ]
             )

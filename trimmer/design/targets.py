@@ -111,7 +111,7 @@ def unit_of_measure(mechanism: Mechanism, measure: Measure, part: str) -> str:
         case Measure.RMS_ACCELERATION:
             return mechanism.kinds[part].unit(measure.value)
         case Measure.IMPACT_SPEED:
-            section = "plays" if part in mechanism.plays else "stops"
+            section = next(each for each in ("plays", "stops", "walls") if part in getattr(mechanism, each))
             return mechanism.kind_of(section, part).unit(measure.value)
         case _:
             return str(measure.value)
