@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 
 from report.design.diagram.diagram import mechanism_diagram
@@ -94,12 +94,13 @@ def _motion(design: Design) -> Iterator[Figure]:
 
 def _acceleration(design: Design) -> Iterator[Figure]:
     motion = design.motion
-    if motion is None or motion.kind is MotionKind.REST or not motion.signals.accelerations:
+    if motion is None or motion.kind is MotionKind.REST or not motion.hand_arm:
         return
-    wanted = [each.part for each in design.file.targets if each.measure is Measure.RMS_ACCELERATION]
+    bounded = [each.part for each in design.file.targets if each.measure is Measure.RMS_ACCELERATION]
+    wanted = [name for name in bounded if name in motion.hand_arm]
     asked = [design.file.held] if design.file.held else wanted
     if len(asked) != 1:
-        asked = [max(asked or motion.rms_acceleration, key=lambda name: motion.rms_acceleration[name])]
+        asked = [max(asked or motion.hand_arm, key=lambda name: motion.rms_acceleration[name])]
     rms = shown(motion.rms_acceleration[asked[0]], "m/s²")
     lines = "each line an exact one" if motion.repeats else "of samples, as the motion does not repeat"
     yield drawn(
@@ -259,9 +260,7 @@ def curves_of(design: Design) -> list[Curve]:
     return found
 
 
-def _branch(
-    path: NumberPath, number: int, asked: list[Curve], units: Mapping[MeasureOfPart, str]
-) -> Figure:
+def _branch(path: NumberPath, number: int, asked: list[Curve], units: Mapping[MeasureOfPart, str]) -> Figure:
     words = place_words(path.varied.place)
     return drawn(
         f"branch-{number}",
