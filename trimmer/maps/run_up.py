@@ -43,8 +43,10 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
     """Vary a number in equal steps while the motion goes on: run-up, and coast-down.
 
     At each value the motion goes on for some drive periods from the state before, and is measured over the
-    second half of them. A drive goes on with its phase. Where a number changes the place of a contact or the
-    speed of a pin, displacements and velocities of the bodies stay as they are.
+    second half of them. A drive goes on with its phase. Further drives do if their phases return after some
+    periods, up to whole returns of which the periods are rounded; else they begin each value at t = 0. Where
+    a number changes the place of a contact or the speed of a pin, displacements and velocities of the bodies
+    stay as they are.
 
     Args:
         mechanism: The mechanism or loop; it has a drive.
@@ -81,6 +83,9 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
         new = flow_at(value)
         return dwell(new, carried(flow_at(last), instant, new), periods)
 
+    # Only after whole returns of all drives does a value begin with the phases at which the one before ended.
+    together = flow_at(values[0]).modes.system.layout.recurrence or 1
+    periods = -(-periods // together) * together
     plateaus: list[Plateau] = []
     ends: list[Instant] = []
     for number in progress_bar(range(len(values)), "steps", quiet=quiet):
