@@ -9,6 +9,23 @@ from trimmer.mechanism.parts import ContactLaw
 from trimmer.mechanism.quantities import PARTS, QUANTITIES, Range
 from trimmer.parameters import TrimmerParameters, parameter_table
 
+WORDS = {
+    "between": "two names",
+    "on": "a name",
+    "symbol": "a symbol, such as `k_2`",
+    **dict.fromkeys(("mass", "stiffness", "damping"), "a Matrix Market file"),
+    "coordinates": "names",
+    "rotations": "names of coordinates",
+    "modes": "a CSV file",
+    "harmonics": "rows of order, amplitude and phase",
+    "waveform": "a CSV file",
+    "orders": "a whole number",
+    "drive": "a name",
+    "curve": "rows of two numbers",
+    "profile": "rows of time and force",
+}
+"""What keys may hold that are no numbers."""
+
 
 def mechanism_keys() -> str:
     """Return a section with all keys of a mechanism file: what is allowed, and the default."""
@@ -19,6 +36,8 @@ def mechanism_keys() -> str:
     ]
     for section, kind in PARTS.items():
         for number, each in enumerate(fields(kind)):
+            if each.name == "files":  # of Python alone
+                continue
             first = f"`[{section}]`" if number == 0 else ""
             lines.append(" | ".join(["|" + first, *_told(kind, each)]) + " |")
     return "\n".join(lines) + "\n"
@@ -60,12 +79,12 @@ def _told(kind: type, key: Field[object]) -> Iterator[str]:
 def _words(name: str) -> str:
     if name == "law":
         return ", ".join(f'`"{law.word}"`' for law in ContactLaw)
-    return {"between": "two names", "on": "a name", "symbol": "a symbol, such as `k_2`"}[name]
+    return WORDS[name]
 
 
 def _default(key: Field[object]) -> str:
     if isinstance(key.default, ContactLaw):
         return f'`"{key.default.word}"`'
-    if key.default is None:
+    if key.default in (None, ()):
         return "that of `force`" if key.name == "static" else "none"
     return f"{key.default:g}"

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from report.design.markdown import environment
 from tests.hostile.commands import called
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -42,12 +41,3 @@ def test_a_missing_sample_is_one(tmp_path: Path, capsys) -> None:
     code, out, _ = called(capsys, "spectrum", str(path), "--missing", "interpolate")
     assert code == 0
     assert "1 sample was missing and is interpolated" in out
-
-
-def test_one_more_start_of_a_remedy_is_one() -> None:
-    source = (Path(__file__).parents[2] / "templates" / "design" / "verdict.md.j2").read_text("utf-8")
-    sentence = next(line for line in source.splitlines() if line.startswith("Each line changes one number"))
-    remedies = {"starts": 1, "farthest": 4.0, "trials": 1}
-    told = environment().from_string(sentence).render(design={"remedies": remedies})
-    assert "Then one more start was tried too" in told
-    assert PLURAL.search(told) is None

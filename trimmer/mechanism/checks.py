@@ -17,7 +17,6 @@ from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT, NumberField
 from trimmer.mechanism.structure import Structure
-from trimmer.mechanism.structure_checks import problems_of_structure
 from trimmer.mechanism.waves import problems_of_waveform
 
 LONGEST_NAME = 300
@@ -53,6 +52,8 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
             if type(part) is kind:
                 yield from _fields((section, str(name)), part, kinds)
                 if isinstance(part, Structure):
+                    from trimmer.mechanism.structure_checks import problems_of_structure
+
                     yield from problems_of_structure((section, str(name)), part)
             else:
                 yield Problem((section, str(name)), f"give a trimmer.mechanism.{kind.__name__}", part)

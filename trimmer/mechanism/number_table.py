@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import csv
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
 from trimmer.toml_files import read_text
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
 
 
 class TableError(TrimmerError, ValueError):
@@ -26,6 +27,8 @@ def columns_of(path: Path) -> dict[str, Reals]:
         TableError: if the file cannot be read, a line has too few or too many cells, a name is missing or
             there twice, or a cell holds no finite number.
     """
+    import numpy as np
+
     text = read_text(path, TableError, "write names of columns in the first line, numbers below")
     lines = [
         (number, line)
@@ -55,6 +58,8 @@ def _complete(path: Path, line: int, row: list[str], count: int) -> list[str]:
 
 
 def _number(path: Path, line: int, cell: str) -> float:
+    import numpy as np
+
     try:
         number = float(cell)
     except ValueError:

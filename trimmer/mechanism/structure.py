@@ -11,14 +11,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from trimmer.arrays import Reals
-from trimmer.mechanism.elimination import Solutions, solutions
 from trimmer.mechanism.read_only import ReadOnly
 
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.mechanism.elimination import Solutions
+
+MOST = 1000
+"""Coordinates of a structure; the equations of motion are dense."""
+
+LETTERS = {"mass": "M", "stiffness": "K", "damping": "C"}
+"""Usual letters of the matrices."""
 MATRICES = ("mass", "stiffness", "damping")
 """Fields that are matrices."""
 
@@ -114,6 +119,8 @@ class Structure:
     @cached_property
     def matrices(self) -> tuple[Reals, Reals, Reals]:
         """M, C and K, (n, n) each."""
+        import numpy as np
+
         if self.modes is not None:
             omega = 2 * np.pi * self.modes.frequency
             return np.eye(len(omega)), np.diag(2 * self.modes.damping_ratio * omega), np.diag(omega**2)
@@ -125,12 +132,18 @@ class Structure:
     @cached_property
     def shifts(self) -> Solutions:
         """The directions along which it may be moved without a change of its forces."""
+        import numpy as np
+
+        from trimmer.mechanism.elimination import solutions
+
         stiffness = self.matrices[2] if self.stiffness is None else self.stiffness
         return solutions(stiffness, np.zeros(len(stiffness)))
 
     @cached_property
     def strains(self) -> Reals:
         """Sums of its coordinates that are all 0 for such a movement, and for no other, (n - shifts, n)."""
+        import numpy as np
+
         directions, free = self.shifts.directions, self.shifts.free
         sums = np.eye(len(directions))
         sums[:, free] -= directions
@@ -138,6 +151,8 @@ class Structure:
 
     def _modal_damping(self, ratio: float) -> Reals:
         """Return M P diag(2 ζ ω) Pᵀ M with the modes P of unit modal mass; rigid ones stay undamped."""
+        import numpy as np
+
         assert self.mass is not None and self.stiffness is not None
         factor = np.linalg.cholesky(self.mass)
         relative = np.linalg.solve(factor, np.linalg.solve(factor, self.stiffness).T)
@@ -149,10 +164,14 @@ class Structure:
 
 
 def _array(values: Any) -> Reals | None:
+    import numpy as np
+
     return None if values is None else np.asarray(values, dtype=np.float64)
 
 
 def _frozen(values: Any) -> Reals:
+    import numpy as np
+
     array = np.array(values, dtype=np.float64)
     array.setflags(write=False)
     return array

@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.mechanism.problems import NOTHING, Problem
-from trimmer.mechanism.structure import MATRICES, ModalModel, Structure
+from trimmer.mechanism.structure import LETTERS, MATRICES, ModalModel, Structure
 from trimmer.messages import listed, near_match
 
 SYMMETRIC = 1e-9
@@ -18,12 +18,6 @@ NEGATIVE = 1e-9
 """Modulus of a negative eigenvalue of a stiffness, as a share of the largest one, that is rounding."""
 SINGULAR = 1e-13
 """Least eigenvalue of a mass with ones on its diagonal that is not rounding."""
-MOST = 1000
-"""Coordinates of a structure; the equations of motion are dense."""
-
-LETTERS = {"mass": "M", "stiffness": "K", "damping": "C"}
-"""Usual letters of the matrices."""
-
 Place = tuple[str, ...]
 
 

@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import numpy as np
-
 from trimmer.mechanism.parts import GROUND
 from trimmer.mechanism.problems import Problem, no_such
 from trimmer.mechanism.structure import ModalModel, Structure
@@ -63,6 +61,8 @@ def modes_in(content: Content) -> list[str]:
 
 def points_in(content: Content) -> dict[str, Mapping[str, float]]:
     """Return by its name the weights of coordinates at each point of the structures."""
+    import numpy as np
+
     found: dict[str, Mapping[str, float]] = {}
     for name, part in structures_of(content).items():
         names = [f"{name}.{each}" for each in _own_names(part)]
@@ -72,6 +72,8 @@ def points_in(content: Content) -> dict[str, Mapping[str, float]]:
 
 
 def _own_names(part: Structure) -> tuple[str, ...]:
+    import numpy as np
+
     if part.modes is None:
         names = part.coordinates if isinstance(part.coordinates, list | tuple) else ()
         return tuple(each for each in names if isinstance(each, str))

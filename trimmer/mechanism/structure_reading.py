@@ -7,12 +7,9 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from trimmer.mechanism.number_table import TableError, columns_of
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.structure import MATRICES, ModalModel, Structure
-from trimmer.mechanism.structure_checks import LETTERS, MOST
+from trimmer.mechanism.structure import LETTERS, MATRICES, MOST, ModalModel, Structure
 from trimmer.messages import near_file
 
 KEYS = tuple(each.name for each in fields(Structure) if each.name != "files")
@@ -75,6 +72,7 @@ def _modes(columns: Mapping[str, Any]) -> ModalModel:
 
 def _matrix(path: Path) -> Any:
     """Return the matrix of a Matrix Market file."""
+    import numpy as np
     from scipy.io import mminfo, mmread
 
     try:

@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
-from trimmer.arrays import Complexes
 from trimmer.mechanism.number_table import TableError, columns_of
 from trimmer.mechanism.parts import Force, Pin
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import is_number
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Complexes
 
 ORDERS = 20
 """Orders of a waveform that are taken if no number is given."""
@@ -58,6 +58,8 @@ def reach_of(part: Pin | Force) -> float:
 
 def mean_of(part: Pin | Force) -> float:
     """Return what a part does in the mean over a period, without a velocity: m of a pin, N of a force."""
+    import numpy as np
+
     constant = part.offset if isinstance(part, Pin) else part.constant
     return constant + float(np.mean(part.waveform)) if part.waveform else constant
 
@@ -69,6 +71,8 @@ def is_driven(part: Pin | Force) -> bool:
 
 def left_out(part: Pin | Force) -> float:
     """Return the rms of what is left out of a waveform, over that of its samples about their mean."""
+    import numpy as np
+
     samples = np.array(part.waveform or (0.0,))
     spectrum = abs(np.fft.rfft(samples - samples.mean())) ** 2
     # Both signs of a frequency count; that of half the sampling rate has but one.
@@ -84,6 +88,8 @@ def _orders(part: Pin | Force) -> int:
 
 @lru_cache(maxsize=64)
 def _of_samples(samples: tuple[float, ...], orders: int) -> tuple[Wave, ...]:
+    import numpy as np
+
     series: Complexes = 2.0 * np.fft.rfft(samples)[: orders + 1] / len(samples)
     least = ROUNDING * abs(series).max()
     return tuple(
@@ -116,6 +122,8 @@ def samples_of(place: tuple[str, ...], value: object, folder: Path, problems: li
 
 
 def _reason_against(columns: dict[str, Any]) -> str:
+    import numpy as np
+
     if set(columns) != {"phase", "value"}:
         return f"the table has the columns {', '.join(columns)}; it needs phase and value, and no other"
     phases = columns["phase"]
@@ -129,6 +137,8 @@ def _reason_against(columns: dict[str, Any]) -> str:
 
 def problems_of_waveform(place: tuple[str, ...], part: Any) -> Iterator[Problem]:
     """Find samples that are none, and orders that they do not have."""
+    import numpy as np
+
     samples, orders = part.waveform, part.orders
     if samples is None:
         if orders is not None:

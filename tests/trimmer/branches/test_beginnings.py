@@ -178,6 +178,7 @@ def test_which_ends_are_successes() -> None:
         BranchEnd.STEP_TOO_SMALL,
         BranchEnd.MOST_POINTS,
         BranchEnd.NO_START,
+        BranchEnd.OUT_OF_TIME,
     }
 
 

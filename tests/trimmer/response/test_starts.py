@@ -1,6 +1,7 @@
 """Where motions begin, which starts are taken, and what is said of several of them."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -125,7 +126,7 @@ def test_orbits_of_a_linear_mechanism_are_found_from_anywhere() -> None:
 @pytest.mark.parametrize("weight", [0.0, 5e-3])
 def test_mirrored_twins_are_told_only_of_what_is_symmetric(weight: float) -> None:
     mechanism = twin(2.0, 2e-4, 100.0)
-    pulled = Mechanism(**{**vars(mechanism), "forces": {"weight": Force("cutter", constant=weight)}})
+    pulled = replace(mechanism, forces={"weight": Force("cutter", constant=weight)})
     response = respond(pulled, starts=4, seed=1)
     content = response_json(response)
     shares = [motion["share"] for motion in content["motions"]]
