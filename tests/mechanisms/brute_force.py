@@ -14,12 +14,14 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from tests.mechanisms.crossing import Step, Watch, watch
-from tests.mechanisms.decision import Judge
+from tests.mechanisms.decision import Judge, NoModeFoundError
 from tests.mechanisms.dynamics import Mode, System
 from trimmer.mechanism.mechanism import Mechanism
 
 MOST_EVENTS = 200_000
 MOST_AT_ONCE = 40
+SLOW = 1e-3
+"""Speed of an impact, in usual ones, below which it may be that of a chatter: there the motion ends."""
 
 
 class EventKind(Enum):
@@ -30,6 +32,7 @@ class EventKind(Enum):
     SLIDING_REVERSED = "sliding reversed"
     STICK_BEGUN = "stick begun"
     STICK_ENDED = "stick ended"
+    IMPACT = "impact"
 
 
 @dataclass(frozen=True)
@@ -134,8 +137,17 @@ class BruteForce:
         )
         time, mode, at_once = begin, None, 0
         while True:
+            if not self._strike(motion, time):
+                motion.ambiguous.append(time - 1e-6 / system.usual_rate)
+                return motion
             y = extend(system, motion.final, time)
-            decided = judge.decide(y, mode)
+            try:
+                decided = judge.decide(y, mode)
+            except NoModeFoundError:
+                if not system.walls:
+                    raise
+                motion.ambiguous.append(time - 1e-6 / system.usual_rate)
+                return motion  # Something rests on a wall.
             if decided.others:
                 motion.ambiguous.append(time)
             if mode is not None:
@@ -149,6 +161,24 @@ class BruteForce:
             if at_once > MOST_AT_ONCE or len(motion.events) > MOST_EVENTS:
                 raise RuntimeError(f"events accumulate at {time}")
             time = reached
+
+    def _strike(self, motion: BruteMotion, time: float) -> bool:
+        """Let walls that are reached act in turn until none closes; say whether all are left fast enough."""
+        system, count = motion.system, len(motion.system.masses)
+        size = system.usual[: system.rows.state_size]
+        reached = []
+        for wall in system.walls:
+            y = extend(system, motion.final, time)
+            if abs(wall.beyond @ y) <= 1e-9 * size[0] and wall.velocity @ y > 0:
+                reached.append(wall)
+        while any(wall.velocity @ extend(system, motion.final, time) > 0 for wall in reached):
+            for wall in reached:
+                y = extend(system, motion.final, time)
+                if wall.velocity @ y > 0:
+                    motion.final = wall.struck(motion.final, y, system.mass)
+                    motion.events.append(Event(time, wall.name, EventKind.IMPACT))
+        y = extend(system, motion.final, time)
+        return all(wall.velocity @ y < -SLOW * size[count] for wall in reached)
 
     def _until_event(self, motion: BruteMotion, judge: Judge, mode: Mode, time: float, end: float) -> float:
         """Add steps until a guard turns negative or the end, and return the time reached."""

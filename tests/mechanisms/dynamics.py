@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.linalg import block_diag, eigh
 
-from tests.mechanisms.parts import Contact, ContactMode, Curved, DryFriction
+from tests.mechanisms.parts import Contact, ContactMode, Curved, DryFriction, RigidWall
 from tests.mechanisms.rows import Rows
 from tests.mechanisms.sticking import Sticking, stick_together
 from tests.mechanisms.waves import constant
@@ -70,6 +70,7 @@ class System:
     contacts: tuple[Contact, ...] = field(init=False)
     frictions: tuple[DryFriction, ...] = field(init=False)
     curves: tuple[Curved, ...] = field(init=False)
+    walls: tuple[RigidWall, ...] = field(init=False)
     _known: dict[Mode, Dynamics] = field(default_factory=dict)
 
     def __post_init__(self):
@@ -82,6 +83,7 @@ class System:
 
         parts = (*self.mechanism.links.values(), *self.mechanism.frictions.values())
         self.curves = tuple(Curved(part, self.rows) for part in parts if part.curve)
+        self.walls = tuple(RigidWall(name, wall, self.rows) for name, wall in self.mechanism.walls.items())
 
     @cached_property
     def matrices(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -171,6 +173,7 @@ class System:
             guards += contact.guards(its)
         for curve, segment in zip(self.curves, mode.curves, strict=True):
             guards += curve.guards(segment)
+        guards += [-wall.beyond for wall in self.walls]
         for friction, sign in zip(self.frictions, mode.frictions, strict=True):
             if sign:
                 guards.append(sign * friction.velocity)
@@ -201,6 +204,11 @@ class System:
         size[self.rows.state_size + 1] = 1 / omega
         return size
 
+    @property
+    def usual_rate(self) -> float:
+        """A rough angular frequency, rad/s."""
+        return self._omega()
+
     def _omega(self) -> float:
         if self.rows.omega:
             return self.rows.omega
@@ -211,6 +219,7 @@ class System:
     def _length(self) -> float:
         omega = self._omega()
         lengths = [abs(contact.half_gap) for contact in self.contacts]
+        lengths += [abs(wall.part.gap) for wall in self.walls]
         lengths += [abs(x) for curve in self.curves for x in curve.corners if isinstance(curve.part, Link)]
         for pin in self.mechanism.pins.values():
             lengths += [abs(pin.amplitude), abs(pin.offset), abs(pin.velocity) / omega]

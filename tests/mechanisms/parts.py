@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tests.mechanisms.rows import Rows
-from trimmer.mechanism.parts import ContactLaw, Friction, Link, Play, Stop
+from trimmer.mechanism.parts import ContactLaw, Friction, Link, Play, Stop, Wall
 
 
 class ContactMode(NamedTuple):
@@ -157,3 +157,30 @@ class Curved:
         (x0, f0), (x1, f1) = chosen
         slope = (f1 - f0) / (x1 - x0)
         return slope * self.over + self.rows.constant(f0 - slope * x0)
+
+
+@dataclass(frozen=True)
+class RigidWall:
+    """A rigid wall, as long as nothing rests on it."""
+
+    name: str
+    part: Wall
+    rows: Rows
+
+    @property
+    def beyond(self) -> np.ndarray:
+        """How far the ends are farther apart than the gap."""
+        return self.rows.distance(self.part.between) - self.rows.constant(self.part.gap)
+
+    @property
+    def velocity(self) -> np.ndarray:
+        return self.rows.rate(self.part.between)
+
+    def struck(self, state: np.ndarray, y: np.ndarray, mass: np.ndarray) -> np.ndarray:
+        """The state after an impact, by Newton's law."""
+        direction, count = self.rows.direction(self.part.between), len(mass)
+        changed = np.linalg.solve(mass, direction)
+        impulse = (1 + self.part.restitution) * float(self.velocity @ y) / float(direction @ changed)
+        after = state.copy()
+        after[count : 2 * count] -= impulse * changed
+        return after

@@ -113,14 +113,22 @@ class MechanismFlow(Flow):
 
         The others are where the mechanism's own start puts them, or at rest at 0.
         """
+        state = self._state_of(start)
+        self._require_within_walls(state)
+        return self.at(state, stretched=False)
+
+    def _state_of(self, start: Mapping[str, tuple[float, ...]] | None) -> Reals:
         layout = self.modes.system.layout
         count = len(layout.coordinates)
         state = np.zeros(self.size)
         for name, (displacement, velocity) in {**self.mechanism.start, **(start or {})}.items():
             body = layout.coordinates.index(name)
             state[body], state[count + body] = displacement, velocity
-        self._require_within_walls(state)
-        return self.at(state, stretched=False)
+        return state
+
+    def near(self, start: Mapping[str, tuple[float, ...]]) -> Instant:
+        """Return the same as ``rest``, but with ends that walls hold no farther apart than these allow."""
+        return self.at(self._state_of(start), stretched=False)
 
     def _require_within_walls(self, state: Reals) -> None:
         machine, layout = self.modes.system.machine, self.modes.system.layout

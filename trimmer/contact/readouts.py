@@ -16,6 +16,7 @@ from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
+    COMPLETED,
     CONTACT_MADE,
     FORWARD,
     IMPACT,
@@ -90,9 +91,9 @@ def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
         held = hold_forces(course, course.nodes.rows, course.nodes.states)
         largest = float(held[:, len(course.modes.system.machine.kinetic) + number].max())
     share = float(durations(course)[resting].sum() / course.duration)
-    return ContactMeasures(
-        len(hit) / periods, tuple(impact_at(course, row)[0] for row in hit), largest, share
-    )
+    speeds = tuple(impact_at(course, row)[0] for row in hit)
+    completed = int(((log.part == part) & (log.kind == COMPLETED)).sum())
+    return ContactMeasures(len(hit) / periods, speeds, largest, share, completed / periods)
 
 
 def friction_measures(course: Course, number: int, periods: int) -> FrictionMeasures:

@@ -104,6 +104,10 @@ class Flow(ABC):
     def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
         """Return the instant t = 0 at rest, or where the subject's own start, or another one, puts it."""
 
+    def near(self, start: Mapping[str, tuple[float, ...]]) -> Instant:
+        """Return the same, or where that cannot be the nearest instant that can."""
+        return self.rest(start)
+
     @abstractmethod
     def at(
         self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None

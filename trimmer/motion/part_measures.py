@@ -14,12 +14,14 @@ class ContactMeasures:
         impact_speeds: Relative speed just before each contact of the motion, m/s, in their order.
         largest_force: Largest modulus of its force, N; None where it has none, as behind a loop's backlash.
         share: Share of the time in contact.
+        completed: Of a wall, infinite chatters per drive period that were completed.
     """
 
     impacts: float
     impact_speeds: tuple[float, ...]
     largest_force: float | None
     share: float
+    completed: float = 0.0
 
     @property
     def impact_speed(self) -> float:

@@ -260,4 +260,4 @@ def _random(flow: Flow, box: Mapping[str, tuple[float, ...]], count: int, seed: 
     numbers = np.random.default_rng(seed)
     for _ in range(count):
         state = {name: tuple(each * numbers.uniform(-1, 1) for each in reach) for name, reach in box.items()}
-        yield instant_of(flow, state)
+        yield flow.near(state)

@@ -116,6 +116,7 @@ def _contacts(measures: Measures) -> dict[str, Any]:
             "impact_speeds": list(each.impact_speeds),
             "largest_force": each.largest_force,
             "share_of_time": each.share,
+            **({"completed_chatters": each.completed} if each.completed else {}),
         }
         for name, each in measures.contacts.items()
     }

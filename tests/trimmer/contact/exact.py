@@ -18,7 +18,9 @@ class ExactMotion:
 
     @property
     def events(self) -> list[Event]:
-        return [Event(each.time, each.part, EventKind(each.kind.value)) for each in self.motion.events]
+        known = {each.value for each in EventKind}  # What rests on a wall is not there.
+        found = (each for each in self.motion.events if each.kind.value in known)
+        return [Event(each.time, each.part, EventKind(each.kind.value)) for each in found]
 
     def states(self, times: np.ndarray) -> np.ndarray:
         """Displacements, velocities and z, one row per time."""

@@ -8,6 +8,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.quick import quick
+from tests.trimmer.contact.test_against_brute_force import compare
 from trimmer import Mechanism, MechanismError, follow, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Wall
 
@@ -298,6 +301,24 @@ def test_a_branch_ends_at_the_grazing_of_a_wall(begin, end, beside, accuracy):
     assert (last_one.kind.word, last_one.parts) == ("grazing", ("stop",))
     assert min(abs(last_one.value / expected - 1)) < accuracy
     assert "touched there without speed" in branch.message
+
+
+def with_walls(seed: int) -> Mechanism:
+    """A random mechanism from rest, with walls that its bodies meet: one to the ground, and between two."""
+    made, random = random_mechanism(seed), np.random.default_rng(seed)
+    length = max(abs(pin.amplitude) for pin in made.pins.values())
+    names = list(made.bodies)
+    ends = [("ground", names[0]), *([(names[1], names[0])] if len(names) > 1 else [])]
+    walls = {
+        f"wall {number}": Wall(pair, float(random.uniform(0.5, 1.0)), float(length * random.uniform(0.1, 1)))
+        for number, pair in enumerate(ends)
+    }
+    return replace(made, walls=walls, start={})
+
+
+@pytest.mark.parametrize("seed", quick(range(60), 3))
+def test_random_mechanisms_with_walls(seed):
+    compare(with_walls(seed), 2)
 
 
 def test_a_wall_is_as_far_from_a_stiff_stop_as_that_is_stiff():

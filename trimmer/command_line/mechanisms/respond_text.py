@@ -173,6 +173,9 @@ def _headed(head: str, units: Mapping[str, str]) -> tuple[str, Mapping[str, str]
 
 
 def _parts(measures: Measures, flow: Flow) -> Iterator[str]:
+    for name, each in measures.contacts.items():
+        if each.completed:
+            yield f"  on {name} an infinite chatter is completed, {each.completed:g} per period"
     if measures.contacts:
         forces = any(each.largest_force is not None for each in measures.contacts.values())
         units = {name: flow.units_of_part(name) for name in measures.contacts}
