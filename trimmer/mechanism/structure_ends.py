@@ -61,13 +61,11 @@ def modes_in(content: Content) -> list[str]:
 
 def points_in(content: Content) -> dict[str, Mapping[str, float]]:
     """Return by its name the weights of coordinates at each point of the structures."""
-    import numpy as np
-
     found: dict[str, Mapping[str, float]] = {}
     for name, part in structures_of(content).items():
         names = [f"{name}.{each}" for each in _own_names(part)]
         for point, shape in _own_points(part).items():
-            found[f"{name}.{point}"] = dict(zip(names, np.asarray(shape).tolist(), strict=False))
+            found[f"{name}.{point}"] = dict(zip(names, map(float, shape), strict=False))
     return found
 
 

@@ -6,6 +6,7 @@ is their discrete Fourier series, cut off.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
@@ -137,8 +138,6 @@ def _reason_against(columns: dict[str, Any]) -> str:
 
 def problems_of_waveform(place: tuple[str, ...], part: Any) -> Iterator[Problem]:
     """Find samples that are none, and orders that they do not have."""
-    import numpy as np
-
     samples, orders = part.waveform, part.orders
     if samples is None:
         if orders is not None:
@@ -149,7 +148,7 @@ def problems_of_waveform(place: tuple[str, ...], part: Any) -> Iterator[Problem]
         yield Problem(there, 'name a table of phase and value, as in "cam.csv"', samples)
     elif not FEWEST <= len(samples) <= MOST:
         yield Problem(there, f"has {len(samples)} samples; give {FEWEST} to {MOST}")
-    elif not np.isfinite(np.array(samples, dtype=np.float64)).all():
+    elif not all(map(math.isfinite, samples)):
         yield Problem(there, "all samples must be finite")
     elif orders is not None:
         highest = (len(samples) - 1) // 2
