@@ -51,7 +51,6 @@ from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.coordinates import inertia_of
-from trimmer.mechanism.curves import is_odd
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
@@ -436,7 +435,7 @@ class MechanismFlow(Flow):
         odd = all(order % 2 == 1 for order in self.modes.system.layout.orders)
         centred = all(mean_of(pin) == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
         pushed = any(mean_of(force) != 0 for force in mechanism.forces.values()) or not all(
-            is_odd(link.curve or ()) for link in mechanism.links.values()
+            link.is_odd for link in mechanism.links.values()
         )
         return (
             bool(mechanism.frequency)

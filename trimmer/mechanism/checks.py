@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
 from trimmer.choices import ChoiceError
-from trimmer.mechanism import curves, number_rows
+from trimmer.mechanism import number_rows
 from trimmer.mechanism.kinds import Kind, kind_of_part, kinds_of, numbers_of_part, numbers_of_start
 from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
@@ -99,9 +99,6 @@ def _fields(place: tuple[str, str], part: object, kinds: Mapping[str, Kind]) -> 
         elif each.name in quantities:
             if value is not None or each.name not in OPTIONAL_NUMBERS:
                 yield from _number(there, value, numbers.get(each.name, quantities[each.name]))
-        elif each.name == "curve" and value is not None:
-            form = curves.FORMS[type(part)].of(kind_of_part(kinds, *place, part))
-            yield from curves.problems_of_types(there, value, form)
         elif each.name not in rows:
             yield from _word(there, value)
         elif value is not None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import curves, number_rows
+from trimmer.mechanism import number_rows
 from trimmer.mechanism.checks import problems_of_types
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import UNITS, taken
@@ -277,8 +277,6 @@ def _taken(part: Any) -> Any:
     others: dict[str, object] = {}
     if hasattr(part, "between"):
         others["between"] = tuple(part.between)
-    if getattr(part, "curve", None) is not None:
-        others["curve"] = curves.taken(part.curve, curves.FORMS[type(part)])
     for key, form in number_rows.forms_of(part).items():
         if getattr(part, key) is not None:
             others[key] = number_rows.taken(getattr(part, key), form)

@@ -1,21 +1,28 @@
-"""Lists of rows of numbers in a part, as ``harmonics``, or the ``profile`` of a force."""
+"""Lists of rows of numbers in a part: ``harmonics``, the ``profile`` of a force, the ``curve`` of a link."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
 
 from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.parts import Force, Pin, Row
+from trimmer.mechanism.parts import Force, Friction, Link, Pin, Row
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.quantities import DISPLACEMENT, NumberField, Range
+from trimmer.mechanism.quantities import (
+    DISPLACEMENT,
+    FORCE,
+    FORCE_LIMIT,
+    ORDER,
+    PHASE,
+    VELOCITY,
+    NumberField,
+)
 
-FORCE = NumberField("N", "500 mN")
 TIME = NumberField("s", "10 ms")
-_ORDER = NumberField("1", "2", Range.WHOLE)
-_PHASE = NumberField("rad", "90 deg")
+_FEWEST = ("one row", "one point", "two points")
 
 
 @dataclass(frozen=True)
@@ -25,10 +32,18 @@ class RowForm:
     Attributes:
         numbers: What each number measures, by its name in dotted places.
         example: How such a list is written.
+        points: Fewest points of a curve; 0 of other lists, which have at least one row.
     """
 
     numbers: Mapping[str, NumberField]
     example: str
+    points: int = 0
+
+    @property
+    def abscissa(self) -> str | None:
+        """The number that rises from row to row, which is the first; None for harmonics."""
+        first = next(iter(self.numbers))
+        return None if first == "order" else first
 
     def of(self, kind: Kind) -> RowForm:
         """Return the form of the same list of a kind."""
@@ -36,11 +51,17 @@ class RowForm:
 
 
 def _harmonics(amplitude: NumberField, example: str) -> RowForm:
-    return RowForm({"order": _ORDER, "amplitude": amplitude, "phase": _PHASE}, example)
+    return RowForm({"order": ORDER, "amplitude": amplitude, "phase": PHASE}, example)
 
 
 FORMS: Mapping[type, Mapping[str, RowForm]] = MappingProxyType(
     {
+        Link: {
+            "curve": RowForm({"elongation": DISPLACEMENT, "force": FORCE}, "[[-1e-3, -5.0], [1e-3, 5.0]]", 2)
+        },
+        Friction: {
+            "curve": RowForm({"speed": VELOCITY, "force": FORCE_LIMIT}, "[[0.0, 1.0], [0.5, 0.6]]", 1)
+        },
         Pin: {"harmonics": _harmonics(DISPLACEMENT, "[[2, 0.4e-3, 0.9]]")},
         Force: {
             "harmonics": _harmonics(FORCE, "[[2, 0.5, 0.3]]"),
@@ -59,14 +80,30 @@ def forms_of(part: object) -> Mapping[str, RowForm]:
 def problems_of_types(place: tuple[str, ...], rows: object, form: RowForm) -> Iterator[Problem]:
     """Find what makes a value no list of rows."""
     listed = rows if isinstance(rows, list | tuple) else ()
-    if not listed or not all(_is_row(row, form) for row in listed):
-        what = ", ".join(f"{key} in {of.unit}" if of.unit != "1" else key for key, of in form.numbers.items())
-        yield Problem(place, f"give at least one row [{what}], as in {form.example}", rows)
+    if len(listed) < max(form.points, 1) or not all(_is_row(row, form) for row in listed):
+        named = (f"{key} in {of.unit}" if of.unit != "1" else key for key, of in form.numbers.items())
+        what = (" and " if form.points else ", ").join(named)
+        yield Problem(place, f"give at least {_FEWEST[form.points]} [{what}], as in {form.example}", rows)
         return
     for number, row in enumerate(listed, start=1):
         for (key, of), value in zip(form.numbers.items(), row, strict=True):
             if reason := of.reason_against(value):
                 yield Problem((*place, str(number), key), reason, value)
+
+
+def problems_of_order(place: tuple[str, ...], part: object) -> Iterator[Problem]:
+    """Find abscissae of points that do not rise, and a curve of a friction that does not begin at rest."""
+    for key, form in forms_of(part).items():
+        if (abscissa := form.abscissa) is None:
+            continue
+        found = [float(row[0]) for row in getattr(part, key) or ()]
+        if isinstance(part, Friction) and found and found[0] != 0.0:
+            reason = "the curve of a friction begins at the speed 0; write its kinetic force there"
+            yield Problem((*place, key, "1", abscissa), reason, found[0])
+        for number, (before, after) in enumerate(pairwise(found), start=2):
+            if not before < after:
+                reason = f"the {abscissa} must rise from point to point, and that before is {before!r}"
+                yield Problem((*place, key, str(number), abscissa), reason, after)
 
 
 def _is_row(row: object, form: RowForm) -> bool:
@@ -102,6 +139,7 @@ def quantities(part: object, kind: Kind) -> Mapping[tuple[str, ...], NumberField
         for key, form in forms_of(part).items()
         for number in range(1, len(getattr(part, key) or ()) + 1)
         for name, of in form.of(kind).numbers.items()
+        if (number, name) != (1, "speed")  # Sliding begins at 0.
     }
 
 

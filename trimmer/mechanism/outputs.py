@@ -8,7 +8,7 @@ from typing import Any
 
 from trimmer.choices import ChoiceError
 from trimmer.mechanism.kinds import Kind, kind_of_point, number_of_weight
-from trimmer.mechanism.parts import GROUND, Output, OutputKind
+from trimmer.mechanism.parts import COUPLINGS, GROUND, Output, OutputKind
 from trimmer.mechanism.place_text import Place
 from trimmer.mechanism.points import ends_in
 from trimmer.mechanism.problems import Problem, no_such
@@ -24,8 +24,6 @@ CONTROL = "control"
 """What a controller gives, which is not read yet."""
 KEYS = (*OF_ENDS, FORCE, CONTROL)
 """Keys that say of which kind an output is, each of which then stands alone."""
-WITH_FORCE = ("links", "plays", "stops", "walls", "frictions")
-"""Sections whose parts have a force that may be asked for."""
 UNITS: Mapping[OutputKind, str] = MappingProxyType(
     {
         OutputKind.DISPLACEMENT: "m",
@@ -147,9 +145,9 @@ def problems_of_outputs(content: Mapping[str, Any], known: list[str]) -> Iterato
 
 
 def _of_force(place: Place, part: str, content: Mapping[str, Any]) -> Iterator[Problem]:
-    sections = [each for each in WITH_FORCE if part in content[each]]
+    sections = [each for each in COUPLINGS if part in content[each]]
     if not sections:
-        known = [name for each in WITH_FORCE for name in content[each]]
+        known = [name for each in COUPLINGS for name in content[each]]
         yield Problem(place, no_such("link, play, stop or friction", part, known), part)
     elif len(sections) > 1:
         yield Problem(place, f"a part of this name is in {listed(sections)}; rename all but one", part)

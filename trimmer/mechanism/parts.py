@@ -15,12 +15,10 @@ GROUND = "ground"
 """The name of the fixed frame, where an end or a carrier is asked for."""
 Curve = tuple[tuple[float, float], ...]
 """Points of a curve: abscissa and force."""
-COUPLINGS = ("links", "plays", "stops", "walls", "frictions")
-"""Sections whose parts stand between two ends."""
-
-
 Row = tuple[float, ...]
 """A row of a list of numbers, such as order, amplitude and phase."""
+COUPLINGS = ("links", "plays", "stops", "walls", "frictions")
+"""Sections whose parts stand between two ends, and have a force that may be asked for."""
 
 
 class ContactLaw(Choice):
@@ -143,6 +141,12 @@ class Link(_Damped):
         below = sum(before[0] < 0 for before, _ in pairs[1:])
         above = sum(before[0] <= 0 for before, _ in pairs[1:])
         return self.stiffness + 0.5 * (slopes[below] + slopes[above])
+
+    @property
+    def is_odd(self) -> bool:
+        """Whether its force is the same in both directions."""
+        curve = self.curve or ()
+        return sorted((-elongation, -force) for elongation, force in curve) == sorted(curve)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import curves, number_rows
+from trimmer.mechanism import number_rows
 from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.outputs import weight_place
@@ -48,8 +48,7 @@ def _of_part(mechanism: Mechanism, section: str, name: str) -> dict[Place, Numbe
     found: dict[Place, NumberField] = {(key,): each for key, each in numbers.items()}
     if isinstance(part, Friction) and part.curve:
         del found["force",]
-    kind = mechanism.kind_of(section, name)
-    return {**found, **curves.quantities(part, kind), **number_rows.quantities(part, kind)}
+    return {**found, **number_rows.quantities(part, mechanism.kind_of(section, name))}
 
 
 def _weight(mechanism: Mechanism, section: str, name: str, of: str) -> NumberField:
@@ -74,8 +73,6 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             return getattr(mechanism, names[0])[name].weights[body]  # type: ignore[no-any-return]
         case ("start", name, key):
             return mechanism.start.get(name, (0.0, 0.0))[STATE.index(key)]
-        case (section, name, "curve", point, key):
-            return curves.value_at(getattr(mechanism, section)[name], point, key)
         case (section, name, listed, row, key):
             return number_rows.value_at(getattr(mechanism, section)[name], listed, row, key)
     section, name, key = names
@@ -113,10 +110,6 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
             state = list(mechanism.start.get(name, (0.0, 0.0)))
             state[STATE.index(key)] = number
             return _with_entry(mechanism, "start", name, tuple(state))
-        case (section, name, "curve", point, key):
-            part = getattr(mechanism, section)[name]
-            curve = curves.with_value_at(part, point, key, number)
-            return _with_entry(mechanism, section, name, replace(part, curve=curve))
         case (section, name, listed, row, key):
             part = getattr(mechanism, section)[name]
             rows = number_rows.with_value_at(part, listed, row, key, number)

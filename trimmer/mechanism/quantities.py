@@ -92,26 +92,26 @@ _INERTIA = NumberField("kg m²", "2e-6 kg m^2", Range.POSITIVE)
 _STIFFNESS = NumberField("N/m", "200 N/mm", Range.NOT_NEGATIVE)
 _DAMPING = NumberField("N s/m", "3.5 N s/m", Range.NOT_NEGATIVE)
 _CLEARANCE = NumberField("m", "40 um", Range.NOT_NEGATIVE)
-_FORCE = NumberField("N", "500 mN")
-_FORCE_LIMIT = NumberField("N", "500 mN", Range.NOT_NEGATIVE)
-_PHASE = NumberField("rad", "90 deg")
-_ORDER = NumberField("1", "2", Range.WHOLE)
+FORCE = NumberField("N", "500 mN")
+FORCE_LIMIT = NumberField("N", "500 mN", Range.NOT_NEGATIVE)
+PHASE = NumberField("rad", "90 deg")
+ORDER = NumberField("1", "2", Range.WHOLE)
 
 QUANTITIES: Mapping[type, Mapping[str, NumberField]] = MappingProxyType(
     {
         Body: {"mass": _MASS, "inertia": _INERTIA},
         Structure: {"damping_ratio": NumberField("1", "0.02", Range.NOT_NEGATIVE)},
         Pin: {
-            **{"amplitude": DISPLACEMENT, "phase": _PHASE, "offset": DISPLACEMENT, "velocity": VELOCITY},
-            "order": _ORDER,
+            **{"amplitude": DISPLACEMENT, "phase": PHASE, "offset": DISPLACEMENT, "velocity": VELOCITY},
+            "order": ORDER,
         },
         Link: {"stiffness": _STIFFNESS, "damping": _DAMPING},
         Play: {"stiffness": _STIFFNESS, "damping": _DAMPING, "gap": _CLEARANCE},
         Stop: {"stiffness": _STIFFNESS, "damping": _DAMPING, "gap": DISPLACEMENT},
         Wall: {"restitution": NumberField("1", "0.8", Range.SHARE), "gap": DISPLACEMENT},
-        Friction: {"force": _FORCE_LIMIT, "static": _FORCE_LIMIT, "viscous": _DAMPING},
+        Friction: {"force": FORCE_LIMIT, "static": FORCE_LIMIT, "viscous": _DAMPING},
         Force: {
-            **{"constant": _FORCE, "amplitude": _FORCE, "phase": _PHASE, "order": _ORDER},
+            **{"constant": FORCE, "amplitude": FORCE, "phase": PHASE, "order": ORDER},
             "unbalance": NumberField("kg m", "50 g mm"),
         },
     }

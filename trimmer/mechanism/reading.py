@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
-from trimmer.mechanism import curves, number_rows
+from trimmer.mechanism import number_rows
 from trimmer.mechanism.kinds import (
     Kind,
     is_length,
@@ -24,7 +24,7 @@ from trimmer.mechanism.kinds import (
 from trimmer.mechanism.mechanism import Mechanism, problems_with
 from trimmer.mechanism.open_values import open_values, replaced
 from trimmer.mechanism.outputs import output_of, problems_of_form
-from trimmer.mechanism.parts import Body, Link, Point
+from trimmer.mechanism.parts import Body, Point
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.points import problems_of_weights
 from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
@@ -197,13 +197,10 @@ def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]
                 continue
             numbers = {**QUANTITIES[kind], **numbers_of_part(kinds, section, name, entries)}
             turns = kind_of_part(kinds, section, name, entries)
-            form = curves.FORMS.get(kind, curves.FORMS[Link]).of(turns)
             arguments[section][name] = kind(
                 **{
                     key: convert.number((section, name, key), value, numbers[key])
                     if key in numbers
-                    else curves.read((section, name, key), value, form, convert.number)
-                    if key == "curve"
                     else number_rows.read((section, name, key), value, rows[key].of(turns), convert.number)
                     if key in rows
                     else samples_of((section, name, key), value, folder, problems)

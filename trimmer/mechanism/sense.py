@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
 from typing import Any
 
-from trimmer.mechanism.curves import problems_of_points as problems_of_curves
 from trimmer.mechanism.kinds import kind_of_part, kinds_of, problems_of_kinds
+from trimmer.mechanism.number_rows import problems_of_order
 from trimmer.mechanism.outputs import problems_of_outputs
 from trimmer.mechanism.parts import (
     COUPLINGS,
@@ -66,12 +65,10 @@ def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find numbers that do not go together; whether each can stand in its place is not asked."""
     yield from _contacts(content)
     yield from _frictions(content)
-    for section in ("links", "frictions"):
+    for section in ("links", "frictions", "forces"):
         for name, part in content[section].items():
-            yield from problems_of_curves((section, name), part)
+            yield from problems_of_order((section, name), part)
     yield from _drive(content)
-    for name, force in content["forces"].items():
-        yield from _rises(("forces", name, "profile"), force.profile or ())
     yield from problems_of_moving(content)
 
 
@@ -188,13 +185,6 @@ def _drive(content: Mapping[str, Any]) -> Iterator[Problem]:
                 key = next(key for key in keys if getattr(part, key, None))
                 article = {"harmonics": "are", "waveform": "is a"}.get(key, "is an")
                 yield Problem((section, name, key), f"there {article} {key}, but no frequency; {give}")
-
-
-def _rises(place: tuple[str, ...], profile: tuple[tuple[float, ...], ...]) -> Iterator[Problem]:
-    for number, ((before, _), (after, _)) in enumerate(pairwise(profile), start=2):
-        if not before < after:
-            reason = f"the time must rise from point to point, and that before is {float(before)!r} s"
-            yield Problem((*place, str(number), "time"), reason, after)
 
 
 def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
