@@ -20,7 +20,7 @@ from benchmarks.calibration import sentence
 from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.settings import FollowSettings
-from trimmer.mechanism.matrices import linear_matrices
+from trimmer.mechanism.linear.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "thesis-play.toml"

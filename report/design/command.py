@@ -161,8 +161,8 @@ def _run(arguments: Namespace) -> int:
     from report.design.building import ReportPlace
     from report.design.origin import today
     from trimmer.design.design_file import read_design_file
+    from trimmer.in_symbols.printed_symbols import printed_symbols
     from trimmer.mechanism.places import assignment
-    from trimmer.mechanism.printed_symbols import printed_symbols
     from trimmer.uncertainty.sample_file import with_uncertainty
 
     formats = formats_of(arguments)

@@ -11,7 +11,7 @@ from report.design.quantities import shown
 from report.design.report import Equations, SymbolRow
 from report.pages.derivation import DerivationStep
 from report.pages.figure import Equation
-from trimmer.code_generation import symbolic_mechanism
+from trimmer.in_symbols.mechanism import symbolic_mechanism
 from trimmer.mechanism.mechanism import Mechanism
 
 FIRST = ("parts", "closed-contact")

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from trimmer.mechanism.kinds import Kind, kinds_of
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Pin, Play, Point, Stop
-from trimmer.mechanism.structure import ModalModel, Structure
-from trimmer.mechanism.structure_ends import coordinates_in, points_in
+from trimmer.mechanism.structures.ends import coordinates_in, points_in
+from trimmer.mechanism.structures.structure import ModalModel, Structure
 
 POSITIVE = st.floats(0.1, 10.0)
 OR_ZERO = st.one_of(st.just(0.0), POSITIVE)

@@ -55,7 +55,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.structure_ends import modes_in
+from trimmer.mechanism.structures.ends import modes_in
 from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

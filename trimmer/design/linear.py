@@ -13,8 +13,8 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.mechanism.coordinates import Inertia, shaken_ends, weights_of_ends
 from trimmer.mechanism.drives import waves_in
-from trimmer.mechanism.linear_outputs import Contacts, output_rows, with_contacts
-from trimmer.mechanism.matrices import LinearMatrices, linear_matrices
+from trimmer.mechanism.linear.matrices import LinearMatrices, linear_matrices
+from trimmer.mechanism.linear.outputs import Contacts, output_rows, with_contacts
 from trimmer.mechanism.mechanism import Mechanism
 
 POINTS = 2000

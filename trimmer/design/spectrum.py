@@ -8,7 +8,7 @@ from enum import Enum
 
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import LinearMode, LinearState
-from trimmer.mechanism.linear_outputs import Contacts
+from trimmer.mechanism.linear.outputs import Contacts
 
 SMALLEST = 1e-4
 """Amplitude of a line, relative to the largest, from which on it is listed."""

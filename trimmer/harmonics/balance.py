@@ -17,7 +17,7 @@ from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
 from trimmer.mechanism.drives import drives_of, waves_in
-from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Link, Play, Stop
 from trimmer.mechanism.place_text import place_text

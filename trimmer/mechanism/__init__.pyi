@@ -1,8 +1,8 @@
 """The public names of this room, each imported on first use."""
 
-from .linear_outputs import Contacts as Contacts
-from .matrices import LinearMatrices as LinearMatrices
-from .matrices import linear_matrices as linear_matrices
+from .linear.matrices import LinearMatrices as LinearMatrices
+from .linear.matrices import linear_matrices as linear_matrices
+from .linear.outputs import Contacts as Contacts
 from .mechanism import Mechanism as Mechanism
 from .parts import GROUND as GROUND
 from .parts import Body as Body
@@ -17,5 +17,5 @@ from .parts import Play as Play
 from .parts import Point as Point
 from .parts import Stop as Stop
 from .parts import Wall as Wall
-from .structure import ModalModel as ModalModel
-from .structure import Structure as Structure
+from .structures.structure import ModalModel as ModalModel
+from .structures.structure import Structure as Structure

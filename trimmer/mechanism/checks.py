@@ -16,7 +16,7 @@ from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT, NumberField
-from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.waves import problems_of_waveform
 
 LONGEST_NAME = 300
@@ -52,7 +52,7 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
             if type(part) is kind:
                 yield from _fields((section, str(name)), part, kinds)
                 if isinstance(part, Structure):
-                    from trimmer.mechanism.structure_checks import problems_of_structure
+                    from trimmer.mechanism.structures.checks import problems_of_structure
 
                     yield from problems_of_structure((section, str(name)), part)
             else:

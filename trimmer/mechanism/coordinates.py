@@ -16,7 +16,7 @@ from trimmer.arrays import Flags, Reals
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
-from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structures.structure import Structure
 
 
 def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:

@@ -15,8 +15,8 @@ from typing import Any
 from trimmer.mechanism.parts import COUPLINGS, GROUND, Body, Output
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, PARTS, QUANTITIES, VELOCITY, WEIGHT, NumberField
-from trimmer.mechanism.structure import Structure
-from trimmer.mechanism.structure_ends import rotations_in
+from trimmer.mechanism.structures.ends import rotations_in
+from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.units import UnitError, dimension_of
 
 _OF_ROTATIONS: Mapping[str, str] = MappingProxyType(

@@ -30,7 +30,7 @@ from trimmer.mechanism.problems import Problem, as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
-from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structures.structure import Structure
 from trimmer.showing.shown import Shown, counted
 
 if TYPE_CHECKING:
@@ -236,7 +236,7 @@ class Mechanism(Shown):
             MechanismError: if there is no such contact, input or output, or an output takes the rate of a
                 pin's displacement.
         """
-        from trimmer.mechanism.state_space import state_space_of
+        from trimmer.mechanism.linear.state_space import state_space_of
 
         return state_space_of(self, contacts, inputs, outputs)
 

@@ -14,7 +14,7 @@ from trimmer.mechanism.points import ends_in
 from trimmer.mechanism.problems import Problem, no_such
 from trimmer.mechanism.quantities import WEIGHT, NumberField
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.mechanism.structure_ends import no_such_end
+from trimmer.mechanism.structures.ends import no_such_end
 from trimmer.messages import listed
 
 OF_ENDS = {kind.word: kind for kind in (OutputKind.VELOCITY, OutputKind.ACCELERATION)}

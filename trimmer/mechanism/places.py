@@ -15,7 +15,7 @@ from trimmer.mechanism.parts import Friction
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, NumberField
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 

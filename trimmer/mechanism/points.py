@@ -8,7 +8,7 @@ from typing import Any
 from trimmer.mechanism.kinds import Kind, is_length, place_of_weights, weights_of
 from trimmer.mechanism.parts import COUPLINGS, GROUND, Point
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.structure_ends import coordinates_in, no_such_end, points_in
+from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, points_in
 
 SAME = 1e-12
 """Difference of two weights, as a share of the largest one, that is taken for rounding."""

@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 from trimmer.arguments import scalar
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop, Wall
-from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structures.structure import Structure
 
 _LOWEST = 1e-300
 """Hz; thousands of periods of it are still finite."""

@@ -30,9 +30,9 @@ from trimmer.mechanism.points import problems_of_weights
 from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, is_number
 from trimmer.mechanism.sense import NO_MASS
-from trimmer.mechanism.structure import Structure
-from trimmer.mechanism.structure_ends import problems_of_dots
-from trimmer.mechanism.structure_reading import problems_of_keys, structure_of
+from trimmer.mechanism.structures.ends import problems_of_dots
+from trimmer.mechanism.structures.reading import problems_of_keys, structure_of
+from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.mechanism.waves import samples_of

@@ -31,7 +31,7 @@ from trimmer.mechanism.points import (
     problems_of_weights,
 )
 from trimmer.mechanism.problems import Problem, no_such
-from trimmer.mechanism.structure_ends import (
+from trimmer.mechanism.structures.ends import (
     coordinates_in,
     modes_in,
     no_such_end,

@@ -14,8 +14,8 @@ from trimmer.mechanism.outputs import entries_of
 from trimmer.mechanism.parts import ContactLaw
 from trimmer.mechanism.place_text import key_text, quoted
 from trimmer.mechanism.quantities import PARTS
-from trimmer.mechanism.structure import Structure
-from trimmer.mechanism.structure_reading import COLUMNS, KEYS
+from trimmer.mechanism.structures.reading import COLUMNS, KEYS
+from trimmer.mechanism.structures.structure import Structure
 
 _HEAD = (
     "# Mechanism that moves along one line, in SI units: bodies, and what holds, pushes and rubs them.\n\n"

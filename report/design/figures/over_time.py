@@ -16,7 +16,7 @@ from trimmer.design.found_motion import FoundMotion, Spans
 from trimmer.design.linear import LinearState
 from trimmer.design.spectrum import LineKind, OutputSpectrum
 from trimmer.drawing.look import plain_label
-from trimmer.mechanism.linear_outputs import Contacts
+from trimmer.mechanism.linear.outputs import Contacts
 
 OUTPUT_HEIGHT, FORCE_HEIGHT, BAR_HEIGHT = 2.2, 1.7, 0.28
 BARS = {"contact": "#0072b2", "stick": "#d55e00"}

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trimmer.command_line.main import main
-from trimmer.mechanism.matrices import linear_matrices
+from trimmer.mechanism.linear.matrices import linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -13,7 +13,7 @@ from derivations.equations_of_motion import accelerations
 from derivations.symbols import t
 from tests.quick import quick
 from trimmer import simulate
-from trimmer.code_generation import symbolic_mechanism
+from trimmer.in_symbols.mechanism import symbolic_mechanism
 from trimmer.mechanism import ContactLaw, Mechanism, Stop
 
 PLAY = Path(__file__).parents[3] / "examples" / "thesis-play.toml"

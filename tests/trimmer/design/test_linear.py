@@ -11,7 +11,7 @@ from trimmer.design.design_file import DesignFile
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import linear_states
 from trimmer.mechanism import linear_matrices
-from trimmer.mechanism.linear_outputs import Contacts
+from trimmer.mechanism.linear.outputs import Contacts
 
 
 def test_the_linear_trimmer_has_the_modes_of_its_other_model(linear_file: DesignFile) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from trimmer import Mechanism
 from trimmer.design.linear import driving, linear_states
-from trimmer.mechanism.linear_outputs import Contacts
+from trimmer.mechanism.linear.outputs import Contacts
 from trimmer.mechanism.parts import ContactLaw
 
 THREE = Mechanism.from_toml_text("""

@@ -8,7 +8,7 @@ import pytest
 from tests.trimmer.design.made import motion, output
 from trimmer.design.linear import LinearMode, LinearState
 from trimmer.design.spectrum import LineKind, OutputSpectrum, spectra
-from trimmer.mechanism.linear_outputs import Contacts
+from trimmer.mechanism.linear.outputs import Contacts
 
 
 def state(contacts: Contacts, *modes: tuple[float, float]) -> LinearState:

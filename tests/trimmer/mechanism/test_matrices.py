@@ -11,7 +11,7 @@ from tests.trimmer.mechanism.mechanisms import mechanisms
 from tests.trimmer.trimmers import trimmers
 from trimmer import Mechanism, TrimmerParameters, WrongTypeError, linear_model
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, linear_matrices
-from trimmer.mechanism.matrices import displacement_rows
+from trimmer.mechanism.linear.matrices import displacement_rows
 
 
 @given(trimmers())

@@ -14,11 +14,8 @@ import sympy
 
 from derivations import parts
 from derivations.symbols import t
-from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.printed_symbols import Place, PrintedSymbol
-from trimmer.mechanism.structure import Structure
-from trimmer.mechanism.structure_symbols import (
+from trimmer.in_symbols.printed_symbols import Place, PrintedSymbol
+from trimmer.in_symbols.structure_symbols import (
     COORDINATE,
     DAMPING_RATIO,
     FREQUENCY,
@@ -26,6 +23,9 @@ from trimmer.mechanism.structure_symbols import (
     entry_of,
     shape_of,
 )
+from trimmer.mechanism.kinds import Kind
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.structures.structure import Structure
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from typing import Any
 
 from trimmer.mechanism.number_table import TableError, columns_of
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.structure import LETTERS, MATRICES, MOST, ModalModel, Structure
+from trimmer.mechanism.structures.structure import LETTERS, MATRICES, MOST, ModalModel, Structure
 from trimmer.messages import near_file
 
 KEYS = tuple(each.name for each in fields(Structure) if each.name != "files")

@@ -10,8 +10,8 @@ import numpy as np
 from trimmer.arguments import shown
 from trimmer.errors import MechanismError, WrongTypeError
 from trimmer.mechanism.coordinates import Inertia
-from trimmer.mechanism.linear_outputs import Contacts, output_rows, with_contacts
-from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
+from trimmer.mechanism.linear.outputs import Contacts, output_rows, with_contacts
 from trimmer.messages import listed, near_match
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from trimmer.arguments import shown
 from trimmer.arrays import Reals
 from trimmer.choices import Choice
 from trimmer.errors import MechanismError, WrongTypeError
-from trimmer.mechanism.matrices import displacement_rows
+from trimmer.mechanism.linear.matrices import displacement_rows
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Contact, Link
 from trimmer.messages import listed, near_match

@@ -17,15 +17,16 @@ from derivations.symbols import coordinates, t
 from tests.quick import examples
 from tests.trimmer.mechanism.mechanisms import mechanisms as mechanisms_with_any_names
 from tests.trimmer.mechanism_strategy import mechanisms
-from trimmer.code_generation import derive_mechanism_sources, symbolic_mechanism
+from trimmer.code_generation import derive_mechanism_sources
 from trimmer.contact.machine import machine_of
 from trimmer.generated import linear_trimmer
-from trimmer.mechanism.matrices import displacement_rows, linear_matrices
+from trimmer.in_symbols.mechanism import symbolic_mechanism
+from trimmer.in_symbols.printed_symbols import printed_symbols
+from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, Link, Output, Pin, Play
-from trimmer.mechanism.printed_symbols import printed_symbols
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 THESIS = next(path for path in EXAMPLES if path.name == "thesis.toml")
 QUICK = ("block-on-belt", "thesis-play")  # of few parts and of many
 MARKED = [pytest.param(each, marks=[] if each.stem in QUICK else pytest.mark.slow) for each in EXAMPLES]

@@ -5,6 +5,7 @@ A symbol is text that is LaTeX as it stands, or a name of SymPy such as ``k_2``.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -13,17 +14,15 @@ from keyword import iskeyword
 from types import MappingProxyType
 from typing import Any
 
-import numpy as np
-
 from trimmer.errors import MechanismError
+from trimmer.in_symbols.structure_symbols import symbols_of
 from trimmer.mechanism import number_rows
 from trimmer.mechanism.kinds import Kind, number_of_weight
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import UNITS
 from trimmer.mechanism.parts import Link
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.structure import Structure
-from trimmer.mechanism.structure_symbols import symbols_of
+from trimmer.mechanism.structures.structure import Structure
 
 Place = tuple[str, str, str]
 """Section, part, and what is meant of it."""
@@ -257,7 +256,7 @@ def value_of(mechanism: Mechanism, place: Place) -> float | None:
     if isinstance(part, Structure):
         return next(each.value for each in symbols_of(mechanism, name) if each.of == of)
     if section == "drives":
-        return float(2 * np.pi * part)
+        return math.tau * part
     if of == "static":
         return float(part.static_force)
     if of.startswith("harmonics."):

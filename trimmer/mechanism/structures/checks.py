@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.mechanism.problems import NOTHING, Problem
-from trimmer.mechanism.structure import LETTERS, MATRICES, ModalModel, Structure
+from trimmer.mechanism.structures.structure import LETTERS, MATRICES, ModalModel, Structure
 from trimmer.messages import listed, near_match
 
 SYMMETRIC = 1e-9

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.structure import Structure
+from trimmer.mechanism.structures.structure import Structure
 
 COORDINATE = "coordinate"
 """Before the name of a coordinate."""
