@@ -15,30 +15,18 @@ import numpy as np
 from trimmer.arrays import Flags, Reals
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND
+from trimmer.mechanism.structures.ends import weights_in
 from trimmer.mechanism.structures.structure import Structure
 
 
 def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:
-    """Return by name what weighs the coordinates in the displacement of each end, (coordinates,).
-
-    Ends are the ground, the coordinates, the points and the pins; a pin has the weights of what carries it.
-    Whatever else may stand as an end takes its weights here, and nowhere else.
-    """
-    coordinates = mechanism.coordinates
-    weights = {
-        GROUND: np.zeros(len(coordinates)),
-        **dict(zip(coordinates, np.eye(len(coordinates)), strict=True)),
-    }
-    weights |= {
-        name: np.array([point.weights.get(each, 0.0) for each in coordinates])
-        for name, point in mechanism.points.items()
-    }
-    for name, (structure, rows) in zip(mechanism.structures, rows_of_structures(mechanism), strict=True):
-        for point, shape in structure.points.items():
-            weights[f"{name}.{point}"] = np.zeros(len(coordinates))
-            weights[f"{name}.{point}"][rows] = shape
-    return weights | {name: weights[pin.on] for name, pin in mechanism.pins.items()}
+    """Return by name what weighs the coordinates in the displacement of each end, (coordinates,)."""
+    places = {name: place for place, name in enumerate(mechanism.coordinates)}
+    found = {}
+    for name, weights in weights_in(vars(mechanism)).items():
+        found[name] = np.zeros(len(places))
+        found[name][[places[of] for of in weights]] = list(weights.values())
+    return found
 
 
 def shaken_ends(mechanism: Mechanism) -> tuple[str, ...]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from trimmer.mechanism.kinds import Kind, is_length, place_of_weights, weights_of
-from trimmer.mechanism.parts import COUPLINGS, GROUND, Point
+from trimmer.mechanism.parts import COUPLINGS, GROUND, Pin, Point
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, points_in
+from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, weights_in
 
 SAME = 1e-12
 """Difference of two weights, as a share of the largest one, that is taken for rounding."""
@@ -73,17 +73,22 @@ def problems_of_moving(content: Mapping[str, Any]) -> Iterator[Problem]:
     for name, point in content["points"].items():
         if not any(point.weights.values()):
             yield Problem(("points", name), "all its weights are 0, so that it never moves; give one another")
+    known = weights_in(content)
     for section in COUPLINGS:
         for name, part in content[section].items():
-            if any(is_on_point(content, end) for end in part.between):
-                yield from problems_of_ends((section, name, "between"), part.between, content)
+            if all(end in known for end in part.between):
+                weights = [known[end] for end in part.between]
+                yield from _of_ends((section, name, "between"), part.between, weights, content["pins"])
 
 
-def problems_of_ends(
-    place: tuple[str, ...], between: tuple[str, str], content: Mapping[str, Any]
+def _of_ends(
+    place: tuple[str, ...],
+    between: tuple[str, str],
+    weights: Sequence[Mapping[str, float]],
+    pins: Mapping[str, Pin],
 ) -> Iterator[Problem]:
-    """Find two ends, which are there, that no force between them can move."""
-    first, second = (coordinates_of(content, end) for end in between)
+    """Find two ends that no force between them can move."""
+    first, second = weights
     names = {**first, **second}
     largest = max((abs(weight) for weights in (first, second) for weight in weights.values()), default=0.0)
     apart = (abs(first.get(name, 0.0) - second.get(name, 0.0)) for name in names)
@@ -93,29 +98,12 @@ def problems_of_ends(
         reason = "both ends move as prescribed, so there is nothing to act on; one end must be a body"
         yield Problem(place, reason, list(between))
     elif all(each <= SAME * largest for each in apart):
-        carriers = {content["pins"][end].on if end in content["pins"] else end for end in between}
+        carriers = {pins[end].on if end in pins else end for end in between}
         where = f"are on {next(iter(carriers))!r}" if len(carriers) == 1 else "have the same weights"
         reason = f"both ends {where}, so that nothing between them can move it; name another body"
         yield Problem(place, reason, list(between))
 
 
-def coordinates_of(content: Mapping[str, Any], end: str) -> dict[str, float]:
-    """Return the coordinates that move an end, each with its weight."""
-    carrier = content["pins"][end].on if end in content["pins"] else end
-    if carrier in (shapes := points_in(content)):
-        return {name: weight for name, weight in shapes[carrier].items() if weight != 0}
-    if carrier in content["points"]:
-        weights = content["points"][carrier].weights
-        return {name: weight for name, weight in weights.items() if weight != 0}
-    return {} if carrier == GROUND else {carrier: 1.0}
-
-
 def ends_in(content: Mapping[str, Any]) -> str:
     """Return what may be an end, for a message on a name that is none."""
     return "body, pin or point" if content["points"] else "body or pin"
-
-
-def is_on_point(content: Mapping[str, Any], end: str) -> bool:
-    """Say whether an end is a point, or a pin on one."""
-    carrier = content["pins"][end].on if end in content["pins"] else end
-    return carrier in content["points"] or carrier in points_in(content)

@@ -22,10 +22,7 @@ from trimmer.mechanism.parts import (
     Link,
 )
 from trimmer.mechanism.points import (
-    coordinates_of,
     ends_in,
-    is_on_point,
-    problems_of_ends,
     problems_of_moving,
     problems_of_points,
     problems_of_weights,
@@ -37,6 +34,7 @@ from trimmer.mechanism.structures.ends import (
     no_such_end,
     points_in,
     problems_of_names,
+    weights_in,
 )
 from trimmer.mechanism.waves import is_driven
 
@@ -74,13 +72,11 @@ def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from _carriers(content)
-    for section in COUPLINGS:
-        for name, part in content[section].items():
-            yield from _ends((section, name, "between"), part.between, content)
+    ends = [*coordinates_in(content), *content["pins"], *content["points"], *points_in(content)]
+    yield from _ends(content, [*ends, GROUND])
     kinds = kinds_of(content)
     yield from (*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds))
     yield from problems_of_numbers(content)
-    ends = [*coordinates_in(content), *content["pins"], *content["points"], *points_in(content)]
     yield from problems_of_outputs(content, [*ends, *modes_in(content)])
     yield from _start(content)
     yield from _symbols(content)
@@ -131,14 +127,13 @@ def _carriers(content: Mapping[str, Any]) -> Iterator[Problem]:
             yield Problem(place, no_such_end(content, body, force.on, bodies), force.on)
 
 
-def _ends(place: tuple[str, ...], between: tuple[str, str], content: Mapping[str, Any]) -> Iterator[Problem]:
-    known = [*coordinates_in(content), *content["pins"], *content["points"], *points_in(content)]
-    unknown = [end for end in dict.fromkeys(between) if end not in known and end != GROUND]
-    for end in unknown:
-        reason = no_such_end(content, ends_in(content), end, [*known, GROUND])
-        yield Problem(place, reason, list(between))
-    if not unknown and not any(is_on_point(content, end) for end in between):
-        yield from problems_of_ends(place, between, content)
+def _ends(content: Mapping[str, Any], known: list[str]) -> Iterator[Problem]:
+    for section in COUPLINGS:
+        for name, part in content[section].items():
+            for end in dict.fromkeys(part.between):
+                if end not in known:
+                    reason = no_such_end(content, ends_in(content), end, known)
+                    yield Problem((section, name, "between"), reason, list(part.between))
 
 
 def _contacts(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -205,7 +200,8 @@ def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
 def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:
     ends = [end for section in COUPLINGS for part in content[section].values() for end in part.between]
     ends += [force.on for force in content["forces"].values()]
-    touched = {body for end in ends for body in coordinates_of(content, end)}
+    weights = weights_in(content)
+    touched = {body for end in ends for body in weights[end]}
     for name in content["bodies"]:
         if name not in touched:
             reason = (

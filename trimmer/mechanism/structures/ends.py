@@ -10,7 +10,7 @@ from typing import Any
 
 from trimmer.mechanism.parts import GROUND
 from trimmer.mechanism.problems import Problem, no_such
-from trimmer.mechanism.structure import ModalModel, Structure
+from trimmer.mechanism.structures.structure import ModalModel, Structure
 from trimmer.messages import listed
 
 Content = Mapping[str, Any]
@@ -67,6 +67,20 @@ def points_in(content: Content) -> dict[str, Mapping[str, float]]:
         for point, shape in _own_points(part).items():
             found[f"{name}.{point}"] = dict(zip(names, map(float, shape), strict=False))
     return found
+
+
+def weights_in(content: Content) -> dict[str, Mapping[str, float]]:
+    """Return by the name of each end what weighs the coordinates in its displacement, if not with 0.
+
+    Ends are the ground, the coordinates, the points and the pins; a pin has the weights of what carries it.
+    Whatever else may stand as an end takes its weights here, and nowhere else.
+    """
+    found: dict[str, Mapping[str, float]] = {GROUND: {}}
+    found |= {name: {name: 1.0} for name in (*coordinates_in(content), *modes_in(content))}
+    sums = {name: point.weights for name, point in content["points"].items()} | points_in(content)
+    for name, weights in sums.items():
+        found[name] = {of: weight for of, weight in weights.items() if weight != 0}
+    return found | {name: found.get(pin.on, {}) for name, pin in content["pins"].items()}
 
 
 def _own_names(part: Structure) -> tuple[str, ...]:
