@@ -42,6 +42,20 @@ def finite(unit: str) -> Callable[[str], float]:
     return number
 
 
+def number_in(text: str, unit: str) -> float:
+    """Return the number that a text states, in an SI unit if it names none.
+
+    Raises:
+        UnitError: if it states none; the message is the end of a sentence.
+    """
+    from trimmer.mechanism.units import UnitError, quantity
+
+    try:
+        return quantity(text, "1")
+    except UnitError:
+        return quantity(text, unit or "1")
+
+
 def positive_whole(text: str) -> int:
     """Return the positive whole number that a text states, as the type of an option.
 

@@ -14,7 +14,7 @@ from trimmer.command_line.file_options import (
     show,
 )
 from trimmer.command_line.loops.loop_options import unusable
-from trimmer.command_line.loops.motion_options import add_impulse_option, start_of_loop
+from trimmer.command_line.loops.motion_options import start_of_loop
 from trimmer.command_line.mechanisms.simulation import check_periods, draw, mechanism_motion
 from trimmer.command_line.output_options import add_plot_option
 from trimmer.command_line.parser import (
@@ -28,8 +28,12 @@ from trimmer.command_line.parser import (
     tell,
 )
 from trimmer.command_line.patience import patience
-from trimmer.command_line.state_option import add_state_option
-from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
+from trimmer.command_line.system_options import (
+    SOURCES,
+    add_start_options,
+    add_system_options,
+    chosen_system,
+)
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 from trimmer.messages import listed, near_match
@@ -46,8 +50,7 @@ MOST_SAMPLES = 50_000_000
 
 def _configure(parser: ArgumentParser) -> None:
     add_system_options(parser)
-    add_impulse_option(parser)
-    add_state_option(parser)
+    add_start_options(parser)
     add_plot_option(parser, "the motion with contact and stick, and of a mechanism its phase plane,")
     parser.add_argument(
         "--duration", type=float, default=0.5, metavar="S", help="length of the motion, s (default: 0.5)"

@@ -6,6 +6,7 @@ from argparse import ArgumentParser
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from trimmer.command_line.number_options import number_in
 from trimmer.command_line.parser import OptionError
 from trimmer.messages import near_match
 
@@ -64,11 +65,9 @@ def chosen_state(texts: Sequence[str], system: Mechanism | Loop) -> dict[str, tu
 
 
 def _number(option: str, text: str, unit: str, example: str) -> float:
-    from trimmer.mechanism.units import UnitError, quantity
+    from trimmer.mechanism.units import UnitError
 
-    for wanted in ("1", unit):
-        try:
-            return quantity(text.strip(), wanted)
-        except UnitError as error:
-            reason = error
-    raise OptionError(f"--state {option}: {text.strip()!r} {reason}; {example}")
+    try:
+        return number_in(text.strip(), unit)
+    except UnitError as error:
+        raise OptionError(f"--state {option}: {text.strip()!r} {error}; {example}") from error

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from trimmer.command_line.file_options import file_to_read
 from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
-from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
+from trimmer.command_line.loops.motion_options import (
+    add_impulse_option,
+    add_motion_options,
+    chosen_loop,
+    start_of_loop,
+)
 from trimmer.command_line.mechanism_options import add_set_option, chosen_mechanism
 from trimmer.command_line.parser import OptionError, as_option, is_given
+from trimmer.command_line.state_option import add_state_option, chosen_state
 
 if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
@@ -44,6 +51,25 @@ def add_system_options(
     )
     add_set_option(parser, OF_LOOP)
     add_motion_options(parser, output_is_file=output_is_file)
+
+
+def add_start_options(parser: ArgumentParser) -> None:
+    """Add what says where a motion begins."""
+    add_impulse_option(parser)
+    add_state_option(parser)
+
+
+def chosen_start(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Mapping[str, Any] | None:
+    """Return what is given of the start, by the names of bodies or states; None for that of the mechanism.
+
+    Raises:
+        OptionError: if it cannot be read, or a loop without a drive has none.
+    """
+    from trimmer.mechanism.mechanism import Mechanism
+
+    if isinstance(system, Mechanism):
+        return chosen_state(arguments.state, system)
+    return start_of_loop(arguments, system)
 
 
 def chosen_system(arguments: Namespace, but: tuple[str, ...] = ()) -> Mechanism | TrimmerLoop:

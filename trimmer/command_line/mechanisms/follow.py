@@ -12,6 +12,7 @@ from trimmer.command_line.file_options import (
     check_targets,
     show,
 )
+from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
 from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
@@ -30,21 +31,13 @@ MOST_HARMONICS = 1000
 
 def _configure(parser: ArgumentParser) -> None:
     add_system_options(parser)
-    parser.add_argument(
-        "--vary",
-        required=True,
-        metavar="PLACE",
-        help="the number to vary, such as frequency, plays.bridge.gap, or of a loop element.gap",
-    )
-    parser.add_argument(
-        "--from",
-        required=True,
-        dest="start",
-        metavar="A",
-        help="first value, where it settles from rest, in SI units (Hz for a frequency) or with a unit; a "
+    add_interval_options(
+        parser,
+        "the number to vary, such as frequency, plays.bridge.gap, or of a loop element.gap",
+        "first value, where it settles from rest, in SI units (Hz for a frequency) or with a unit; a "
         "loop without a drive begins with its largest stable limit cycle there",
+        "the other end of the interval",
     )
-    parser.add_argument("--to", required=True, dest="stop", metavar="B", help="the other end of the interval")
     parser.add_argument(
         "--periods",
         type=positive_whole,
@@ -113,18 +106,13 @@ def _run(arguments: Namespace) -> int:
 def _branch(arguments: Namespace, system: Mechanism | TrimmerLoop) -> FollowedBranch:
     from trimmer.branches.follow import follow
     from trimmer.branches.settings import FollowSettings
-    from trimmer.mechanism.place_text import parse_place
-    from trimmer.mechanism.places import assignment
 
-    parse_place(arguments.vary)
-    (place, start), (_, stop) = (
-        assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
-    )
+    interval = chosen_interval(arguments)
     try:
         settings = FollowSettings(
             most_points=arguments.points, switches=arguments.switches, most_periods=arguments.wait
         )
-        return follow(system, place, start, stop, periods=arguments.periods, settings=settings)
+        return follow(system, *interval, periods=arguments.periods, settings=settings)
     except ValueError as error:
         raise OptionError(str(error)) from error
 

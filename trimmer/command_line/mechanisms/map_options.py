@@ -1,9 +1,11 @@
-"""Options that vary numbers: ``--vary PLACE=A:B:N``, read without evaluating anything."""
+"""Options that vary numbers, ``--vary PLACE=A:B:N`` or ``--from`` and ``--to``; nothing is evaluated."""
 
 from __future__ import annotations
 
+from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 
+from trimmer.command_line.number_options import number_in
 from trimmer.command_line.parser import OptionError
 from trimmer.motion.subject import Subject
 
@@ -12,6 +14,29 @@ EXAMPLE = "plays.bridge.gap=0um:500um:50"
 MOST_VALUES = 100_000
 _DIGITS = 9
 """As many digits as are looked at: a number of thousands of them is too large at once."""
+
+
+def add_interval_options(parser: ArgumentParser, vary: str, start: str, stop: str) -> None:
+    """Add ``--vary``, ``--from`` and ``--to``, with what the help says of each."""
+    parser.add_argument("--vary", required=True, metavar="PLACE", help=vary)
+    parser.add_argument("--from", required=True, dest="start", metavar="A", help=start)
+    parser.add_argument("--to", required=True, dest="stop", metavar="B", help=stop)
+
+
+def chosen_interval(arguments: Namespace) -> tuple[str, float | str, float | str]:
+    """Return the place of the number, its first and its last value.
+
+    Raises:
+        MechanismError: if what is written is no place.
+    """
+    from trimmer.mechanism.place_text import parse_place
+    from trimmer.mechanism.places import assignment
+
+    parse_place(arguments.vary)
+    (place, start), (_, stop) = (
+        assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
+    )
+    return place, start, stop
 
 
 def varied_values(subject: Subject, texts: Sequence[str]) -> dict[str, list[float]]:
@@ -72,13 +97,9 @@ def _spaced(first: float, last: float, count: int) -> list[float]:
 
 def _number(subject: Subject, place: str, text: str) -> float:
     """Read a number in SI units, or one with its unit."""
-    from trimmer.mechanism.units import UnitError, quantity
+    from trimmer.mechanism.units import UnitError
 
     try:
-        return quantity(text, "1")
-    except UnitError:
-        pass
-    try:
-        return quantity(text, subject.places[place] or "1")
+        return number_in(text, subject.places[place])
     except UnitError as error:
         raise OptionError(f"--vary {place}: {text!r}: {error}") from None

@@ -6,6 +6,7 @@ from argparse import ArgumentParser
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
+from trimmer.command_line.number_options import number_in
 from trimmer.command_line.parser import OptionError
 
 if TYPE_CHECKING:
@@ -35,20 +36,16 @@ def chosen_measures(subject: Subject, texts: Sequence[str]) -> Targets:
         OptionError: if a target is no number in the unit of its measure.
         ChoiceError: if there is no such measure.
     """
-    from trimmer.mechanism.units import UnitError, quantity
+    from trimmer.mechanism.units import UnitError
     from trimmer.motion.chosen import chosen_measure
     from trimmer.response.flows import flow_of
 
     found: Targets = {}
     for text in texts:
-        key, equals, target = text.partition("=")
-        measure = chosen_measure(flow_of(subject), key.strip())
-        found[measure.key], reason = None, UnitError("")
-        for unit in ("1", measure.unit or "1") if equals else ():
-            try:
-                found[measure.key] = quantity(target.strip(), unit)
-            except UnitError as error:
-                reason = error
-        if equals and found[measure.key] is None:
-            raise OptionError(f"--measure {text}: {target.strip()!r} {reason}")
+        key, equals, target = map(str.strip, text.partition("="))
+        measure = chosen_measure(flow_of(subject), key)
+        try:
+            found[measure.key] = number_in(target, measure.unit) if equals else None
+        except UnitError as error:
+            raise OptionError(f"--measure {text}: {target!r} {error}") from error
     return found

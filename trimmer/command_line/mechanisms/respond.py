@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
@@ -13,14 +12,18 @@ from trimmer.command_line.file_options import (
     check_targets,
     show,
 )
-from trimmer.command_line.loops.motion_options import add_impulse_option, start_of_loop
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
 from trimmer.command_line.patience import patience
-from trimmer.command_line.state_option import add_state_option, chosen_state
-from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
+from trimmer.command_line.system_options import (
+    SOURCES,
+    add_start_options,
+    add_system_options,
+    chosen_start,
+    chosen_system,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,8 +33,7 @@ if TYPE_CHECKING:
 
 def _configure(parser: ArgumentParser) -> None:
     add_system_options(parser)
-    add_impulse_option(parser)
-    add_state_option(parser)
+    add_start_options(parser)
     parser.add_argument(
         "--starts",
         type=positive_whole,
@@ -55,7 +57,6 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.respond_text import as_json, as_text
-    from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.respond import respond
 
     if arguments.starts == 1:
@@ -64,11 +65,7 @@ def _run(arguments: Namespace) -> int:
         raise OptionError(f"--seed {arguments.seed}: must not be negative")
     check_targets(arguments, {"plot": PICTURES}, SOURCES)
     system = chosen_system(arguments)
-    state: Mapping[str, Any] | None
-    if isinstance(system, Mechanism):
-        state = chosen_state(arguments.state, system)
-    else:
-        state = start_of_loop(arguments, system)
+    state = chosen_start(arguments, system)
     with patience():
         response = respond(
             system,

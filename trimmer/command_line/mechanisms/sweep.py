@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
-from trimmer.command_line.loops.motion_options import add_impulse_option, start_of_loop
+from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
 from trimmer.command_line.number_options import positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
 from trimmer.command_line.patience import patience
-from trimmer.command_line.state_option import add_state_option, chosen_state
-from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
+from trimmer.command_line.system_options import (
+    SOURCES,
+    add_start_options,
+    add_system_options,
+    chosen_start,
+    chosen_system,
+)
 
 if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
@@ -24,19 +28,13 @@ if TYPE_CHECKING:
 
 def _configure(parser: ArgumentParser) -> None:
     add_system_options(parser)
-    add_impulse_option(parser)
-    add_state_option(parser)
-    parser.add_argument(
-        "--vary", required=True, metavar="PLACE", help="the number to vary, such as frequency"
+    add_start_options(parser)
+    add_interval_options(
+        parser,
+        "the number to vary, such as frequency",
+        "first value, in SI units (Hz for a frequency) or with a unit",
+        "last value",
     )
-    parser.add_argument(
-        "--from",
-        required=True,
-        dest="start",
-        metavar="A",
-        help="first value, in SI units (Hz for a frequency) or with a unit",
-    )
-    parser.add_argument("--to", required=True, dest="stop", metavar="B", help="last value")
     parser.add_argument(
         "--back",
         action="store_true",
@@ -85,29 +83,15 @@ def _run(arguments: Namespace) -> int:
 
 def _swept(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Sweep:
     from trimmer.maps.run_up import sweep
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.place_text import parse_place
-    from trimmer.mechanism.places import assignment
 
-    parse_place(arguments.vary)
-    (place, start), (_, stop) = (
-        assignment(f"{arguments.vary}={each}") for each in (arguments.start, arguments.stop)
-    )
-    state: Mapping[str, Any] | None
-    if isinstance(system, Mechanism):
-        state = chosen_state(arguments.state, system)
-    else:
-        state = start_of_loop(arguments, system)
     try:
         return sweep(
             system,
-            place,
-            start,
-            stop,
+            *chosen_interval(arguments),
             steps=arguments.steps,
             periods=arguments.periods,
             back=arguments.back,
-            state=state,
+            state=chosen_start(arguments, system),
             branch=arguments.branch,
         )
     except ValueError as error:
