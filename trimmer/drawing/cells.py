@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -53,6 +54,25 @@ def draw_cells(
         if hatches.get(number):
             axes.add_patch(PathPatch(path, fill=False, linewidth=0, edgecolor=INK, hatch=hatches[number]))
     axes.set(xlim=(across[0], across[-1]), ylim=(up[0], up[-1]))
+
+
+def draw_values(
+    axes: Axes, first: Reals, second: Reals, values: Reals, label: str, colours: Mapping[str, Any]
+) -> None:
+    """Draw values, (n2, n1), over rising values of two numbers in colours, and say beside it which is which.
+
+    Args:
+        axes: Where to draw.
+        first: Values along a row, (n1,).
+        second: Values of the rows, (n2,).
+        values: What is drawn; what is not a number stays blank.
+        label: What they are, with their unit.
+        colours: Matplotlib's map of colours and its limits.
+    """
+    mesh = axes.pcolormesh(edges(first), edges(second), values, rasterized=True, **colours)
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    figure.colorbar(mesh, ax=axes, label=label)
 
 
 def edges(values: Reals) -> Reals:

@@ -59,26 +59,22 @@ def jumps(
         ends: Where each of these ends.
         step: Goes from one value to another.
     """
-    whole = [number for number, plateau in enumerate(plateaus) if plateau.measured]
-    if len(whole) < 2 or not outputs:
+    measured = [plateau.outputs for plateau in plateaus if plateau.measured]
+    if len(measured) < 2 or not outputs:
         return ()
-    sizes = np.array([_sizes(outputs, plateaus[number]) for number in whole])
+    sizes = np.array([[each[name].peak_to_peak for name in outputs] for each in measured])
     shares = sizes / np.maximum(sizes.max(axis=0), np.finfo(float).tiny)
     changes = abs(np.diff(shares, axis=0)).max(axis=1)
     found = []
     for at in np.flatnonzero(changes > LEAST).tolist():
         highest = changes[at] >= changes[max(at - 1, 0) : at + 2].max()
-        if highest and any(plateaus[number].kind in CALM for number in (at, at + 1)):
+        if highest and any(plateau.kind in CALM for plateau in plateaus[at : at + 2]):
             chosen = int(np.argmax(abs(shares[at + 1] - shares[at])))
             step_of = _Step(outputs[chosen], *values[at : at + 2], *sizes[at : at + 2, chosen].tolist())
             narrow = step_of.narrowed(ends[at], step)
             if abs(narrow.change) >= LEFT * abs(step_of.change):
                 found.append(Jump(at + 1, narrow.before, narrow.after, narrow.output, narrow.change))
     return tuple(found)
-
-
-def _sizes(outputs: Sequence[str], plateau: Plateau) -> list[float]:
-    return [plateau.outputs[name].peak_to_peak for name in outputs]
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from trimmer.hybrid.advance import Ending, Instant
 from trimmer.maps.settle import RETURNING, beside, on_orbit, orbit_near, recurrence, strobed_sizes
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.motion.measures import Measures
+from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.signals import read
 from trimmer.response.recurrence import NEAR, has_returned
 from trimmer.response.response import MotionKind
@@ -28,27 +28,6 @@ STEADY = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class SweptOutput:
-    """What an output does over the second half of a plateau, in its unit.
-
-    Attributes:
-        peak_to_peak: Largest less smallest.
-        rms: Root of the mean square about the mean.
-        mean: Its mean.
-        advance: Shift over the period of the motion, or over a drive period where it does not repeat.
-        lines: p, k and amplitude of the lines at p/k of the drive.
-        spectrum: Amplitudes at even steps from 0 to ``ORDERS`` times the drive, with a Hann window, (lines,).
-    """
-
-    peak_to_peak: float
-    rms: float
-    mean: float
-    advance: float
-    lines: tuple[tuple[int, int, float], ...]
-    spectrum: Reals
-
-
-@dataclass(frozen=True, eq=False)
 class Plateau:
     """What moves at one value of a sweep.
 
@@ -56,7 +35,10 @@ class Plateau:
         kind: Kind of motion over the second half.
         periods: Drive periods after which it repeats; None if it does not, or rests.
         measured: Drive periods that were measured; 0 if the motion ended before.
-        outputs: What each output does; none if the motion ended before.
+        outputs: What each output does, its advance over the period, or a drive period where there is none;
+            none if the motion ended before.
+        spectra: Amplitudes of each output at even steps from 0 to ``ORDERS`` times the drive, with a Hann
+            window, (lines,).
         impact_speed: Largest speed at which sides of contacts meet, m/s; 0 without impacts.
         ending: Why the motion ends.
     """
@@ -64,7 +46,8 @@ class Plateau:
     kind: MotionKind
     periods: int | None
     measured: int
-    outputs: Mapping[str, SweptOutput]
+    outputs: Mapping[str, OutputMeasures]
+    spectra: Mapping[str, Reals]
     impact_speed: float
     ending: Ending
 
@@ -87,13 +70,18 @@ def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:
     start = first.end if measured == half else flow.strobe(first.end, half - measured).end
     course = flow.course(start, measured)
     speed = float(flow.impact_speeds(course).max(initial=0.0))
-    outputs = _outputs(*flow.travelling(course), repeats, measured, min(half, SEGMENT))
-    return Plateau(kind, count, measured, outputs, speed, course.ending), second.end
+    flow, course = flow.travelling(course)
+    outputs = {
+        name: replace(each, advance=each.advance * repeats / measured)
+        for name, each in Measures(course, flow, repeats, measured).outputs.items()
+    }
+    spectra = dict(zip(outputs, _spectra(flow, course, measured, min(half, SEGMENT)).T, strict=True))
+    return Plateau(kind, count, measured, outputs, spectra, speed, course.ending), second.end
 
 
 def _ended(ending: Ending) -> Plateau:
     kind = MotionKind.DIVERGING if ending is Ending.DIVERGED else MotionKind.UNDECIDED
-    return Plateau(kind, None, 0, {}, 0.0, ending)
+    return Plateau(kind, None, 0, {}, {}, 0.0, ending)
 
 
 def _kind(
@@ -113,24 +101,6 @@ def _kind(
             kind = on_orbit(orbit, len(states) - 1).kind
             return kind, None if kind is MotionKind.REST else orbit.period_count
     return beside(flow, states, middle, end, half).kind, None
-
-
-def _outputs(
-    flow: Flow, course: Course, count: int, measured: int, segment: int
-) -> Mapping[str, SweptOutput]:
-    spectra = _spectra(flow, course, measured, segment)
-    measures = Measures(course, flow, count, measured).outputs
-    return {
-        name: SweptOutput(
-            each.peak_to_peak,
-            each.rms,
-            each.mean,
-            each.advance * count / measured,
-            tuple(each.lines),
-            spectra[:, place],
-        )
-        for place, (name, each) in enumerate(measures.items())
-    }
 
 
 def _spectra(flow: Flow, course: Course, measured: int, segment: int) -> Reals:

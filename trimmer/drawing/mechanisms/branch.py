@@ -58,10 +58,18 @@ def draw_branch(
     """Draw peak to peak of an output, or a measure, over the number that is varied."""
     if measure is None:
         name = _chosen(branch, output)
-        up, of, at = (f"{name}, peak to peak", branch.units[name]), _stroke(name), _stroke_at(name)
+        up = f"{name}, peak to peak", branch.units[name]
     else:
-        chosen = chosen_measure(flow_of(branch.map.subject), measure)
-        up, of, at = (chosen.key, chosen.unit), _measured(measure), _measured_at(measure)
+        up = measure, chosen_measure(flow_of(branch.map.subject), measure).unit
+
+    def of(point: FollowedOrbit) -> float:
+        return point.outputs[name].peak_to_peak if measure is None else point.measure(measure)
+
+    def at(each: FollowedBranch, special: SpecialPoint) -> float:
+        if measure is None:
+            return each.outputs_at(special)[name].peak_to_peak
+        return each.measure_at(special, measure)
+
     shown = [each for each in branch.all() if each.points]
     periods = sorted({each.periods for each in shown})
     for each in shown:
@@ -72,22 +80,6 @@ def draw_branch(
     place = branch.map.place
     across = place, unit_of(branch.map.subject.places, place)
     finish(axes, across, up)
-
-
-def _stroke(name: str) -> Callable[[FollowedOrbit], float]:
-    return lambda point: point.outputs[name].peak_to_peak
-
-
-def _stroke_at(name: str) -> Callable[[FollowedBranch, SpecialPoint], float]:
-    return lambda branch, special: branch.outputs_at(special)[name].peak_to_peak
-
-
-def _measured(key: str) -> Callable[[FollowedOrbit], float]:
-    return lambda point: point.measure(key)
-
-
-def _measured_at(key: str) -> Callable[[FollowedBranch, SpecialPoint], float]:
-    return lambda branch, special: branch.measure_at(special, key)
 
 
 def _outputs(branch: FollowedBranch) -> list[str]:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from trimmer.arrays import Integers
 from trimmer.drawing.axes import add_legend
-from trimmer.drawing.cells import draw_cells, edges
+from trimmer.drawing.cells import draw_cells, draw_values
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, FAINT
 from trimmer.drawing.mechanisms.curves import add_curves
@@ -63,6 +63,10 @@ def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequenc
     hatches = {number: each.hatch for number, each in enumerate(legend)}
     first, second = result.values
     draw_cells(axes, first, second, numbers, colours, hatches)
+    _name_axes(axes, result)
+
+
+def _name_axes(axes: Axes, result: MotionMap) -> None:
     for axis, place, unit in zip((axes.xaxis, axes.yaxis), result.places, result.units, strict=True):
         name_axis(axis, place, unit)
 
@@ -72,15 +76,12 @@ def _draw_measure(axes: Axes, result: MotionMap, measure: str, target: float | N
     columns, rows = (np.argsort(values) for values in result.values)
     first, second = result.values[0][columns], result.values[1][rows]
     values = result.chosen[measure][np.ix_(rows, columns)]
-    mesh = axes.pcolormesh(edges(first), edges(second), values, cmap="viridis", rasterized=True)
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    figure.colorbar(mesh, ax=axes, label=with_unit(measure, result.chosen_units[measure]))
+    label = with_unit(measure, result.chosen_units[measure])
+    draw_values(axes, first, second, values, label, {"cmap": "viridis"})
     inside = target is not None and np.nanmin(values) < target < np.nanmax(values)
     if inside and min(values.shape) > 1:
         axes.contour(first, second, values, levels=[target], colors=BLACK, linewidths=1.2)
-    for axis, place, unit in zip((axes.xaxis, axes.yaxis), result.places, result.units, strict=True):
-        name_axis(axis, place, unit)
+    _name_axes(axes, result)
 
 
 def _draw_line(

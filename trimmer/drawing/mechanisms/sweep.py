@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from trimmer.drawing.axes import finish
-from trimmer.drawing.cells import edges
+from trimmer.drawing.cells import draw_values
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import FAINT, Look, colour
@@ -19,7 +19,8 @@ from trimmer.maps.swept import Sweep, SweepPoint
 WIDTH, HEIGHT = 7.2, 3.6
 RANGE = 60.0
 """Decibels below the largest line that a waterfall shows."""
-WAYS = ((False, "run-up", "o"), (True, "way back", "v"))
+WAYS = (("run-up", "o"), ("way back", "v"))
+"""What the ways are called, and their marks."""
 
 
 def sweep_figure(sweep: Sweep, output: str | None = None) -> Figure:
@@ -28,10 +29,10 @@ def sweep_figure(sweep: Sweep, output: str | None = None) -> Figure:
     figure = new_figure(WIDTH, HEIGHT * (1 + len(legs)))
     first, *others = figure.subplots(1 + len(legs), sharex=True)
     draw_sweep(sweep, first, output)
-    for axes, leg, (_, way, _) in zip(others, legs, WAYS, strict=False):
+    for axes, leg, (way, _) in zip(others, legs, WAYS, strict=False):
         _draw_waterfall(sweep, axes, sweep.output(output), leg)
         axes.set_title(way, fontsize="small")
-    head(figure, getattr(sweep.subject, "title", ""))
+    head(figure, sweep.subject.title)
     return figure
 
 
@@ -41,7 +42,7 @@ def draw_sweep(sweep: Sweep, axes: Axes, output: str | None = None) -> None:
     name = sweep.output(output)
     if sweep.branch is not None:
         draw_branch(sweep.branch, axes, name)
-    for number, (leg, (_, way, mark)) in enumerate(zip(sweep.legs(), WAYS, strict=False)):
+    for number, (leg, (way, mark)) in enumerate(zip(sweep.legs(), WAYS, strict=False)):
         sizes = [point.peak_to_peak(name) for point in leg]
         values = [point.value for point in leg]
         look: Look = {"color": colour(number + 1), "fillstyle": "none", "markersize": 3}
@@ -58,16 +59,12 @@ def _draw_waterfall(sweep: Sweep, axes: Axes, name: str, leg: tuple[SweepPoint, 
     if seen:
         order = np.argsort([point.value for point in seen])
         values = np.array([seen[place].value for place in order])
-        sizes = np.array([seen[place].motion.outputs[name].spectrum for place in order]).T
+        sizes = np.array([seen[place].motion.spectra[name] for place in order]).T
         largest = sizes.max() or 1.0
         decibels = 20.0 * np.log10(np.maximum(sizes / largest, 10.0 ** (-RANGE / 20.0)))
         steps = np.linspace(0.0, ORDERS, len(sizes))
-        mesh = axes.pcolormesh(
-            edges(values), edges(steps), decibels, cmap="magma", vmin=-RANGE, vmax=0.0, rasterized=True
-        )
-        figure = axes.get_figure(root=True)
-        assert figure is not None
-        figure.colorbar(mesh, ax=axes, label=f"{name}, dB of {largest:.3g} {sweep.units[name]}".rstrip())
+        label = f"{name}, dB of {largest:.3g} {sweep.units[name]}".rstrip()
+        draw_values(axes, values, steps, decibels, label, {"cmap": "magma", "vmin": -RANGE, "vmax": 0.0})
     axes.set_ylim(0.0, ORDERS)
     axes.set_ylabel("order of the drive")
     name_axis(axes.xaxis, sweep.place, sweep.unit)
