@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.mechanism.coordinates import Inertia, shaken_ends, weights_of_ends
+from trimmer.mechanism.coordinates import shaken_ends, weights_of_ends
 from trimmer.mechanism.drives import waves_in
 from trimmer.mechanism.linear.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.linear.outputs import Contacts, output_rows, with_contacts
@@ -129,7 +129,7 @@ def _state(
     mechanism: Mechanism, contacts: Contacts, left: tuple[str, ...], drives: Sequence[tuple[str, str, float]]
 ) -> LinearState:
     matrices = linear_matrices(mechanism, viscous=True)
-    values, vectors = np.linalg.eig(_state_matrix(matrices))
+    values, vectors = np.linalg.eig(matrices.state_matrix)
     size = abs(values).max()
     rigid = abs(values) <= RIGID * size
     swinging = np.flatnonzero((values.imag > RIGID * size) & ~rigid)
@@ -144,17 +144,6 @@ def _state(
         int(len(values) - rigid.sum() - 2 * len(swinging)),
         tuple(_transfer(mechanism, matrices, [mode.frequency for mode in modes], drives)),
         left,
-    )
-
-
-def _state_matrix(matrices: LinearMatrices) -> Reals:
-    bodies = len(matrices.mass)
-    inertia = Inertia(matrices.mass)
-    return np.block(
-        [
-            [np.zeros((bodies, bodies)), np.eye(bodies)],
-            [-inertia.accelerations(matrices.stiffness), -inertia.accelerations(matrices.damping)],
-        ]
     )
 
 

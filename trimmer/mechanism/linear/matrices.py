@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.arrays import Reals
-from trimmer.mechanism.coordinates import elastic_matrices, inertia_of, weights_of_ends
+from trimmer.mechanism.coordinates import Inertia, elastic_matrices, inertia_of, weights_of_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND
 from trimmer.showing.shown import Shown, counted
@@ -37,6 +37,12 @@ class LinearMatrices(Shown):
     pin_displacement: Reals
     pin_velocity: Reals
     forces: Reals
+
+    @property
+    def state_matrix(self) -> Reals:
+        """A of x' = A x, x = (q, q'), without pins and forces, (2 coordinates, 2 coordinates)."""
+        stiffness, damping = map(Inertia(self.mass).accelerations, (self.stiffness, self.damping))
+        return np.block([[np.zeros_like(self.mass), np.eye(len(self.mass))], [-stiffness, -damping]])
 
     def _told(self) -> str:
         sizes = (len(self.mass), self.pin_displacement.shape[1], self.forces.shape[1])

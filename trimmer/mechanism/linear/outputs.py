@@ -39,15 +39,14 @@ def with_contacts(mechanism: Mechanism, contacts: Contacts | str | Mapping[str, 
     known: dict[str, Contact] = {**mechanism.plays, **mechanism.stops}
     if not isinstance(contacts, Mapping | str | Contacts):
         raise WrongTypeError(f"contacts must be 'closed', 'open' or a mapping by name, not {shown(contacts)}")
-    given = contacts if isinstance(contacts, Mapping) else dict.fromkeys(known, contacts)
+    every, given = (Contacts.CLOSED, contacts) if isinstance(contacts, Mapping) else (contacts, {})
     for name in given:
         if name not in known:
             there = near_match(name, known) or (f"there are {listed(known)}" if known else "there is none")
             raise MechanismError(f"no play or stop is called {name!r}; {there}")
-    chosen = {name: Contacts.chosen(given.get(name, Contacts.CLOSED), "contacts") for name in known}
-    if not isinstance(contacts, Mapping):
-        Contacts.chosen(contacts, "contacts")
-    closed = [name for name, each in chosen.items() if each is Contacts.CLOSED]
+    states = dict.fromkeys(known, Contacts.chosen(every, "contacts"))
+    states |= {name: Contacts.chosen(each, "contacts") for name, each in given.items()}
+    closed = [name for name, each in states.items() if each is Contacts.CLOSED]
     links = {
         f"closed {name}" if name in mechanism.links else name: Link(
             known[name].between, known[name].stiffness, known[name].damping

@@ -42,18 +42,18 @@ def state_space_of(
     matrices = linear_matrices(mechanism, viscous=True)
     of_mass = Inertia(matrices.mass).accelerations
     count = len(matrices.mass)
-    stiff, damped = of_mass(matrices.stiffness), of_mass(matrices.damping)
+    flow = matrices.state_matrix
+    bound, damped = np.split(flow[count:], 2, axis=1)
     pins = np.array([[pin == name for name in named] for pin in mechanism.pins], dtype=float)
     pushed = np.array([[each == name for name in named] for each in mechanism.forces], dtype=float)
     pins, pushed = (each.reshape(-1, len(named)) for each in (pins, pushed))
     kick = of_mass(matrices.pin_velocity) @ pins
-    push = of_mass(matrices.pin_displacement) @ pins + of_mass(matrices.forces) @ pushed - damped @ kick
-    flow = np.block([[np.zeros((count, count)), np.eye(count)], [-stiff, -damped]])
+    push = of_mass(matrices.pin_displacement) @ pins + of_mass(matrices.forces) @ pushed + damped @ kick
     rows, direct = [], []
     for name in wanted:
         (at, rate, second), (at_pin, rate_pin, second_pin) = np.split(known[name], [count], axis=1)
         _require_proper(name, named, rate_pin @ pins + second @ kick, second_pin @ pins)
-        rows.append(np.concatenate([at - second @ stiff, rate - second @ damped]))
+        rows.append(np.concatenate([at + second @ bound, rate + second @ damped]))
         direct.append(at_pin @ pins + rate @ kick + second @ push)
     return control.ss(
         flow,
