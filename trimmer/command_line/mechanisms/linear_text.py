@@ -33,16 +33,20 @@ def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearSta
         texts: Such as ``closed``, ``open`` and ``bridge=open``.
 
     Raises:
-        OptionError: if a text names no contact, or no state.
+        OptionError: if a text names no contact, or no state, or one contact is named twice.
     """
     from trimmer.design.linear import all_drives, linear_state, linear_states
 
     drives = all_drives(mechanism)
-    whole: list[str | Mapping[str, str]] = [text for text in texts if "=" not in text]
-    named = dict(text.rsplit("=", 1) for text in texts if "=" in text)
-    named = {name.strip().strip("\"'"): state.strip() for name, state in named.items()}
     if not texts:
         return linear_states(mechanism, drives)
+    whole: list[str | Mapping[str, str]] = [text for text in texts if "=" not in text]
+    named: dict[str, str] = {}
+    for name, _, state in (text.rpartition("=") for text in texts if "=" in text):
+        contact = name.strip().strip("\"'")
+        if contact in named:
+            raise OptionError(f"--contacts {contact}={state}: {contact} was given before; give it once")
+        named[contact] = state.strip()
     try:
         return tuple(linear_state(mechanism, each, drives) for each in [*whole, *([named] if named else [])])
     except ValueError as error:
@@ -95,8 +99,7 @@ def _response(function: TransferFunction) -> dict[str, Any]:
     }
 
 
-def contacts_of(mechanism: Mechanism, state: LinearState) -> str:
-    """Return in which state the contacts are, in words."""
+def _contacts(mechanism: Mechanism, state: LinearState) -> str:
     count = len(mechanism.plays) + len(mechanism.stops)
     if not count:
         return "No contacts"
@@ -106,7 +109,7 @@ def contacts_of(mechanism: Mechanism, state: LinearState) -> str:
 
 def _state(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
     others = [counted(number, kind) for number, kind in _others(state) if number]
-    yield f"{contacts_of(mechanism, state)}: {counted(len(state.modes), 'mode')}" + "".join(
+    yield f"{_contacts(mechanism, state)}: {counted(len(state.modes), 'mode')}" + "".join(
         f", {each}" for each in others
     )
     units = {name: kind.unit("m") for name, kind in mechanism.kinds.items()}

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.spectra.comparison import SimulatedLines
+    from trimmer.signals.signal import Signal
+    from trimmer.spectra.comparison import MotionComparison, SimulatedLines
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -52,8 +53,6 @@ def _configure(parser: ArgumentParser) -> None:
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.signals.overlay_text import Compared, as_json, as_text
     from trimmer.drawing.signals.comparison import comparison_figure
-    from trimmer.signals.signal import SignalError
-    from trimmer.spectra.comparison import compare_motions
 
     if arguments.file == arguments.against == STANDARD_INPUT:
         raise OptionError("signal and --against cannot both be read from standard input: name a file")
@@ -62,12 +61,7 @@ def _run(arguments: Namespace) -> int:
     mechanism = mechanism_with(arguments.against, arguments.set)
     output = chosen_output(arguments.against, mechanism, arguments.output)
     chosen = chosen_recording(arguments)
-    with patience():
-        lines, told = simulated_lines(mechanism, output)
-    try:
-        comparison = compare_motions(chosen.signal, lines, arguments.drive)
-    except SignalError as error:
-        raise OptionError(f"{arguments.file}: {error}") from error
+    comparison, told = compared_motion(arguments, chosen.signal, mechanism, output)
     if arguments.plot is not None:
         write_picture(arguments, comparison_figure(comparison))
     compared = Compared(arguments.file, arguments.against, output, told, chosen, comparison)
@@ -93,7 +87,26 @@ def chosen_output(against: Path, mechanism: Mechanism, output: str | None) -> st
     return output
 
 
-def simulated_lines(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
+def compared_motion(
+    arguments: Namespace, signal: Signal, mechanism: Mechanism, output: str
+) -> tuple[MotionComparison, str]:
+    """Return a signal beside what the mechanism settles to from its start, and what that is, in words.
+
+    Raises:
+        OptionError: if the motion does not repeat, or cannot be compared.
+    """
+    from trimmer.signals.signal import SignalError
+    from trimmer.spectra.comparison import compare_motions
+
+    with patience():
+        lines, told = _simulated_lines(mechanism, output)
+    try:
+        return compare_motions(signal, lines, arguments.drive), told
+    except SignalError as error:
+        raise OptionError(f"{arguments.file}: {error}") from error
+
+
+def _simulated_lines(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
     """Return the lines of what the mechanism settles to from its start, and what that is, in words."""
     from trimmer.response.respond import respond
     from trimmer.spectra.comparison import SimulatedLines

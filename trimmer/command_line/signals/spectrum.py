@@ -20,7 +20,6 @@ from trimmer.command_line.mechanism_options import add_set_option, mechanism_wit
 from trimmer.command_line.number_options import positive, positive_whole
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, as_option, is_given, refuse_unused
-from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import ChosenRecording, add_signal_options, chosen_recording
 from trimmer.files import CSV, STANDARD_INPUT, WAV
 
@@ -102,19 +101,20 @@ def _run(arguments: Namespace) -> int:
     _check(arguments)
     chosen = chosen_recording(arguments)
     signal = chosen.signal
-    against = None if arguments.against is None else _against(arguments, signal)
-    predictions = _predictions(arguments) if against is None else against[0]
+    comparison, drive = None, arguments.drive
+    if arguments.against is None:
+        predictions = _predictions(arguments)
+    else:
+        predictions, comparison, drive = _against(arguments, signal)
     try:
-        analysis = _analysis(arguments, signal, predictions)
+        analysis = _analysis(arguments, signal, predictions, drive)
         averaged = _averaged(arguments, chosen)
         _draw(arguments, analysis)
         wav = _written_wav(arguments, signal)
         _write_csv(arguments, signal)
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
-    shown = ShownSignal(
-        arguments.file, analysis, predictions, chosen, averaged, wav, None if against is None else against[1]
-    )
+    shown = ShownSignal(arguments.file, analysis, predictions, chosen, averaged, wav, comparison)
     show((as_json if arguments.json else as_text)(shown), arguments.plot, arguments.wav, arguments.csv)
     return 0
 
@@ -162,35 +162,34 @@ def _predictions(arguments: Namespace) -> PredictedFrequencies:
     )
 
 
-def _against(arguments: Namespace, signal: Signal) -> tuple[PredictedFrequencies, MotionComparison]:
-    """Return the natural modes of a mechanism, closed contacts before open ones, and its motion beside.
+def _against(
+    arguments: Namespace, signal: Signal
+) -> tuple[PredictedFrequencies, MotionComparison, float | None]:
+    """Return the natural modes of a mechanism, its motion beside the signal, and its drive, Hz, if any.
+
+    Modes with closed contacts come before those with open ones.
 
     Raises:
         OptionError: if its motion does not repeat, or cannot be compared.
     """
-    from trimmer.command_line.signals.overlay import chosen_output, simulated_lines
+    from trimmer.command_line.signals.overlay import chosen_output, compared_motion
     from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
     from trimmer.design.linear import linear_states
-    from trimmer.signals.signal import SignalError
-    from trimmer.spectra.comparison import compare_motions
 
     mechanism = mechanism_with(arguments.against, arguments.set)
     named = arguments.displacement if is_given(arguments, "displacement") else None
     named = signal.name if named is None and signal.name in mechanism.outputs else named
-    with patience():
-        lines, _ = simulated_lines(mechanism, chosen_output(arguments.against, mechanism, named))
-    try:
-        comparison = compare_motions(signal, lines, arguments.drive)
-    except SignalError as error:
-        raise OptionError(f"{arguments.file}: {error}") from error
-    if arguments.drive is None and mechanism.frequency is not None:
-        arguments.drive = comparison.frequency
+    output = chosen_output(arguments.against, mechanism, named)
+    comparison, _ = compared_motion(arguments, signal, mechanism, output)
+    drive = arguments.drive if mechanism.frequency is None else comparison.frequency
     modes = [mode.frequency for state in linear_states(mechanism, ()) for mode in state.modes]
     source = f"{arguments.against}, contacts closed and open"
-    return PredictedFrequencies(source, tuple(dict.fromkeys(modes)), None, ()), comparison
+    return PredictedFrequencies(source, tuple(dict.fromkeys(modes)), None, ()), comparison, drive
 
 
-def _analysis(arguments: Namespace, signal: Signal, predictions: PredictedFrequencies) -> SpectrumAnalysis:
+def _analysis(
+    arguments: Namespace, signal: Signal, predictions: PredictedFrequencies, drive: float | None
+) -> SpectrumAnalysis:
     from trimmer.errors import SignalWarning
     from trimmer.spectra.analysis import analyse_signal
 
@@ -199,7 +198,7 @@ def _analysis(arguments: Namespace, signal: Signal, predictions: PredictedFreque
         warnings.simplefilter("ignore", SignalWarning)
         return analyse_signal(
             signal,
-            arguments.drive,
+            drive,
             predictions.natural_frequencies,
             predictions.limit_cycles,
             arguments.window,

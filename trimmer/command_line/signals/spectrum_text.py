@@ -165,7 +165,7 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
             f"{classified.peak.frequency_uncertainty:.2g}",
             f"{classified.peak.amplitude:.6g}",
             f"{classified.peak.amplitude_uncertainty:.2g}",
-            *([] if reference is None else [f"{level_of(classified.peak.amplitude, reference):.1f}"]),
+            *([] if reference is None else [f"{_level(classified.peak.amplitude, reference):.1f}"]),
             *_match_cells(classified.explanation, "unexplained"),
             *_second_cells(classified),
         )
@@ -175,7 +175,7 @@ def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
     yield from table(heads, rows)
 
 
-def level_of(amplitude: float, reference: float) -> float:
+def _level(amplitude: float, reference: float) -> float:
     """Return the level of a line, dB: of its rms over a reference."""
     return 20.0 * math.log10(amplitude / math.sqrt(2.0) / reference) if amplitude > 0 else -math.inf
 
@@ -232,7 +232,7 @@ def _peak(classified: ClassifiedPeak, analysis: SpectrumAnalysis) -> dict[str, A
     return {
         **vars(peak),
         "order": None if drive is None else peak.frequency / drive.frequency,
-        "level": None if reference is None else finite(level_of(peak.amplitude, reference)),
+        "level": None if reference is None else finite(_level(peak.amplitude, reference)),
         "explanation": None if explanation is None else _origin(explanation.origin),
         "ambiguous": classified.ambiguous,
         "candidates": [
