@@ -218,7 +218,7 @@ def beside(flow: Flow, every: Reals, before: Instant, end: Instant, compared: in
     if neighbour.ending is not Ending.REACHED_END:
         return Settled(MotionKind.UNDECIDED, periods, end)
     kind, exponent = _compared(states, flow.reduced(neighbour.states), sizes)
-    if kind is MotionKind.UNDECIDED and grows(flow, end, states, periods):
+    if kind is not MotionKind.TORUS and grows(flow, end, states, periods):
         return Settled(MotionKind.DIVERGING, OLDER * periods, end)
     follows = exponent is not None and exponent < 0 and not flow.modes.system.layout.recurrence
     if follows and kind is MotionKind.UNDECIDED:

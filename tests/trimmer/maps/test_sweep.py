@@ -5,11 +5,26 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import control
 import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example
-from trimmer import Body, Force, Link, Mechanism, Output, Stop, TrimmerError, follow, respond, simulate
+from trimmer import (
+    Body,
+    Drive,
+    Feedback,
+    Force,
+    Link,
+    Mechanism,
+    Output,
+    Saturation,
+    Stop,
+    TrimmerError,
+    follow,
+    respond,
+    simulate,
+)
 from trimmer.maps import sweep
 from trimmer.mechanism import Wall
 
@@ -96,6 +111,18 @@ def test_a_ball_rests_on_its_wall_and_then_leaves_it() -> None:
     assert kinds[:2] == ["rest", "rest"]
     assert kinds[-1] != "rest"
     assert swept.points[-1].peak_to_peak("x") > 0 == swept.points[0].peak_to_peak("x")
+
+
+def test_what_escapes_grows_without_bound_and_ends_the_sweep() -> None:
+    """Of x' = 5 x - 10 sat x + a sin t nothing holds what is beyond 2; two solutions part as it grows."""
+    names = {"states": ["x"], "inputs": ["y", "w"], "outputs": ["y"]}
+    plant = control.ss([[5.0]], [[-10.0, 1.0]], [[1.0]], [[0.0, 0.0]], **names)
+    loop = Feedback(plant, {"y": Saturation(1.0)}, {"w": Drive(0.1, frequency=1.0)})
+    swept = sweep(loop, "drives.w.amplitude", 0.1, 80.1, steps=2, periods=40, back=True)
+    kinds = [point.motion.kind.word for point in swept.points]
+    assert kinds == ["periodic", "diverging", "diverging"]
+    assert not swept.success and "ends at drives.w.amplitude = 80.1, because it grew" in swept.message
+    assert math.isnan(swept.points[-1].peak_to_peak("y"))
 
 
 REFUSED = {
