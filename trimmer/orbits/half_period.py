@@ -156,10 +156,7 @@ class Unsolved(Enum):
 def _on_piece(equation: HalfPeriodEquation, begin: float, end: float) -> list[float] | Unsolved:
     """Return the zeros on a piece, or why there are none yet."""
     middle, half = 0.5 * (begin + end), 0.5 * (end - begin)
-    try:
-        states = equation.states(middle + half * POINTS)
-    except np.linalg.LinAlgError:
-        return Unsolved.UNRESOLVED
+    states = equation.states(middle + half * POINTS)
     coefficients = TO_COEFFICIENTS @ (states @ equation.row - equation.level)
     if not np.isfinite(coefficients).all():
         return Unsolved.UNRESOLVED
@@ -180,7 +177,7 @@ def _on_piece(equation: HalfPeriodEquation, begin: float, end: float) -> list[fl
 def _tanh(matrices: Reals) -> Reals:
     """Return the hyperbolic tangents of matrices: a rational approximation, and the argument doubled.
 
-    Unlike exponentials it stays bounded where the system is unstable.
+    Unlike exponentials it stays bounded where the system is unstable. At a pole of tanh it is NaN.
     """
     norm = float(abs(matrices).sum(axis=1).max())
     doublings = int(norm / SMALL).bit_length()
@@ -188,10 +185,23 @@ def _tanh(matrices: Reals) -> Reals:
     one, square = np.eye(matrices.shape[-1]), small @ small
     odd = ((square + 378.0 * one) @ square + 17325.0 * one) @ square + 135135.0 * one
     even = ((28.0 * square + 3150.0 * one) @ square + 62370.0 * one) @ square + 135135.0 * one
-    result = np.asarray(np.linalg.solve(even, odd @ small), dtype=np.float64)
+    result = solutions(even, odd @ small)
     for _ in range(doublings):
-        result = np.asarray(np.linalg.solve(one + result @ result, 2.0 * result), dtype=np.float64)
+        result = solutions(one + result @ result, 2.0 * result)
     return result
+
+
+def solutions(matrices: Reals, right: Reals) -> Reals:
+    """Return what solves each of many systems of equations, (count, n, columns); NaN where it is singular."""
+    try:
+        return np.asarray(np.linalg.solve(matrices, right), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        if len(matrices) == 1:
+            return np.full_like(right, np.nan)
+    middle = len(matrices) // 2
+    return np.concatenate(
+        [solutions(matrices[part], right[part]) for part in (slice(middle), slice(middle, None))]
+    )
 
 
 def _first_pieces(interval: Interval) -> list[Interval]:

@@ -14,7 +14,7 @@ import math
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.orbits.half_period import HalfPeriodEquation, Interval
+from trimmer.orbits.half_period import HalfPeriodEquation, Interval, solutions
 
 POINTS = 48
 """Durations along either side of the grid."""
@@ -59,7 +59,7 @@ def unequal_switches(equation: HalfPeriodEquation, interval: Interval) -> list[t
 
 
 def _states(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals:
-    """Return the states at the beginning of both durations, (pairs, 2, n), from their tangents."""
+    """Return the states at the beginning of both durations, (pairs, 2, n), from their tangents, or NaN."""
     count = len(equation.row)
     one = np.eye(count)
     matrix = np.block(
@@ -69,17 +69,12 @@ def _states(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals:
         ]
     )
     right = -2.0 * np.concatenate([long[:, :count, count], short[:, :count, count]], axis=1)
-    states: Reals = np.linalg.solve(matrix, right[..., None])[..., 0].reshape(-1, 2, count)
-    return states
+    return solutions(matrix, right[..., None]).reshape(-1, 2, count)
 
 
 def _switching(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals:
     """Return the switching function at both switches relative to the sum of moduli; NaN if singular."""
-    try:
-        states = _states(equation, long, short)
-    except np.linalg.LinAlgError:
-        return np.full((len(long), 2), np.nan)
-    row = equation.balanced_row
+    states, row = _states(equation, long, short), equation.balanced_row
     return np.asarray((states @ row) / np.maximum(abs(states) @ abs(row), np.finfo(float).tiny))
 
 
@@ -108,7 +103,8 @@ def _solved(equation: HalfPeriodEquation, starts: Reals) -> Reals:
         given = (trials[:, None] + shifts).reshape(-1)
         values = at(given).reshape(-1, 3, 2)
         slopes = (values[:, 1:] - values[:, :1]).transpose(0, 2, 1) / DIFFERENCE
-        singular = ~(abs(np.linalg.det(slopes)) > 0)
+        with np.errstate(invalid="ignore"):
+            singular = ~(abs(np.linalg.det(slopes)) > 0)
         slopes[singular] = np.eye(2)
         steps = np.linalg.solve(slopes, values[:, 0, :, None])[..., 0]
         trials = trials - np.clip(np.nan_to_num(steps, nan=1.0), -STRIDE, STRIDE)

@@ -13,6 +13,7 @@ from trimmer import (
     DeadZone,
     FrictionBacklash,
     OrbitSearch,
+    Preload,
     Relay,
     Saturation,
     ViscousFriction,
@@ -70,6 +71,16 @@ def test_one_relay_beside_what_is_linear_has_an_equation(element: Element, grid:
     plant = control.tf([1.0], [1.0, 3.0, 2.0, 0.0])
     relay = periodic_orbits(plant, element, [], OrbitSearch("never", half_periods=(1.0, 4.0))).search.relay
     assert (None if relay is None else relay.grid) == grid
+
+
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning")
+def test_a_preload_at_the_critical_gain_has_no_orbit() -> None:
+    """Closed by the slope 1, it has the poles -2 and ±i; N is more than that slope at any amplitude."""
+    found = periodic_orbits(control.tf([2.0], [1.0, 2.0, 1.0, 0.0]), Preload(0.3, 1.0), [], NEVER)
+    turns = [
+        part[0] <= math.pi * (2 * k + 1) <= part[1] for k, part in enumerate(found.search.relay.undecided)
+    ]
+    assert (len(found), turns) == (0, [True] * 25)
 
 
 OMEGA = 691.0
