@@ -39,7 +39,6 @@ from .linear.summary import summarise as summarise
 from .loops.drive import Drive as Drive
 from .loops.energy import energy_balance as energy_balance
 from .loops.feedback import Feedback as Feedback
-from .loops.loop_signal import LoopSignal as LoopSignal
 from .loops.loops import ClosedLoop as ClosedLoop
 from .loops.loops import OpenLoop as OpenLoop
 from .loops.trimmer_loop import TrimmerLoop as TrimmerLoop

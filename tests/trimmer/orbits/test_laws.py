@@ -16,7 +16,6 @@ from trimmer import (
     DeadZone,
     FrictionBacklash,
     InertiaBacklash,
-    LoopSignal,
     OrbitSearch,
     PeriodicOrbit,
     Preload,
@@ -29,6 +28,7 @@ from trimmer import (
     simulate,
 )
 from trimmer.linear import InputChannels
+from trimmer.loops import LoopSignal
 from trimmer.orbits import PeriodicOrbits, Simulations
 
 SERVO = control.ss(control.tf([3.0], [1.0, 1.0, 0.0]))

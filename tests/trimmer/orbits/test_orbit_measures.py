@@ -13,7 +13,6 @@ from trimmer import (
     Drive,
     FrictionBacklash,
     InertiaBacklash,
-    LoopSignal,
     OpenLoop,
     TrimmerLoop,
     TrimmerParameters,
@@ -28,7 +27,7 @@ from trimmer import (
 )
 from trimmer.elements import Element
 from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction
+from trimmer.loops import BodyFriction, LoopSignal
 from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
