@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -37,20 +38,17 @@ def address(rendered: Mapping[Format, Path]) -> str:
     return rendered[Format.HTML].as_uri()
 
 
-@pytest.fixture(scope="session")
-def pages(browser: Browser) -> Iterator[Mapping[bool, Visit]]:
-    """A page with scripts and one without: a new one for each test would take most of the tests' time."""
-    with opened(browser) as with_scripts, opened(browser, scripts=False) as without:
-        yield {True: with_scripts, False: without}
-
-
 @pytest.fixture
-def visit(pages: Mapping[bool, Visit], address: str) -> Callable[..., Visit]:
-    """Load the sample anew: ``visit(end, width=…, scheme=…, scripts=…)``; ``end`` follows its address."""
+def visit(browser: Browser, address: str) -> Iterator[Callable[..., Visit]]:
+    """Open the sample in a page of its own: ``visit(end, width=…, scheme=…, scripts=…)``.
 
-    def load(end: str = "", scripts: bool = True, **options: object) -> Visit:
-        visit = pages[scripts]
-        lead(visit, address + end, **options)
-        return visit
+    ``end`` follows its address. No page has anything of another test's, so that none fails for another.
+    """
+    with ExitStack() as pages:
 
-    return load
+        def load(end: str = "", scripts: bool = True, **options: object) -> Visit:
+            visit = pages.enter_context(opened(browser, scripts))
+            lead(visit, address + end, **options)
+            return visit
+
+        yield load

@@ -26,6 +26,8 @@ WIDTHS = (360, 768, 1440)
 HEIGHT = 900
 PATIENCE = 10_000
 """How long to wait for something to happen in a page, in ms."""
+LOADING = 60_000
+"""How long to wait for a page, in ms: the sample takes seconds, and many times that on a busy machine."""
 LARGEST = 8_000_000
 """Largest size of the file, in bytes."""
 MOST_ERRATA_PAGES = 8
@@ -140,6 +142,7 @@ def opened(browser: Browser, scripts: bool = True) -> Iterator[Visit]:
     """Open an empty page, which ``lead`` brings to an address."""
     context = browser.new_context(java_script_enabled=scripts)
     context.set_default_timeout(PATIENCE)
+    context.set_default_navigation_timeout(LOADING)
     visit = Visit(context.new_page())
     visit.page.on("request", lambda request: visit.requests.append(request.url))
     visit.page.on("console", lambda message: visit.complaints.append(message.text))
