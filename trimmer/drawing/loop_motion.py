@@ -47,7 +47,7 @@ def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
         return {name: motion.signal(name, times) for name in motion.loop.plant.output_labels}
     drawn = {f"output {motion.loop.model.output_labels[0]}": motion.output(times)}
     if isinstance(motion.loop.modes.system.interconnection.components[0], BacklashComponent):
-        if motion.loop.modes.system.interconnection.drive is not None:
+        if motion.loop.modes.system.interconnection.drives:
             drawn["input of the play"] = motion.element_input(times)
         drawn["output of the play"] = motion.element_output(times)
     return drawn

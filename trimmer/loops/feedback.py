@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
@@ -17,7 +16,7 @@ from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError, UnsupportedMotionError
 from trimmer.loops.components_of_elements import components_of
-from trimmer.loops.drive import Drive, common_omega
+from trimmer.loops.drive import Drive
 from trimmer.loops.interconnection import Connection, Interconnection, effect, interconnected
 from trimmer.loops.loop_signal import LoopSignal
 from trimmer.loops.loops import AT_REST, ClosedLoop, Loop, taken_start
@@ -85,21 +84,15 @@ class Feedback(Loop):
         return self.plant
 
     @property
-    def frequency(self) -> float | None:
-        """Frequency of which those of the drives are multiples, Hz; None if there is none."""
-        common = common_omega(tuple(self.drives.values()))
-        return common[0] / (2.0 * math.pi) if common and common[0] else None
-
-    @property
-    def repeats(self) -> bool:
-        """Whether the drives, if any, have a period in common."""
-        return common_omega(tuple(self.drives.values())) is not None
+    def driving(self) -> tuple[Drive, ...]:
+        """The drives, in their order."""
+        return tuple(self.drives.values())
 
     def interconnection(self) -> Interconnection:
         """Return the equations; the components of an element stand together, in the order of the elements."""
         connections = [self._connected(name, element) for name, element in self.elements.items()]
         push = self.plant.B[:, self._driven]
-        return interconnected(self.plant.A, connections, tuple(self.drives.values()), push)
+        return interconnected(self.plant.A, connections, self.driving, push)
 
     def as_closed_loop(self) -> ClosedLoop | None:
         """Return the same as a ``ClosedLoop``; None if it has several elements, a drive or a friction."""
@@ -180,7 +173,7 @@ class Feedback(Loop):
         layout, plant = self.modes.system.layout, self.plant
         steady = np.zeros(layout.size)
         steady[: layout.order] = plant.C[number]
-        for place, (column, drive) in enumerate(zip(self._driven, self.drives.values(), strict=True)):
+        for place, (column, drive) in enumerate(zip(self._driven, self.driving, strict=True)):
             steady[layout.sine + 2 * place] = plant.D[number, column] * drive.amplitude
         gains = [(plant.D[number, self._places(name)[1]], self._fed(name)) for name in self.elements]
         through = [(gain, fed) for gain, fed in gains if gain]

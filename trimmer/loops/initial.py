@@ -52,21 +52,11 @@ def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) ->
         plant_state: States of the linear system, of shape (n,).
         element_output: Output that is wished for, where the input leaves a choice.
     """
-    system, layout = modes.system, modes.system.layout
+    layout = modes.system.layout
     state = np.zeros(layout.size)
     state[: layout.order] = plant_state
     state[layout.sine :] = layout.forcing_at(0.0)
-    chosen = [0] * system.part_count
-    for k, component in enumerate(system.interconnection.components):
-        # With one component after the other, each sees the outputs of those before it.
-        mode = system.mode(tuple(chosen))
-        signals = mode.signals[k]
-        first, end = layout.first_states[k], layout.first_states[k] + component.state_count
-        switching = _leading_value(component.switching_function(signals), mode, modes, k, state)
-        chosen[k], state[first:end] = component.initial(
-            float(signals.input @ state), switching, element_output
-        )
-    return modes.number(modes.system.coupled.closed(tuple(chosen))), state
+    return modes.number(_chosen(modes, state, element_output)), state
 
 
 def resumed(
@@ -82,24 +72,37 @@ def resumed(
         extended: Extended state, (n,).
         anew: Whether the states of the components are chosen too, as at the start of a motion.
     """
-    system, layout, state = modes.system, modes.system.layout, extended.copy()
+    system, state = modes.system, extended.copy()
+    statuses = _chosen(modes, state, 0.0 if anew else None)
+    state = modes[modes.number(statuses)].hold @ state
+    held = tuple(k for k, one in enumerate(statuses) if one == HELD and attracting(system.interconnection, k))
+    decided = complementary_mode(system, statuses, state, held) or statuses
+    return decided, state, tuple(k for k in held if decided[k] != HELD)
+
+
+def _chosen(modes: LoopModes, state: Reals, element_output: float | None) -> tuple[int, ...]:
+    """Return the statuses that go with an extended state, chosen for one component after the other.
+
+    Args:
+        modes: Modes of the loop.
+        state: Extended state, (n,); the states of components are set too, where they are chosen.
+        element_output: Output that is wished for, where the input leaves a choice; None if the states of
+            components stay as they are.
+    """
+    system, layout = modes.system, modes.system.layout
     chosen = [0] * system.part_count
     for k, component in enumerate(system.interconnection.components):
-        # With one component after the other, each sees the outputs of those before it.
+        # Each sees the outputs of those before it.
         mode = system.mode(tuple(chosen))
         signals = mode.signals[k]
         own = slice(layout.first_states[k], layout.first_states[k] + component.state_count)
         switching = _leading_value(component.switching_function(signals), mode, modes, k, state)
         value = float(signals.input @ state)
-        if anew:
-            chosen[k], state[own] = component.initial(value, switching, 0.0)
-        else:
+        if element_output is None:
             chosen[k] = component.resumed(value, switching, state[own])
-    statuses = system.coupled.closed(tuple(chosen))
-    state = modes[modes.number(statuses)].hold @ state
-    held = tuple(k for k, one in enumerate(statuses) if one == HELD and attracting(system.interconnection, k))
-    decided = complementary_mode(system, statuses, state, held) or statuses
-    return decided, state, tuple(k for k in held if decided[k] != HELD)
+        else:
+            chosen[k], state[own] = component.initial(value, switching, element_output)
+    return system.coupled.closed(tuple(chosen))
 
 
 def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) -> Reals:

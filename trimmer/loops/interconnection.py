@@ -73,11 +73,6 @@ class Interconnection:
                 )
 
     @property
-    def drive(self) -> Drive | None:
-        """The first drive; None without one."""
-        return self.drives[0] if self.drives else None
-
-    @property
     def order(self) -> int:
         """Number of states of the linear system."""
         return int(self.A.shape[0])
@@ -162,7 +157,7 @@ class Layout:
     Attributes:
         order: Number of states of the plant, which come first.
         first_states: Position of the first own state of each component.
-        sine: Position of the drive's sine; its cosine follows.
+        sine: Position of the first drive's sine; its cosine follows, then those of the others.
         size: Number of entries; the last one is one.
         drives: What is prescribed.
         following: Places of the states that follow from others.
@@ -213,30 +208,30 @@ class Layout:
 
     @property
     def recurrence(self) -> int:
-        """There is but one drive."""
+        """All drives return together after one period, if at all."""
         return 1
 
     def clock(self, periods: int, phase: float) -> float:
-        """Return the time that the drive counts, s, at a phase, s, after some periods."""
+        """Return the time that the drives count, s, at a phase, s, after some periods."""
         return phase
 
     @property
     def drifts(self) -> bool:
-        """Each period of the drive is as the others."""
+        """Each period of the drives is as the others."""
         return False
 
     @property
     def breaks(self) -> tuple[float, ...]:
-        """Nothing forces a loop but its drive."""
+        """Nothing forces a loop but its drives."""
         return ()
 
     def changes_after(self, time: float) -> bool:
-        """Nothing forces a loop but its drive."""
+        """Nothing forces a loop but its drives."""
         return False
 
     @property
     def steady(self) -> Reals:
-        """The entries that force the states without the drive, (forcing,)."""
+        """The entries that force the states without the drives, (forcing,)."""
         return np.asarray(np.eye(1, self.forcing, self.forcing - 1)[0])
 
     @property
@@ -282,10 +277,9 @@ class Layout:
         Array (orders, forcing).
         """
         found = np.zeros((len(self.orders), self.forcing), dtype=complex)
-        for number, drive in enumerate(self.drives if self._common else ()):
-            row = self.orders.index(self._common[1][number])  # type: ignore[index]
-            turned = np.exp(1j * drive.phase) * np.array([-1j, 1.0])
-            found[row, 2 * number : 2 * number + 2] = turned
+        for number, order in enumerate(self._common[1] if self._common else ()):
+            turned = np.exp(1j * self.drives[number].phase) * np.array([-1j, 1.0])
+            found[self.orders.index(order), 2 * number : 2 * number + 2] = turned
         return found
 
     @cached_property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -16,12 +17,8 @@ from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError
 from trimmer.linear.stored_system import restored, stored
 from trimmer.loops.components_of_elements import RigidComponent, components_of
-from trimmer.loops.drive import Drive
-from trimmer.loops.interconnection import (
-    Connection,
-    Interconnection,
-    interconnected,
-)
+from trimmer.loops.drive import Drive, common_omega
+from trimmer.loops.interconnection import Connection, Interconnection, interconnected
 from trimmer.loops.plant import realized, taken_system
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.mechanism.place_text import place_text
@@ -79,10 +76,16 @@ class Loop(ABC):
         return ("",) * int(self.model.nstates)
 
     @property
-    def frequency(self) -> float | None:
-        """Frequency of the drive, Hz; None without one."""
+    def driving(self) -> tuple[Drive, ...]:
+        """What is prescribed: the drives, if any."""
         drive: Drive | None = getattr(self, "drive", None)
-        return None if drive is None else drive.frequency
+        return () if drive is None else (drive,)
+
+    @property
+    def frequency(self) -> float | None:
+        """Frequency of which those of the drives are multiples, Hz; None if there is none."""
+        common = common_omega(self.driving)
+        return common[0] / (2.0 * math.pi) if common and common[0] else None
 
     @property
     def places(self) -> Mapping[str, str]:
@@ -126,7 +129,7 @@ class Loop(ABC):
     @property
     def repeats(self) -> bool:
         """Whether the drives, if any, have a period in common."""
-        return True
+        return common_omega(self.driving) is not None
 
     @property
     def element_sides(self) -> tuple[tuple[Reals, Reals], ...]:
@@ -208,9 +211,8 @@ class LoopOfOneElement(Loop):
             UnsupportedMotionError: if the element or the system cannot be simulated.
             IllPosedLoopError: if the motion is not determined.
         """
-        drive = getattr(self, "drive", None)
-        pin = connected_around(self.model, self.element, drive)
-        return interconnected(self.model.A, [pin], () if drive is None else (drive,))
+        pin = connected_around(self.model, self.element, bool(self.driving))
+        return interconnected(self.model.A, [pin], self.driving)
 
     @property
     def has_states(self) -> bool:
@@ -268,13 +270,13 @@ class OpenLoop(LoopOfOneElement):
     start: Mapping[str, float] = field(default=AT_REST, kw_only=True)
 
 
-def connected_around(model: control.StateSpace, element: Element | None, drive: Drive | None) -> Connection:
+def connected_around(model: control.StateSpace, element: Element | None, driven: bool) -> Connection:
     """Return an element before a linear system: driven, or in negative feedback if there is no drive.
 
     Args:
         model: The linear system, one input and one output.
         element: The element; None for a rigid connection.
-        drive: The element's input; None for feedback.
+        driven: Whether a drive is the element's input.
 
     Raises:
         UnsupportedMotionError: if the element has no motion in time.
@@ -282,9 +284,9 @@ def connected_around(model: control.StateSpace, element: Element | None, drive: 
     """
     parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
     labels = [component.name for component, _ in parts]
-    if drive is None and model.D[0, 0]:
+    if model.D[0, 0] and not driven:
         raise IllPosedLoopError(
             f"{labels[0]}: an output acts on its input at once; the system must be strictly proper"
         )
-    row = (-1.0 if drive is None else 0.0) * model.C[0]
-    return Connection(parts, labels, model.B[:, 0], row, () if drive is None else (1.0,))
+    row = (0.0 if driven else -1.0) * model.C[0]
+    return Connection(parts, labels, model.B[:, 0], row, (1.0,) if driven else ())

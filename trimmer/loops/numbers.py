@@ -6,7 +6,7 @@ begins.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, cast
 
@@ -27,20 +27,27 @@ OF_LENGTH = ("amplitude", "gap", "threshold", "hysteresis", "dead_zone", "level"
 """Fields in the unit of the element's input or output."""
 UNITS = {"time_constant": "s", "phase": "rad"}
 """Units of fields that are the same in every loop."""
+OF_DRIVE = {"frequency": "Hz", "phase": "rad", "amplitude": ""}
+"""Units of a drive among several."""
 OF_FORCE = {"force": "N", "level": "N", "damping": "N s/m"}
 """Units of what works against the motion of bodies in newtons."""
 
 
 def numbers_of(loop: Loop) -> dict[Place, str]:
     """Return the unit of every number of a loop, by its place; empty for one without a unit."""
-    found: dict[Place, str] = {}
-    drive: Drive | None = getattr(loop, "drive", None)
-    if drive is not None:
-        found |= {FREQUENCY: "Hz", ("drive", "amplitude"): loop.length, ("drive", "phase"): "rad"}
-    for names in _of_element(getattr(loop, "element", None)):
-        found[("element", *names)] = UNITS.get(names[-1], loop.length if names[-1] in OF_LENGTH else "")
+    found: dict[Place, str] = {} if loop.frequency is None else {FREQUENCY: "Hz"}
+    elements: dict[Place, object] = {("element",): getattr(loop, "element", None)}
+    length = loop.length
     if isinstance(loop, Feedback):
-        found |= _of_feedback(loop)
+        elements, length = {("elements", name): each for name, each in loop.elements.items()}, ""
+        for name in loop.drives:
+            found |= {("drives", name, each): unit for each, unit in OF_DRIVE.items()}
+    elif loop.frequency is not None:
+        found |= {("drive", "amplitude"): length, ("drive", "phase"): "rad"}
+    for place, element in elements.items():
+        for names in _of_element(element):
+            unit = length if names[-1] in OF_LENGTH else ""
+            found[(*place, *names)] = UNITS.get(names[-1], unit)
     parameters = getattr(loop, "parameters", None)
     if isinstance(parameters, TrimmerParameters):
         found |= {("parameters", each.name): each.metadata["quantity"].unit for each in fields(parameters)}
@@ -49,17 +56,6 @@ def numbers_of(loop: Loop) -> dict[Place, str]:
             found[("frictions", label, *names)] = OF_FORCE.get(names[-1], UNITS.get(names[-1], ""))
     states = zip(loop.model.state_labels, loop.state_units, strict=True)
     return found | {("start", name): unit for name, unit in states}
-
-
-def _of_feedback(loop: Feedback) -> dict[Place, str]:
-    """Return the unit of every number of elements and drives; ``frequency`` is that of all drives."""
-    found: dict[Place, str] = {FREQUENCY: "Hz"} if loop.frequency is not None else {}
-    for name in loop.drives:
-        found |= {("drives", name, "frequency"): "Hz", ("drives", name, "phase"): "rad"}
-        found[("drives", name, "amplitude")] = ""
-    for name, element in loop.elements.items():
-        found |= {("elements", name, *names): UNITS.get(names[-1], "") for names in _of_element(element)}
-    return found
 
 
 def _frictions(loop: Loop) -> dict[str, Any]:
@@ -96,30 +92,24 @@ def value_at(loop: Loop, place: str) -> float:
         LoopError: if there is none.
     """
     names, _ = _found(loop, place)
-    if names == FREQUENCY:
-        assert loop.frequency is not None
-        return loop.frequency
     match names:
-        case ("element", *inner):
-            return _value(getattr(loop, "element", None), tuple(inner))
-        case ("elements", name, *inner):
-            return _value(getattr(loop, "elements", {})[name], tuple(inner))
-        case ("drives", name, field):
-            return float(getattr(getattr(loop, "drives", {})[name], field))
         case ("frictions", label, *inner):
             return _value(_frictions(loop)[label].law, tuple(inner))
         case ("start", name):
             return loop.start.get(name, 0.0)
-    section, name = names
-    return float(getattr(getattr(loop, section), name))
+    return _value(loop, names)
 
 
-def _value(element: Any, names: Place) -> float:
-    if isinstance(element, SumOfElements):
-        return _value(element.terms[int(names[0])], names[1:])
-    if isinstance(element, ScaledElement) and names != ("factor",):
-        return _value(element.element, names)
-    return float(getattr(element, names[0]))
+def _value(part: Any, names: Place) -> float:
+    """Return the number at a place within a part of a loop, or within the loop."""
+    if not names:
+        return float(part)
+    first, *rest = names
+    if isinstance(part, SumOfElements):
+        return _value(part.terms[int(first)], tuple(rest))
+    if isinstance(part, ScaledElement) and names != ("factor",):
+        return _value(part.element, names)
+    return _value(part[first] if isinstance(part, Mapping) else getattr(part, first), tuple(rest))
 
 
 def with_value_at(loop: Loop, place: str, value: float | str) -> Loop:
@@ -143,54 +133,49 @@ def with_value_at(loop: Loop, place: str, value: float | str) -> Loop:
 
 
 def _changed(loop: Any, names: Place, number: float) -> Any:
-    changes: dict[str, Any] = {}
     match names:
-        case ("frequency",) if isinstance(loop, Feedback):
-            share = number / cast("float", loop.frequency)
-            changes["drives"] = {
-                name: _at_frequency(each, share * each.frequency) for name, each in loop.drives.items()
-            }
         case ("frequency",):
-            changes["drive"] = _at_frequency(loop.drive, number)
-        case ("elements", name, *inner):
-            element = _element_with(loop.elements[name], tuple(inner), number)
-            changes["elements"] = {**loop.elements, name: element}
-        case ("drives", name, field):
-            drive = loop.drives[name]
-            other = (
-                _at_frequency(drive, number) if field == "frequency" else replace(drive, **{field: number})
-            )
-            changes["drives"] = {**loop.drives, name: other}
-        case ("element", *inner):
-            changes["element"] = _element_with(loop.element, tuple(inner), number)
+            changed = _at_frequency(loop, number)
         case ("frictions", label, *inner):
             frictions = _frictions(loop)
-            law = _element_with(frictions[label].law, tuple(inner), number)
-            frictions[label] = replace(frictions[label], law=law)
-            changes["frictions"] = tuple(frictions.values())
-        case ("start", name):
-            changes["start"] = {**loop.start, name: number}
-        case (section, name):
-            changes[section] = replace(getattr(loop, section), **{name: number})
-    changed: Loop = replace(loop, **changes)
+            frictions[label] = _with(frictions[label], ("law", *inner), number)
+            changed = replace(loop, frictions=tuple(frictions.values()))
+        case _:
+            changed = _with(loop, names, number)
     # Another start moves by the same equations; another element or drive leaves the linear system the same.
     same = () if names[0] == "parameters" else COMPUTED if names[0] == "start" else ("model",)
     vars(changed).update({each: getattr(loop, each) for each in same})
     return changed
 
 
-def _at_frequency(drive: Drive, frequency: float) -> Drive:
-    return Drive(drive.amplitude, phase=drive.phase, frequency=frequency)
+def _at_frequency(loop: Any, frequency: float) -> Any:
+    """Return a loop with its drive at another frequency, Hz, or with all at the same multiples of that."""
+    if not isinstance(loop, Feedback):
+        return replace(loop, drive=_with(loop.drive, FREQUENCY, frequency))
+    share = frequency / cast("float", loop.frequency)
+    return replace(
+        loop,
+        drives={name: _with(each, FREQUENCY, share * each.frequency) for name, each in loop.drives.items()},
+    )
 
 
-def _element_with(element: Any, names: Place, number: float) -> Any:
-    if isinstance(element, SumOfElements):
-        terms = list(element.terms)
-        terms[int(names[0])] = _element_with(terms[int(names[0])], names[1:], number)
-        return replace(element, terms=tuple(terms))
-    if isinstance(element, ScaledElement) and names != ("factor",):
-        return replace(element, element=_element_with(element.element, names, number))
-    return replace(element, **{names[0]: number})
+def _with(part: Any, names: Place, number: float) -> Any:
+    """Return a part of a loop, or the loop, with another number at a place within it."""
+    if not names:
+        return number
+    first, *rest = names
+    inner = tuple(rest)
+    if isinstance(part, Drive) and names == FREQUENCY:
+        return Drive(part.amplitude, phase=part.phase, frequency=number)
+    if isinstance(part, SumOfElements):
+        place = int(first)
+        changed = _with(part.terms[place], inner, number)
+        return replace(part, terms=(*part.terms[:place], changed, *part.terms[place + 1 :]))
+    if isinstance(part, ScaledElement) and names != ("factor",):
+        return replace(part, element=_with(part.element, names, number))
+    if isinstance(part, Mapping):
+        return {**part, first: _with(part.get(first), inner, number)}
+    return replace(part, **{first: _with(getattr(part, first), inner, number)})
 
 
 def _found(loop: Loop, place: str) -> tuple[Place, str]:

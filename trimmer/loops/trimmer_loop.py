@@ -126,10 +126,9 @@ class TrimmerLoop(Loop):
             UnsupportedMotionError: if the element or a friction has no motion in time.
             IllPosedLoopError: if the motion is not determined.
         """
-        pin = connected_around(self.model, self.element, self.drive)
+        pin = connected_around(self.model, self.element, bool(self.driving))
         frictions = [self._connected(each) for each in self.frictions]
-        drives = () if self.drive is None else (self.drive,)
-        return interconnected(self.model.A, [pin, *frictions], drives, of_elements=1)
+        return interconnected(self.model.A, [pin, *frictions], self.driving, of_elements=1)
 
     def _connected(self, friction: BodyFriction) -> Connection:
         between, parts = friction.between, components_of(friction.law)

@@ -34,10 +34,9 @@ def loop_orbit(
             or if events accumulate.
     """
     require_loop(loop)
-    drive = loop.modes.system.interconnection.drive
-    if drive is None and isinstance(loop, Feedback):
+    if not loop.driving and isinstance(loop, Feedback):
         return cast("PeriodicOrbit", exact_orbit(loop, periods, guess, settling))
-    if drive is None:
+    if not loop.driving:
         raise ValueError("the loop has no drive; periodic_orbits finds the motions of a closed loop")
     known = restated(loop)
     orbit = cast("PeriodicOrbit", exact_orbit(known.loop, periods, guess, settling))

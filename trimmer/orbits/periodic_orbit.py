@@ -191,8 +191,8 @@ class PeriodicOrbit(Orbit):
 
     @property
     def drive(self) -> Drive | None:
-        """The drive, with its amplitude in m; None without one."""
-        return self.loop.modes.system.interconnection.drive
+        """The drive, the first one of several; None without one."""
+        return next(iter(self.loop.driving), None)
 
     def stroke_of(self, signal: LoopSignal | Displacement | str = LoopSignal.OUTPUT) -> float:
         """Return peak to peak of a signal, in its unit, such as m.
@@ -231,10 +231,12 @@ class PeriodicOrbit(Orbit):
         Argument and errors are those of ``stroke_of``.
 
         Raises:
-            ValueError: if there is no drive.
+            ValueError: if there is no drive, or several.
         """
         if self.drive is None:
             raise ValueError("without a drive there is nothing that a phase would be relative to")
+        if len(self.loop.driving) > 1:
+            raise ValueError("of several drives none is what a phase is relative to; see harmonics_of")
         turn = np.exp(-1j * self.drive.phase)
         return float(np.angle(self.harmonics_of(signal)[0] * turn))
 

@@ -63,7 +63,7 @@ def _frequency(motion: LoopMotion) -> float | None:
 
     Impacts on one side of the gap and reversals in one direction happen once in a simple period.
     """
-    if motion.loop.modes.system.interconnection.drive is not None:
+    if motion.loop.modes.system.interconnection.drives:
         return None
     begin = (1.0 - SHARE) * motion.duration
     times = [
