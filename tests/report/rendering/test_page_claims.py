@@ -191,9 +191,9 @@ def test_a_search_without_hit_says_what_to_do(visit: Callable[..., Visit]) -> No
     expect(hint).to_contain_text("(5.13)")
     search(page, "roll-off")
     expect(hint).to_be_hidden()
-    visit("?grade=reproduced&chapter=2")
+    page = visit("?grade=reproduced&chapter=2").page
     search(page, "roll-off")
-    expect(hint).to_contain_text("The filter hides")
+    expect(page.locator("search .hint")).to_contain_text("The filter hides")
 
 
 MARKED = "[...(CSS.highlights.get('search-hit') ?? [])].map((range) => range.toString())"
