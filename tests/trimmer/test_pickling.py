@@ -89,7 +89,7 @@ def test_loops_move_as_before(loop, used: bool, copied: Callable) -> None:
     if used:
         fresh.modes.tables  # noqa: B018
         fresh = copied(fresh)
-    impulse = 0.0 if loop.modes.system.interconnection.drive else 1e-6
+    impulse = 0.0 if loop.modes.system.interconnection.drives else 1e-6
     before, after = (simulate(each, 0.02, impulse=impulse) for each in (loop, fresh))
     assert after.events == before.events
     np.testing.assert_array_equal(after.output(TIMES), before.output(TIMES))
@@ -101,7 +101,7 @@ def test_loops_move_as_before(loop, used: bool, copied: Callable) -> None:
 
 @pytest.mark.parametrize("loop", LOOPS.values(), ids=LOOPS)
 def test_motions_can_be_read_as_before(loop, copied: Callable) -> None:
-    motion = simulate(loop, 0.02, impulse=0.0 if loop.modes.system.interconnection.drive else 1e-6)
+    motion = simulate(loop, 0.02, impulse=0.0 if loop.modes.system.interconnection.drives else 1e-6)
     again = copied(motion)
     for name in ("output", "element_input", "element_output", "state", "component_outputs"):
         np.testing.assert_array_equal(getattr(again, name)(TIMES), getattr(motion, name)(TIMES))

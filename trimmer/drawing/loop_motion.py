@@ -10,10 +10,10 @@ from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
 from trimmer.drawing.strips import Strip
-from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.components.backlash_component import BacklashComponent
+from trimmer.loops.components.relay_component import HELD
 from trimmer.loops.feedback import Feedback
 from trimmer.loops.motion import LoopMotion
-from trimmer.loops.relay_component import HELD
 from trimmer.motion.spans import spans_of
 
 POINTS = 4000

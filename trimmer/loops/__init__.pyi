@@ -1,5 +1,6 @@
 """The public names of this room, each imported on first use."""
 
+from .components.switched_component import EventKind as EventKind
 from .drive import Drive as Drive
 from .energy import EnergyBalance as EnergyBalance
 from .energy import energy_balance as energy_balance
@@ -11,6 +12,5 @@ from .motion import Event as Event
 from .motion import LoopMotion as LoopMotion
 from .motion import Outcome as Outcome
 from .simulation import SimulationInterrupted as SimulationInterrupted
-from .switched_component import EventKind as EventKind
 from .trimmer_loop import BodyFriction as BodyFriction
 from .trimmer_loop import TrimmerLoop as TrimmerLoop

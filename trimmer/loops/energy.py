@@ -15,7 +15,7 @@ from trimmer.errors import UnsupportedMotionError
 from trimmer.generated import linear_trimmer
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.linear.model import InputChannels
-from trimmer.loops.components_of_elements import components_of
+from trimmer.loops.components.of_elements import components_of
 from trimmer.loops.mode import LoopMode
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.trimmer_loop import TrimmerLoop

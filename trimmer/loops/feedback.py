@@ -15,13 +15,13 @@ from trimmer.arguments import require_instance
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError, UnsupportedMotionError
-from trimmer.loops.components_of_elements import components_of
+from trimmer.loops.components.of_elements import components_of
+from trimmer.loops.components.relay_component import RelayComponent
 from trimmer.loops.drive import Drive
 from trimmer.loops.interconnection import Connection, Interconnection, effect, interconnected
 from trimmer.loops.loop_signal import LoopSignal
 from trimmer.loops.loops import AT_REST, ClosedLoop, Loop, taken_start
 from trimmer.loops.plant import in_state_space, taken_system
-from trimmer.loops.relay_component import RelayComponent
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import listed, near_match
 

@@ -13,12 +13,12 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.system import ARRIVED, Mode, System
 from trimmer.hybrid.tables import Modes
-from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.components.backlash_component import BacklashComponent
+from trimmer.loops.components.relay_component import RelayComponent
 from trimmer.loops.initial import resumed
 from trimmer.loops.loops import Loop
 from trimmer.loops.mode import LoopMode
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
-from trimmer.loops.relay_component import RelayComponent
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

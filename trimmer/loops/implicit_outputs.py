@@ -8,8 +8,8 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.errors import IllPosedLoopError
+from trimmer.loops.components.switched_component import Constrained, RateProportional, Signals
 from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, acts
-from trimmer.loops.switched_component import Constrained, RateProportional, Signals
 
 DEPENDENT = 1e-10
 """Conditions on outputs that differ by less, relative to their sizes, are one."""

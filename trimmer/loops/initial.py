@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arguments import real_number, real_values
+from trimmer.loops.components.relay_component import HELD
 from trimmer.loops.frictions.complementarity import complementary_mode
 from trimmer.loops.frictions.coupled_relays import attracting
 from trimmer.loops.interconnection import acts
-from trimmer.loops.relay_component import HELD
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
+from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.drive import Drive, common_omega
-from trimmer.loops.threshold_component import ThresholdComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.loops.switched_component import Component
+    from trimmer.loops.components.switched_component import Component
 
 
 NEGLIGIBLE = 1e-12

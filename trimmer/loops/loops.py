@@ -16,7 +16,7 @@ from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError
 from trimmer.linear.stored_system import restored, stored
-from trimmer.loops.components_of_elements import RigidComponent, components_of
+from trimmer.loops.components.of_elements import RigidComponent, components_of
 from trimmer.loops.drive import Drive, common_omega
 from trimmer.loops.interconnection import Connection, Interconnection, interconnected
 from trimmer.loops.plant import realized, taken_system

@@ -9,17 +9,17 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, OWN_ACTIONS, EventFunction, Mode
-from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
-from trimmer.loops.frictions.stick import projection
-from trimmer.loops.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
-from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, effect
-from trimmer.loops.relay_component import HELD, RelayComponent
-from trimmer.loops.switched_component import (
+from trimmer.loops.components.relay_component import HELD, RelayComponent
+from trimmer.loops.components.switched_component import (
     Constrained,
     Explicit,
     Signals,
     Transition,
 )
+from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
+from trimmer.loops.frictions.stick import projection
+from trimmer.loops.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
+from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, effect
 
 FUNCTIONS_OF_COMPONENT = 3
 """No component by itself has more event functions in a mode."""

@@ -12,9 +12,9 @@ import numpy as np
 
 from trimmer.arguments import real_values
 from trimmer.hybrid.nodes import sample
+from trimmer.loops.components.relay_component import HELD, RelayComponent
+from trimmer.loops.components.switched_component import EventKind
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
-from trimmer.loops.relay_component import HELD, RelayComponent
-from trimmer.loops.switched_component import EventKind
 from trimmer.loops.system import KINDS
 from trimmer.motion.motion import Motion
 from trimmer.showing.shown import ShownFields, Tabular, counted

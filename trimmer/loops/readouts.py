@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.hybrid.system import OWN_KINDS
-from trimmer.loops import corner_component, relay_component, threshold_component
-from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
-from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.components import corner_component, relay_component, threshold_component
+from trimmer.loops.components.backlash_component import LOWER, UPPER, BacklashComponent
+from trimmer.loops.components.corner_component import CornerComponent
+from trimmer.loops.components.relay_component import HELD, RelayComponent
+from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.mode import LoopMode
-from trimmer.loops.relay_component import HELD, RelayComponent
-from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, durations, while_status
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.loops.switched_component import Component
+    from trimmer.loops.components.switched_component import Component
     from trimmer.motion.course import Course
 
 IMPACT = OWN_KINDS

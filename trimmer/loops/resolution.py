@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.loops.backlash_component import BacklashComponent
+from trimmer.loops.components.backlash_component import BacklashComponent
 
 if TYPE_CHECKING:
     from trimmer.hybrid.work import Log

@@ -23,12 +23,12 @@ from trimmer.hybrid.system import (
     Transition,
 )
 from trimmer.hybrid.tables import Modes
+from trimmer.loops.components.relay_component import HELD
+from trimmer.loops.components.switched_component import EventKind
 from trimmer.loops.frictions.complementarity import complementary_mode
 from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
 from trimmer.loops.interconnection import Interconnection, Layout
 from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, Change, LoopFunction, LoopMode, assemble
-from trimmer.loops.relay_component import HELD
-from trimmer.loops.switched_component import EventKind
 
 KINDS: Mapping[EventKind, int] = {
     EventKind.STICK: HOLD_BEGUN,

@@ -15,7 +15,7 @@ from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, Trimmer
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.loops.components_of_elements import components_of
+from trimmer.loops.components.of_elements import components_of
 from trimmer.loops.drive import Drive
 from trimmer.loops.interconnection import Connection, Interconnection, interconnected
 from trimmer.loops.loops import AT_REST, Loop, connected_around, taken_start

@@ -9,12 +9,12 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.errors import OrbitNotFoundError
-from trimmer.loops.backlash_component import FREE, LOWER, UPPER, BacklashComponent
-from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.components.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.loops.components.corner_component import CornerComponent
+from trimmer.loops.components.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.loops.components.switched_component import Component
+from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.loops import ClosedLoop
-from trimmer.loops.relay_component import MINUS, PLUS, RelayComponent
-from trimmer.loops.switched_component import Component
-from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 from trimmer.orbits.pieces import mode_on, switching_phases

@@ -14,12 +14,12 @@ from trimmer.elements.relay import Relay
 from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
-from trimmer.loops.backlash_component import FREE, LOWER, UPPER, BacklashComponent
-from trimmer.loops.corner_component import CornerComponent
+from trimmer.loops.components.backlash_component import FREE, LOWER, UPPER, BacklashComponent
+from trimmer.loops.components.corner_component import CornerComponent
+from trimmer.loops.components.relay_component import MINUS, PLUS, RelayComponent
+from trimmer.loops.components.switched_component import Component
+from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.loops import ClosedLoop
-from trimmer.loops.relay_component import MINUS, PLUS, RelayComponent
-from trimmer.loops.switched_component import Component
-from trimmer.loops.threshold_component import ThresholdComponent
 from trimmer.orbits.pieces import mode_on
 from trimmer.orbits.trigonometric import OddPolynomial
 

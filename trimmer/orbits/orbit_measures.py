@@ -9,7 +9,7 @@ from typing import final
 import numpy as np
 
 from trimmer.hybrid.variation import propagator
-from trimmer.loops.backlash_component import LOWER, UPPER, BacklashComponent
+from trimmer.loops.components.backlash_component import LOWER, UPPER, BacklashComponent
 from trimmer.loops.motion import LoopMotion
 from trimmer.showing.shown import ShownFields
 

@@ -10,9 +10,9 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arrays import Reals
-from trimmer.loops.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
-from trimmer.loops.switched_component import Component
-from trimmer.loops.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
+from trimmer.loops.components.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
+from trimmer.loops.components.switched_component import Component
+from trimmer.loops.components.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
 from trimmer.orbits.trigonometric import POINTS, OddPolynomial
 
 Piece = tuple[float, float, Callable[[Reals], Reals]]

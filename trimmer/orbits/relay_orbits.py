@@ -6,12 +6,12 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.variation import propagator
-from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent
+from trimmer.loops.components.of_elements import RigidComponent, ViscousComponent
+from trimmer.loops.components.relay_component import PLUS, RelayComponent
+from trimmer.loops.components.switched_component import Component
+from trimmer.loops.components.threshold_component import POSITIVE, ThresholdComponent
 from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.loops import ClosedLoop
-from trimmer.loops.relay_component import PLUS, RelayComponent
-from trimmer.loops.switched_component import Component
-from trimmer.loops.threshold_component import POSITIVE, ThresholdComponent
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, shortest
 from trimmer.orbits.half_period import HalfPeriodEquation, Interval, interval_of, zeros

@@ -11,12 +11,12 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.elements.element import Element
 from trimmer.errors import UnsupportedMotionError
-from trimmer.loops.backlash_component import BacklashComponent
-from trimmer.loops.components_of_elements import RigidComponent, ViscousComponent, components_of
-from trimmer.loops.corner_component import CornerComponent
-from trimmer.loops.relay_component import RelayComponent
-from trimmer.loops.switched_component import Component
-from trimmer.loops.threshold_component import ThresholdComponent
+from trimmer.loops.components.backlash_component import BacklashComponent
+from trimmer.loops.components.corner_component import CornerComponent
+from trimmer.loops.components.of_elements import RigidComponent, ViscousComponent, components_of
+from trimmer.loops.components.relay_component import RelayComponent
+from trimmer.loops.components.switched_component import Component
+from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.orbits.pieces import corner_pieces, relay_pieces
 from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document
 from trimmer.command_line.motion_summary import SHARE, amplitudes, last_times, summary_lines
-from trimmer.loops.switched_component import EventKind
+from trimmer.loops.components.switched_component import EventKind
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals

@@ -22,11 +22,11 @@ from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.unbounded import UnboundedElement
 from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import UnsupportedMotionError
-from trimmer.loops.backlash_component import BacklashComponent
-from trimmer.loops.corner_component import CornerComponent
-from trimmer.loops.relay_component import RelayComponent
-from trimmer.loops.switched_component import Component, Explicit, OutputLaw, RateProportional
-from trimmer.loops.threshold_component import ThresholdComponent
+from trimmer.loops.components.backlash_component import BacklashComponent
+from trimmer.loops.components.corner_component import CornerComponent
+from trimmer.loops.components.relay_component import RelayComponent
+from trimmer.loops.components.switched_component import Component, Explicit, OutputLaw, RateProportional
+from trimmer.loops.components.threshold_component import ThresholdComponent
 
 
 @final

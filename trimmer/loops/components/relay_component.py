@@ -8,7 +8,7 @@ from typing import final
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.loops.switched_component import (
+from trimmer.loops.components.switched_component import (
     Component,
     Constrained,
     EventFunction,

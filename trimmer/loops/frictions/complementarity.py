@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.hybrid.dry_friction import complementary_forces, elementary_vectors
+from trimmer.loops.components.relay_component import HELD, MINUS, PLUS, RelayComponent
 from trimmer.loops.frictions.coupled_relays import direction, symmetrizing_scales
-from trimmer.loops.relay_component import HELD, MINUS, PLUS, RelayComponent
 
 if TYPE_CHECKING:
     from trimmer.arrays import Places, Reals

@@ -16,8 +16,8 @@ import numpy as np
 
 from trimmer.arrays import Flags, Reals
 from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, closure, elementary_vectors
+from trimmer.loops.components.relay_component import HELD, RelayComponent
 from trimmer.loops.interconnection import Interconnection, effect
-from trimmer.loops.relay_component import HELD, RelayComponent
 
 
 @dataclass(frozen=True, eq=False)
