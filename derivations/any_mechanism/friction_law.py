@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import sympy
 
 from derivations.any_mechanism.curve_law import straight_between
-from derivations.equations_of_motion import accelerations
+from derivations.any_mechanism.holding_force import holding_force
 from derivations.mechanism import Mechanism, elongation_rate
 from derivations.parts import Friction
-from derivations.symbols import t
 
 
 @dataclass(frozen=True)
@@ -39,7 +38,7 @@ def friction_statement(mechanism: Mechanism, friction: Friction) -> FrictionStat
         friction,
         rate=elongation_rate(friction),
         sliding=_kinetic_force(friction) * sympy.sign(v),
-        held=_holding_force(mechanism, friction),
+        held=holding_force(mechanism, friction, friction.force)[1],
         stick=sympy.And(
             sympy.Eq(v, 0, evaluate=False), sympy.Le(sympy.Abs(force), friction.static, evaluate=False)
         ),
@@ -51,18 +50,3 @@ def _kinetic_force(friction: Friction) -> sympy.Expr:
     if not friction.points:
         return friction.kinetic
     return straight_between(friction.points, sympy.Abs(friction.rate), level=True)
-
-
-def _holding_force(mechanism: Mechanism, friction: Friction) -> sympy.Expr | None:
-    """Return the force f with which v̇ = 0, all other forces being what they are.
-
-    With the direction n of the friction it is (n·a + ẇ) / (n·M⁻¹n), a being the accelerations without it and
-    ẇ those of the pins.
-    """
-    motion = zip(mechanism.bodies, accelerations(mechanism), strict=True)
-    change = elongation_rate(friction).diff(t).subs({each.coordinate.diff(t, 2): a for each, a in motion})
-    change = sympy.expand(change)
-    mobility = -sympy.diff(change, friction.force)
-    if mobility == 0:
-        return None
-    return sympy.together((change + mobility * friction.force).expand() / mobility)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations.any_mechanism.holding_force import holding_force
 from derivations.equations_of_motion import accelerations
 from derivations.mechanism import Mechanism, elongation
 from derivations.parts import Wall
@@ -35,17 +36,14 @@ class WallStatement:
 
 def wall_statement(mechanism: Mechanism, wall: Wall) -> WallStatement:
     """State the law of one wall of a mechanism."""
-    distance = elongation(wall)
-    motion = zip(mechanism.bodies, accelerations(mechanism), strict=True)
-    change = distance.diff(t, 2).doit().subs({each.coordinate.diff(t, 2): a for each, a in motion})
-    change = sympy.expand(change)
-    mobility = sympy.factor_terms(-sympy.diff(change, wall.tension))
+    mobility, held = holding_force(mechanism, wall, wall.tension)
+    assert held is not None
     impulse = (1 + wall.restitution) / mobility * wall.distance.diff(t)
     return WallStatement(
         wall,
-        distance,
+        elongation(wall),
         mobility,
         impulse,
         tuple(sympy.diff(a, wall.tension) * impulse for a in accelerations(mechanism)),
-        sympy.together((change + mobility * wall.tension).expand() / mobility),
+        held,
     )

@@ -1,4 +1,4 @@
-"""The laws of contact and friction against their words, at points and along a motion."""
+"""The laws of contact, friction and walls against their words, at points and along a motion."""
 
 import itertools
 
@@ -7,10 +7,11 @@ import sympy
 
 from derivations.any_mechanism.contact_law import contact_statement
 from derivations.any_mechanism.friction_law import friction_statement
+from derivations.any_mechanism.wall_law import wall_statement
 from derivations.mechanism import Mechanism
-from derivations.parts import ContactLaw, Play, Spring
+from derivations.parts import ContactLaw, Play, Spring, Wall
 from derivations.symbols import t
-from tests.derivations.symbolic_parts import GROUND, body, friction, play, positive, stop
+from tests.derivations.symbolic_parts import GROUND, body, force, friction, function, play, positive, stop
 from tests.quick import quick
 
 FIRST, SECOND = body(1), body(2)
@@ -120,3 +121,16 @@ def test_friction_slides_against_the_motion_and_sticks_up_to_its_static_force():
     assert law.stick.subs({**numbers, rubbing.force: -2}) == sympy.true
     assert law.stick.subs({**numbers, rubbing.force: sympy.Rational(21, 10)}) == sympy.false
     assert law.stick.subs({**numbers, rubbing.rate: 1, rubbing.force: 0}) == sympy.false
+
+
+def test_a_wall_keeps_momentum_turns_the_rate_and_holds():
+    wall = Wall("w", FIRST, SECOND, positive("e"), G, function("s_w"), function("T_w"))
+    pull = force("P", SECOND)
+    law = wall_statement(Mechanism((FIRST, SECOND), (), (), contacts=(wall,), forces=(pull,)), wall)
+    rate, (first, second) = wall.distance.diff(t), law.changes
+    assert sympy.expand(law.distance - SECOND.coordinate + FIRST.coordinate) == 0
+    assert sympy.simplify(FIRST.mass * first + SECOND.mass * second) == 0
+    assert sympy.simplify(rate + second - first + wall.restitution * rate) == 0
+    assert sympy.simplify(SECOND.mass * second + law.impulse) == 0
+    # Both bodies then have the acceleration of their common centre of mass.
+    assert sympy.simplify(law.held - FIRST.mass * pull.value / (FIRST.mass + SECOND.mass)) == 0
