@@ -16,6 +16,7 @@ import numpy as np
 
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import (
+    COUPLINGS,
     GROUND,
     Body,
     ContactLaw,
@@ -247,9 +248,6 @@ def all_with(parts: Mapping[str, Any], **factors: float) -> dict[str, Any]:
         )
 
     return {name: changed(part) for name, part in parts.items()}
-
-
-COUPLINGS = ("links", "plays", "stops", "frictions")
 
 
 def levered(mechanism: Mechanism, seed: int) -> Mechanism:

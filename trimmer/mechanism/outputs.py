@@ -148,7 +148,7 @@ def _of_force(place: Place, part: str, content: Mapping[str, Any]) -> Iterator[P
     sections = [each for each in COUPLINGS if part in content[each]]
     if not sections:
         known = [name for each in COUPLINGS for name in content[each]]
-        yield Problem(place, no_such("link, play, stop or friction", part, known), part)
+        yield Problem(place, no_such("link, play, stop, wall or friction", part, known), part)
     elif len(sections) > 1:
         yield Problem(place, f"a part of this name is in {listed(sections)}; rename all but one", part)
 

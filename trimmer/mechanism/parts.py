@@ -286,7 +286,7 @@ class Output:
         weights: Factor of each body's, point's and pin's displacement, velocity or acceleration; none of a
             force. If some are rotations and others translations, those of the rotations are lengths, m.
         kind: What it is.
-        part: Of a force: the link, play, stop or friction; positive where it pulls its ends together.
+        part: Of a force: the link, play, stop, wall or friction; positive where it pulls its ends together.
     """
 
     weights: Mapping[str, float] = field(default_factory=dict)

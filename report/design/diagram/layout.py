@@ -12,9 +12,8 @@ from itertools import permutations
 from typing import final
 
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND
+from trimmer.mechanism.parts import COUPLINGS, GROUND
 
-SECTIONS = ("links", "plays", "stops", "walls", "frictions")
 ACTING = {"frictions": ("static_force", "viscous", "curve"), "walls": ("between",)}
 """What makes a part act, if it is not a stiffness or a damping."""
 MOST_ORDERS = 6
@@ -98,7 +97,7 @@ def layout_of(mechanism: Mechanism) -> DiagramLayout:
 
 def joints_of(mechanism: Mechanism) -> Iterator[Joint]:
     """Return the parts that join two ends, as far as they do something."""
-    for section in SECTIONS:
+    for section in COUPLINGS:
         for name, part in getattr(mechanism, section).items():
             sizes = ACTING.get(section, ("stiffness", "damping", "curve"))
             if any(getattr(part, size, None) for size in sizes):

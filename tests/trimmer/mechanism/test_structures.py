@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -94,6 +95,26 @@ def test_what_came_from_no_file_is_written_whole(structure: Structure) -> None:
     made = Mechanism(structures={"s": structure}, stops={"wall": Stop(("ground", "s.tip"), 1.0)})
     assert Mechanism.from_toml_text(made.to_toml()) == made
     assert hash(Mechanism.from_toml_text(made.to_toml())) == hash(made)
+
+
+def test_structures_are_equal_only_with_all_their_numbers_and_names() -> None:
+    matrices = Structure(np.eye(2), np.eye(2), damping_ratio=0.1, coordinates=("a", "b"))
+    modes = ModalModel(np.ones(2), np.zeros(2), {"tip": np.ones(2)})
+    modal = Structure(modes=modes)
+    others = [
+        replace(matrices, mass=2.0 * np.eye(2)),
+        replace(matrices, stiffness=2.0 * np.eye(2)),
+        replace(matrices, damping=np.eye(2)),
+        replace(matrices, damping_ratio=0.2),
+        replace(matrices, coordinates=("a", "c")),
+        replace(matrices, rotations=("a",)),
+        replace(modal, modes=replace(modes, frequency=np.array([1.0, 2.0]))),
+        replace(modal, modes=replace(modes, damping_ratio=np.array([0.0, 0.1]))),
+        replace(modal, modes=replace(modes, shapes={"tip": np.array([1.0, 2.0])})),
+        replace(modal, modes=replace(modes, shapes={"end": np.ones(2)})),
+    ]
+    assert len({matrices, modal, *others}) == 12
+    assert replace(matrices, files={"mass": "M.mtx"}) == matrices
 
 
 def test_a_damping_ratio_is_a_place_where_it_says_the_damping(folder: Path) -> None:
