@@ -14,10 +14,11 @@ from report.cache.stage_store import StageStore
 from report.design.report import DesignReport
 from report.pages.formats import Format, Paper
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.design import Design, Study, Told
+from trimmer.design.design import Design
 from trimmer.design.design_file import DesignFile
 from trimmer.design.keeping import Keeper
 from trimmer.design.settings import DesignSettings
+from trimmer.design.study import Study, Told
 from trimmer.runners.runner import Runner
 
 
@@ -114,11 +115,9 @@ def report_on(design: Design, store: StageStore, date: str) -> DesignReport:
     return DesignReport(title, pictures(design), origin_of([design.file], date), design, equations)
 
 
-def files_of(
-    report: DesignReport, formats: frozenset[Format], paper: Paper, store: StageStore
-) -> Mapping[Format, str | bytes]:
+def files_of(report: DesignReport, formats: frozenset[Format], paper: Paper) -> Mapping[Format, str | bytes]:
     """Return the contents of the files of a report."""
     from report.design.markdown import to_markdown
     from report.design.render import rendered
 
-    return rendered(report, to_markdown(report), formats, paper, None)
+    return rendered(report, to_markdown(report), formats, paper)

@@ -12,10 +12,11 @@ from trimmer import SerialRunner, follow, respond
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.settings import FollowSettings
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.design import Stage, Study
+from trimmer.design.design import Stage
 from trimmer.design.design_file import DesignFile, design_file_of_text
 from trimmer.design.motions import FEWEST, periods_within
 from trimmer.design.settings import DesignSettings
+from trimmer.design.study import Study
 from trimmer.design.verdict import DesignOutcome
 from trimmer.examples import example_text
 from trimmer.runners import ProcessRunner

@@ -6,7 +6,6 @@ from .comparison import MeasureDifference as MeasureDifference
 from .comparison import compared as compared
 from .design import Design as Design
 from .design import Stage as Stage
-from .design import Study as Study
 from .design_file import DesignFile as DesignFile
 from .design_file import OpenRange as OpenRange
 from .design_file import read_design_file as read_design_file
@@ -36,6 +35,7 @@ from .settings import DesignSettings as DesignSettings
 from .spectrum import LineKind as LineKind
 from .spectrum import OutputLine as OutputLine
 from .spectrum import OutputSpectrum as OutputSpectrum
+from .study import Study as Study
 from .targets import Measure as Measure
 from .targets import Target as Target
 from .trial import MeasureOfPart as MeasureOfPart

@@ -1,39 +1,27 @@
-"""All that a report on a design shows, computed stage by stage; each stage may be kept."""
+"""All that a report on a design shows."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from functools import partial
-from typing import TypeVar
+from collections.abc import Mapping
+from dataclasses import dataclass
 
 from trimmer.choices import Choice
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design.design_file import DesignFile
 from trimmer.design.found_motion import FoundMotion
-from trimmer.design.keeping import NOT_KEPT, Keeper
-from trimmer.design.kept_map import DesignMap, design_map, keys_of
-from trimmer.design.linear import LinearState, linear_states
-from trimmer.design.motions import Motions, motions_from_starts, periods_within, with_neighbours
-from trimmer.design.paths import NumberPath, path_through
-from trimmer.design.plausible import Question, questions
-from trimmer.design.ranges import RangeStudy, study_ranges
-from trimmer.design.remedies import Remedies, remedies
-from trimmer.design.sensitivity import Sensitivities, sensitivities
-from trimmer.design.settings import USUAL, DesignSettings
-from trimmer.design.spectrum import OutputSpectrum, spectra
-from trimmer.design.strongest import pairs_of_targets
-from trimmer.design.surroundings import Around, conditions_of, study_around
-from trimmer.design.targets import Target
-from trimmer.design.varied_places import VariedNumber, varied_places
-from trimmer.design.verdict import DesignVerdict, verdict_on
-from trimmer.maps.cells import Cell, CellResult
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import Runner
-from trimmer.runners.timed import TimedRunner
-
-Result = TypeVar("Result")
+from trimmer.design.kept_map import DesignMap
+from trimmer.design.linear import LinearState
+from trimmer.design.motions import Motions
+from trimmer.design.paths import NumberPath
+from trimmer.design.plausible import Question
+from trimmer.design.ranges import RangeStudy
+from trimmer.design.remedies import Remedies
+from trimmer.design.sensitivity import Sensitivities
+from trimmer.design.settings import DesignSettings
+from trimmer.design.spectrum import OutputSpectrum
+from trimmer.design.surroundings import Around
+from trimmer.design.varied_places import VariedNumber
+from trimmer.design.verdict import DesignVerdict
 
 
 class Stage(Choice):
@@ -47,33 +35,6 @@ class Stage(Choice):
     NEIGHBOURS = "motions of neighbours"
     MAP = "map"
     BRANCH = "branch"
-
-
-SPENT = {
-    Stage.MOTIONS: 0.2,
-    Stage.RANGES: 0.3,
-    Stage.AROUND: 0.35,
-    Stage.SENSITIVITIES: 0.4,
-    Stage.REMEDIES: 0.62,
-    Stage.NEIGHBOURS: 0.67,
-    Stage.MAP: 0.78,
-    Stage.BRANCH: 0.82,
-}
-"""Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
-MOST_PATHS = 3
-"""Numbers over which branches are followed at most."""
-COARSE = (6, 12)
-"""Cells along each side of coarse maps, by which the time of finer ones is known."""
-FIRST_START, CELL = 0.1, 0.02
-"""Share of that time that a start may take to settle, and a cell of a map or a trial."""
-
-
-Told = Callable[[Stage, tuple[str, ...], int, int], None]
-"""Is told a stage, the places that it is over, how much of it is done, and of how much."""
-
-
-def tell_nobody(stage: Stage, over: tuple[str, ...], done: int, whole: int) -> None:
-    """Take what is told, and tell it nobody."""
 
 
 @dataclass(frozen=True)
@@ -116,287 +77,7 @@ class Design:
     deadline: Deadline = NEVER
     cut: tuple[tuple[Stage, tuple[str, ...]], ...] = ()
 
-    def was_cut(self, stage: Stage) -> bool:
-        """Say whether something of a stage is missing as the time was over."""
-        return any(each is stage for each, _ in self.cut)
-
     @property
     def motion(self) -> FoundMotion | None:
         """What the first start settles to; None if it could not be measured."""
         return self.motions.first
-
-
-NO_MOTIONS = Motions((), 0, 0, 0, "", first_failed=True)
-
-
-def _no_motions(cell: Cell) -> CellResult:
-    """Return what stands for a cell that is not done."""
-    return CellResult(cell.number, ())
-
-
-@dataclass(frozen=True)
-class Study:
-    """The work on a design, stage by stage.
-
-    Attributes:
-        file: The file.
-        settings: How closely it is looked at.
-        runner: Who computes the cells of maps and trials; processes on all cores by default.
-        keeper: Keeps what is done; nothing by default.
-        told: Is told of each stage.
-        deadline: After which nothing more is begun; each stage has its share of the time until then.
-    """
-
-    file: DesignFile
-    settings: DesignSettings = USUAL
-    runner: Runner = field(default_factory=ProcessRunner)
-    keeper: Keeper = NOT_KEPT
-    told: Told = tell_nobody
-    deadline: Deadline = NEVER
-    _cut: list[tuple[Stage, tuple[str, ...]]] = field(default_factory=list, compare=False)
-
-    def whole(self) -> Design:
-        """Compute everything, what the verdict needs first."""
-        study = self._paced()
-        motions, linear, ranges = study.motions(), study.linear(), study.ranges()
-        around, of = study.around(motions), study.sensitivities(motions)
-        found = study.remedies(verdict_on(self.file.targets, motions, ranges, around), of)
-        motions = study.with_neighbours(motions)
-        varied = study.varied(motions)
-        pairs = study.pairs(motions, of, found, around)
-        maps = study.maps(varied, pairs)
-        numbers = tuple(dict.fromkeys(each for pair in pairs for each in pair))
-        paths = study.paths(motions, numbers[:MOST_PATHS] or varied)
-        return replace(
-            study._design(motions, linear, ranges, around),
-            sensitivities=of,
-            remedies=found,
-            paths=paths,
-            maps=maps,
-        )
-
-    def short(self) -> Design:
-        """Compute verdict, motions and spectra alone, as for a comparison."""
-        study = self._paced()
-        motions, linear, ranges = study.motions(), study.linear(), study.ranges()
-        around = study.around(motions)
-        return study._design(study.with_neighbours(motions), linear, ranges, around)
-
-    def _design(
-        self,
-        motions: Motions,
-        linear: tuple[LinearState, ...],
-        ranges: RangeStudy | None,
-        around: Around | None,
-    ) -> Design:
-        return Design(
-            file=self.file,
-            settings=self.settings,
-            linear=linear,
-            motions=motions,
-            varied=self.varied(motions),
-            spectra=self.spectra(motions, linear),
-            ranges=ranges,
-            questions=questions(self.file.mechanism, motions.first),
-            verdict=verdict_on(self.file.targets, motions, ranges, around),
-            around=around,
-            deadline=self.deadline,
-            cut=tuple(self._cut),
-        )
-
-    def _paced(self) -> Study:
-        """Return the same with as many drive periods for a start or a cell as there is time for."""
-        settings, allowed = self.settings, self.deadline.left
-        starts, cells = (
-            periods_within(self.file.mechanism, most, share * allowed)
-            for most, share in ((settings.most_periods, FIRST_START), (settings.cell_periods, CELL))
-        )
-        return replace(self, settings=replace(settings, most_periods=starts, cell_periods=cells))
-
-    def linear(self) -> tuple[LinearState, ...]:
-        """Return modes and transfer functions."""
-        return self.keeper.made("linear", (), partial(linear_states, self.file.mechanism))
-
-    def motions(self) -> Motions:
-        """Return what several starts lead to; the first is followed whatever time is left."""
-        settings, mechanism = self.settings, self.file.mechanism
-        depends = (settings.starts, settings.seed, settings.most_periods)
-        make: Callable[[Deadline], Motions] = partial(motions_from_starts, mechanism, settings)
-        return self._made(Stage.MOTIONS, (), depends, make, NO_MOTIONS)
-
-    def with_neighbours(self, motions: Motions) -> Motions:
-        """Return the motions, those that neighbours lead to among them."""
-        near = self.varied(motions)
-        if self.file.mechanism.frequency is None or len(near) < 2:
-            return motions
-
-        def more(runner: TimedRunner) -> Motions:
-            whole = replace(runner, instead=_no_motions)
-            found = with_neighbours(self.file.mechanism, motions, near, self.settings, whole)
-            if found.neighbours is None or not runner.deadline.passed:
-                return found
-            return replace(found, neighbours=replace(found.neighbours, complete=False))
-
-        make = self._run(Stage.NEIGHBOURS, more)
-        return self._made(Stage.NEIGHBOURS, (), self.settings.without_cells, make, motions)
-
-    def varied(self, motions: Motions) -> tuple[VariedNumber, ...]:
-        """Return the numbers that maps and branches are over."""
-        return varied_places(self.file.mechanism, motions.first)
-
-    def spectra(self, motions: Motions, linear: tuple[LinearState, ...]) -> Mapping[str, OutputSpectrum]:
-        """Return the lines of the first motion."""
-        return {} if motions.first is None else spectra(motions.first, self.file.mechanism.frequency, linear)
-
-    def sensitivities(self, motions: Motions) -> Sensitivities | None:
-        """Return what each number changes."""
-        if motions.first is None or not motions.first.repeats:
-            return None
-        make = partial(sensitivities, self.file.mechanism, motions.first)
-        return self._made(Stage.SENSITIVITIES, (), (), make, None)
-
-    def ranges(self) -> RangeStudy | None:
-        """Return how the verdict depends on unknown numbers."""
-        file = self.file
-        if not file.ranges or file.mechanism.frequency is None:
-            return None
-        make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings)
-        depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
-        return self._made(Stage.RANGES, (), depends, self._run(Stage.RANGES, make), None)
-
-    def around(self, motions: Motions) -> Around | None:
-        """Return whether the targets hold at neighbouring speeds, and as numbers scatter."""
-        file, settings = self.file, self.settings
-        if not file.targets or file.mechanism.frequency is None or motions.first is None:
-            return None
-        conditions = conditions_of(file.mechanism, file.uncertainty, settings)
-
-        def make(runner: TimedRunner) -> Around:
-            return study_around(file.mechanism, file.targets, conditions, settings, runner)[0]
-
-        depends = (file.targets, conditions, settings.cell_periods)
-        return self._made(Stage.AROUND, (), depends, self._run(Stage.AROUND, make), None)
-
-    def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
-        """Return what would meet the targets."""
-        file = self.file
-        if not verdict.missed or file.mechanism.frequency is None:
-            return None
-        settings = self.settings
-        conditions = conditions_of(file.mechanism, file.uncertainty, settings)
-
-        def make(runner: TimedRunner) -> Remedies:
-            missed = verdict.missed
-            return remedies(
-                file.mechanism, file.targets, missed, of, conditions, settings, runner, runner.deadline
-            )
-
-        depends = (file.targets, conditions, settings.without_cells)
-        return self._made(Stage.REMEDIES, (), depends, self._run(Stage.REMEDIES, make), None)
-
-    def pairs(
-        self,
-        motions: Motions,
-        of: Sensitivities | None,
-        found: Remedies | None,
-        around: Around | None,
-    ) -> dict[tuple[VariedNumber, VariedNumber], tuple[Target, ...]]:
-        """Return the pairs of numbers over which targets are drawn, those first that are missed."""
-        mechanism, targets = self.file.mechanism, self.file.targets
-        missed = verdict_on(targets, motions, None, around).missed
-        ordered = (*missed, *(each for each in targets if each not in missed))
-        return pairs_of_targets(mechanism, ordered, self.varied(motions), of, found)
-
-    def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:
-        """Return the branch through the working point over each number."""
-        first = motions.first
-        if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:
-            return ()
-        most, keys = self.settings.most_points, keys_of(self.file.targets)
-        found = (
-            self._made(
-                Stage.BRANCH,
-                (each.place,),
-                (each, most, keys),
-                partial(path_through, self.file.mechanism, each, first, most, keys=keys),
-                None,
-            )
-            for each in varied
-        )
-        return tuple(each for each in found if each is not None)
-
-    def maps(
-        self,
-        varied: tuple[VariedNumber, ...],
-        pairs: Mapping[tuple[VariedNumber, VariedNumber], tuple[Target, ...]] | None = None,
-    ) -> tuple[DesignMap, ...]:
-        """Return maps over pairs of numbers with the targets drawn there.
-
-        Without them they are over gap and speed, and gap and friction; without a gap over speed and friction.
-        """
-        if self.file.mechanism.frequency is None:
-            return ()
-        by_role = tuple({each.role: each for each in varied}.values())
-        wanted = pairs or {(by_role[0], each): () for each in by_role[1:]}
-        begun, found = SPENT[Stage.NEIGHBOURS], []
-        for number, ((first, second), targets) in enumerate(wanted.items(), start=1):
-            share = begun + (SPENT[Stage.MAP] - begun) * number / len(wanted)
-            found.append(self._map(first, second, targets, self.deadline.share(share)))
-        return tuple(each for each in found if each is not None)
-
-    def _map(
-        self, first: VariedNumber, second: VariedNumber, targets: tuple[Target, ...], deadline: Deadline
-    ) -> DesignMap | None:
-        """Return a map as fine as there is time for: a coarse one tells how long a finer one takes."""
-        over, best = (first.place, second.place), None
-        runner = TimedRunner(self.runner, deadline)
-        sizes = [self.settings.cells] if deadline.end == math.inf else [*self._sizes()]
-        left = deadline.left
-        for cells, before in zip(sizes, [None, *sizes], strict=False):
-            took = left - deadline.left
-            if before is not None and took * (cells / before) ** 2 > deadline.left:
-                break
-            left = deadline.left
-            settings = replace(self.settings, cells=cells)
-            told = partial(self.told, Stage.MAP, over)
-            finer = design_map(
-                self.file.mechanism, first, second, settings, runner, self.keeper, told, targets
-            )
-            best = finer or best
-        if best is None:
-            self._cut.append((Stage.MAP, over))
-        return best
-
-    def _sizes(self) -> Iterator[int]:
-        yield from (each for each in COARSE if each < self.settings.cells)
-        yield self.settings.cells
-
-    def _run(self, stage: Stage, make: Callable[[TimedRunner], Result]) -> Callable[[Deadline], Result]:
-        """Return work that is done by the runner, until an instant."""
-        told = partial(self.told, stage, ())
-        return lambda deadline: make(TimedRunner(self.runner, deadline, told=told))
-
-    def _made(
-        self,
-        stage: Stage,
-        over: tuple[str, ...],
-        depends: object,
-        make: Callable[[Deadline], Result],
-        otherwise: Result,
-    ) -> Result:
-        """Return a stage, kept or made; one that the time has cut short is noted, and not kept."""
-        deadline = self.deadline.share(SPENT[stage])
-        key = stage.name.lower(), (over, depends)
-        result: Result | None = self.keeper.kept(*key)
-        self.told(stage, over, 0, 1)
-        if result is None and deadline.passed and stage is not Stage.MOTIONS:
-            self._cut.append((stage, over))
-            result = otherwise
-        elif result is None:
-            result = make(deadline)
-            if deadline.passed:
-                self._cut.append((stage, over))
-            elif result is not None:
-                self.keeper.keep(*key, result)
-        self.told(stage, over, 1, 1)
-        return result

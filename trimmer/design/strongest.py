@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 
 from trimmer.design.remedies import Remedies
@@ -39,13 +40,11 @@ def pairs_of_targets(
     known = {each.place: each for each in varied}
     found: dict[Pair, tuple[Target, ...]] = {}
     for target in targets:
-        numbers: list[VariedNumber] = []
-        for place in _ranked(target, sensitivities, remedies):
-            number = known.get(place) or _number(mechanism, place)
-            if number is not None and len(numbers) < 2:
-                numbers.append(number)
-        if len(numbers) == 2:
-            first, second = sorted(numbers, key=lambda each: each.place)
+        places = dict.fromkeys(_ranked(target, sensitivities, remedies))
+        numbers = (known.get(place) or _number(mechanism, place) for place in places)
+        strongest = list(itertools.islice((each for each in numbers if each is not None), 2))
+        if len(strongest) == 2:
+            first, second = sorted(strongest, key=lambda each: each.place)
             found[first, second] = (*found.get((first, second), ()), target)
     return dict(list(found.items())[:MAPS])
 

@@ -9,13 +9,15 @@ import pytest
 
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer import Mechanism, MotionKind, SerialRunner, forced_orbit
+from trimmer.deadline import NEVER
 from trimmer.design.motions import motions_from_starts
-from trimmer.design.remedies import remedies
+from trimmer.design.remedy_search import remedies
 from trimmer.design.sensitivity import sensitivities
 from trimmer.design.settings import DesignSettings
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart, TrialWork
 from trimmer.mechanism import Friction, Stop
+from trimmer.runners.timed import TimedRunner
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")
 SETTINGS = DesignSettings(starts=1, seed=5, most_periods=300, cell_periods=200, trials=2)
@@ -60,7 +62,7 @@ def test_a_trial_that_does_not_settle_is_told_and_is_no_remedy() -> None:
     more = Target("stroke_at_least", Measure.STROKE, "block", 0.1)
     assert trial.value(Measure.STROKE, "block") > 0.2  # so far, and not for long
     assert not trial.meets((more,))
-    found = remedies(undamped(), (more,), (more,), None, (), SETTINGS, SerialRunner())
+    found = remedies(undamped(), (more,), (more,), None, (), SETTINGS, TimedRunner(SerialRunner(), NEVER))
     assert found.found == ()
 
 

@@ -10,21 +10,26 @@ import pytest
 
 from tests.trimmer.design.made import motion, oscillator, output
 from trimmer import Mechanism, MotionKind, SerialRunner
-from trimmer.design.design import Stage, Study
+from trimmer.deadline import NEVER
+from trimmer.design.design import Stage
 from trimmer.design.design_file import DesignFile, OpenRange, read_design_file
 from trimmer.design.forecast import AMPLE, EFFORT
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.keeping import Keeper
 from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
-from trimmer.design.remedies import ALIKE, Remedies, remedies
+from trimmer.design.remedies import Mend, Remedies
+from trimmer.design.remedy_search import ALIKE, remedies
 from trimmer.design.sensitivity import Elasticity, Sensitivities, Sensitivity, designable, sensitivities
 from trimmer.design.settings import DesignSettings
+from trimmer.design.strongest import pairs_of_targets
+from trimmer.design.study import Study
 from trimmer.design.surroundings import SPEEDS, Beside, conditions_of
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart
 from trimmer.design.varied_places import NumberRole, VariedNumber, varied_places
 from trimmer.errors import WrongTypeError
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.runners.timed import TimedRunner
 from trimmer.uncertainty import Scatter, Uncertainty, Uniform
 
 ENDS = ("ground", "block")
@@ -37,6 +42,7 @@ NUMBERS = {
     "forces.shaker.amplitude": 7.0,
 }
 TARGET = Target("stroke_at_least", Measure.STROKE, "block", 0.02)
+RUNNER = TimedRunner(SerialRunner(), NEVER)
 FEW = DesignSettings(
     starts=2, seed=5, most_periods=300, cell_periods=200, trials=16, most_points=4, neighbours=3
 )
@@ -93,7 +99,7 @@ def searched(bound: float, *, scatter: float = 0.0) -> Remedies:
     wanted = replace(TARGET, bound=bound)
     mass = Scatter("bodies.block.mass", "kg", Uniform(0.5 - scatter, 0.5 + scatter))
     conditions = conditions_of(oscillator(), Uncertainty((mass,)) if scatter else None, FEW)
-    return remedies(oscillator(), (wanted,), (wanted,), None, conditions, FEW, SerialRunner())
+    return remedies(oscillator(), (wanted,), (wanted,), None, conditions, FEW, RUNNER)
 
 
 def worst(bound: float, shifts: tuple[float, ...] = (), **changes: float) -> float:
@@ -144,6 +150,17 @@ def test_two_numbers_do_what_one_cannot() -> None:
     assert mend.change is None and mend.helpless == never.tried
 
 
+def test_a_target_is_drawn_over_two_numbers_not_over_one_twice() -> None:
+    mend = Mend(TARGET, None, np.nan, (), (), ("bodies.block.mass",))
+    entries = tuple(
+        Sensitivity(place, "", NUMBERS[place], (Elasticity(STROKE, slope, True),))
+        for place, slope in (("bodies.block.mass", 3.0), ("links.spring.stiffness", 2.0), ("frequency", 1.0))
+    )
+    found = Remedies((), None, (mend,), 2, (), 0)
+    (pair,) = pairs_of_targets(oscillator(), (TARGET,), (), Sensitivities(1e-3, entries, ()), found)
+    assert [each.place for each in pair] == ["bodies.block.mass", "links.spring.stiffness"]
+
+
 @pytest.mark.slow
 def test_numbers_of_influence_are_tried_before_the_others() -> None:
     links = {f"l{number}": Link(ENDS, 1.0 + number) for number in range(20)}
@@ -157,7 +174,7 @@ def test_numbers_of_influence_are_tried_before_the_others() -> None:
         )
         few = replace(FEW, trials=1, cell_periods=2)
         of = Sensitivities(1e-3, entries, ())
-        return remedies(made, (never,), (never,), of, (), few, SerialRunner()).tried
+        return remedies(made, (never,), (never,), of, (), few, RUNNER).tried
 
     assert tried({})[:3] == ("forces.shaker.amplitude", "frequency", "links.l0.stiffness")
     assert len(tried({})) == 16
