@@ -7,14 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import cast
 
-from trimmer.arguments import file_path
-from trimmer.design.design_file import DesignFile, OpenRange, design_file_of_text
+from trimmer.design.design_file import DesignFile, OpenRange, design_file_of_text, read_design_file
 from trimmer.design.targets import Target
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem, as_message_of_file
-from trimmer.mechanism.reading import content_of_text, text_of_file
-from trimmer.mechanism.toml_lines import lines_of_keys
 from trimmer.motion.subject import Subject
 from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.table import SECTION, uncertainty_of
@@ -51,33 +48,22 @@ def read_sample_file(path: Path | str, changes: Sequence[tuple[str, float | str]
         MechanismError: if it cannot be read, holds what cannot be used, or nothing in it scatters. Every
             problem is named, with file, line, key and value, and what to do.
     """
-    path = file_path("path", path)
-    return sample_file_of_text(text_of_file(path), str(path), changes, path.parent)
+    return _sampled(read_design_file(path, changes))
 
 
-def sample_file_of_text(
-    text: str,
-    name: str,
-    changes: Sequence[tuple[str, float | str]] = (),
-    folder: Path = Path(),
-) -> SampleFile:
+def sample_file_of_text(text: str, name: str) -> SampleFile:
     """Read the text of such a file; see ``read_sample_file``."""
-    design = design_file_of_text(text, name, folder)
-    content = content_of_text(text, name)
-    problems: list[Problem] = []
-    mechanism = design.mechanism
-    for place, value in changes:
-        mechanism = mechanism.with_value(place, value)
-    known = tuple(_evenly(each) for each in design.ranges if each.place not in dict(changes))
-    uncertainty = uncertainty_of(content.get(SECTION, {}), mechanism, problems, known)
-    if problems:
-        raise MechanismError(as_message_of_file(name, problems, content, lines_of_keys(text)))
+    return _sampled(design_file_of_text(text, name))
+
+
+def _sampled(file: DesignFile) -> SampleFile:
+    uncertainty = _uncertainty(file, tuple(map(_evenly, file.ranges)))
     if not uncertainty.scatters:
         raise MechanismError(
-            f"{name}: nothing scatters: say what does below [{SECTION}], as in "
+            f"{file.name}: nothing scatters: say what does below [{SECTION}], as in "
             '"plays.bridge.gap" = { normal = "5 um" }'
         )
-    return SampleFile(mechanism, design.targets, uncertainty)
+    return SampleFile(file.mechanism, file.targets, uncertainty)
 
 
 def with_uncertainty(file: DesignFile) -> DesignFile:
@@ -86,11 +72,16 @@ def with_uncertainty(file: DesignFile) -> DesignFile:
     Raises:
         MechanismError: if that cannot be used; every problem is named.
     """
+    uncertainty = _uncertainty(file)
+    return replace(file, uncertainty=uncertainty if uncertainty.scatters else None)
+
+
+def _uncertainty(file: DesignFile, known: tuple[Scatter, ...] = ()) -> Uncertainty:
     problems: list[Problem] = []
-    uncertainty = uncertainty_of(file.scatter, file.mechanism, problems)
+    uncertainty = uncertainty_of(file.scatter, file.mechanism, problems, known)
     if problems:
         raise MechanismError(as_message_of_file(file.name, problems, {SECTION: file.scatter}, file.lines))
-    return replace(file, uncertainty=uncertainty if uncertainty.scatters else None)
+    return uncertainty
 
 
 def _evenly(left_open: OpenRange) -> Scatter:
