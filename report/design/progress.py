@@ -53,10 +53,11 @@ class ProgressLines:
         now = time.perf_counter()
         begun = self._begun.setdefault((stage, over), now)
         name = f"{stage.value}{f' over the {_words(over)}' if over else ''}"
-        if done == count == 1:
+        if done == count <= 1:
             del self._begun[stage, over]
             seconds = now - begun
-            self.say(f"{name}: {f'{seconds:.1f} s' if seconds > KEPT else 'kept'}", after_bar=True)
+            took = f"{seconds:.1f} s" if seconds > KEPT else "kept"
+            self.say(f"{name}: {took if count else 'left out'}", after_bar=True)
         elif sys.stderr.isatty() and not is_silenced():
             share = f" {done}/{count}" if count > 1 else ""
             print(f"\r\033[K{name} ...{share}{self._left()}", end="", file=sys.stderr, flush=True)

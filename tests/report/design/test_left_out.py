@@ -10,6 +10,7 @@ import pytest
 from report.cache.stage_store import StageStore
 from report.design.building import looked_at, report_on
 from report.design.markdown import to_markdown
+from report.design.progress import ProgressLines
 from report.design.report import DesignReport
 from trimmer import MechanismError, SerialRunner
 from trimmer.deadline import Deadline
@@ -67,12 +68,16 @@ def test_what_there_was_no_time_for_is_said_where_it_would_stand(tmp_path: Path)
     text = example_text("thesis-play").replace("gap = 40e-6", 'gap = "30 um..50 um"')
     file = design_file_of_text(text.replace('"2.8 mm"', '"5 mm"'), "open.toml")
     store = StageStore(tmp_path)
-    design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None, Deadline(0.0, 1.0))
+    told = ProgressLines(tmp_path / "open.log")
+    design = looked_at(file, TINY, SerialRunner(), store, told, Deadline(0.0, 1.0))
     pieces = to_markdown(report_on(design, store, "2026-03-01"))
     assert "`--budget` allows more" in pieces["verdict"]
     for name in ("ranges", "motions", "maps", "branches", "sensitivity"):
         assert "There was no time left for" in pieces[name], name
     assert "missed" in pieces["verdict"]
+    log = (tmp_path / "open.log").read_text()
+    assert "kept" not in log and "what would meet the targets: left out\n" in log
+    assert log.count(": left out\n") == len(design.cut) - 1  # the first motion is followed all the same
 
 
 @pytest.mark.slow
