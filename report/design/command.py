@@ -202,11 +202,9 @@ def _make(
     told = ProgressLines(place.log, deadline)
     settings = DesignSettings(cells=FULL_CELLS) if arguments.full else USUAL
     design = looked_at(file, settings, runner, place.store, told, deadline)
-    told.say("equations, pictures and pages ...")
     with going_on_from(place.store):
-        contents = files_of(
-            report_on(design, place.store, date), formats, Paper(arguments.paper), place.store
-        )
+        told.say("equations, pictures and pages ...")
+        contents = files_of(report_on(design, place.store, date), formats, Paper(arguments.paper))
     for form, content in contents.items():
         write_atomically(place.file(form), content, overwrite=arguments.overwrite)
     place.store.clear_old()

@@ -95,7 +95,7 @@ def _contents(
     origin = origin_of([comparison.before.file, comparison.after.file], date)
     title = shown_characters(f"{names[0]} and {names[1]}")
     document = ComparisonReport(title, figures, origin, comparison, names)
-    return rendered(document, comparison_to_markdown(document), formats, paper, None)
+    return rendered(document, comparison_to_markdown(document), formats, paper)
 
 
 COMMAND = Command(

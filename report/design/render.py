@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from report.cache.stage_store import StageStore
 from report.design.report import Report
 from report.pages.figure import Figure
 from report.pages.figure_colours import with_variables
@@ -22,7 +21,6 @@ def rendered(
     pieces: Mapping[str, str],
     formats: frozenset[Format],
     paper: Paper,
-    store: StageStore | None,
 ) -> dict[Format, str | bytes]:
     """Return the report in the forms that are wanted.
 
@@ -31,17 +29,16 @@ def rendered(
         pieces: Its text.
         formats: HTML, PDF or both.
         paper: Size of the pages.
-        store: Where converted pieces are kept.
 
     Raises:
         PandocError: if pandoc cannot read the text or its mathematics.
         TypesettingError: if the PDF cannot be set.
     """
-    converter = Converter.keeping(store) if store else Converter()
+    converter = Converter()
     text = converter.parsed(pieces)
     source = converter.typst(text) if Format.PDF in formats else ""
     makers: dict[Format, Callable[[], str | bytes]] = {
-        Format.PDF: lambda: _pdf(document, source, document.figures, paper, store),
+        Format.PDF: lambda: _pdf(document, source, document.figures, paper),
         Format.HTML: lambda: _html(document, converter.html(text), document.figures),
     }
     return made_together(makers, formats)
@@ -53,9 +50,7 @@ def _html(document: Report, body: str, figures: Mapping[str, Figure]) -> str:
     return page("design/page.html.j2", look, with_drawings(body, svg), document=document)
 
 
-def _pdf(
-    document: Report, body: str, figures: Mapping[str, Figure], paper: Paper, store: StageStore | None
-) -> bytes:
+def _pdf(document: Report, body: str, figures: Mapping[str, Figure], paper: Paper) -> bytes:
     more = {f"figures/{name}.svg": each.svg.encode() for name, each in figures.items()}
     head = Head(document.title, document.subtitle, document.origin.date, strict=False)
-    return typeset(head, body, more, paper, store)
+    return typeset(head, body, more, paper, None)

@@ -79,10 +79,10 @@ def report(design: Design, store: StageStore, made_once: MadeOnce) -> DesignRepo
 
 
 @pytest.fixture(scope="session")
-def files(report: DesignReport, store: StageStore, made_once: MadeOnce) -> Mapping[Format, str | bytes]:
+def files(report: DesignReport, made_once: MadeOnce) -> Mapping[Format, str | bytes]:
     """Its files."""
     forms = frozenset({Format.HTML, Format.PDF})
-    return made_once.of_sources("files", lambda: files_of(report, forms, Paper.A4, store), __file__)
+    return made_once.of_sources("files", lambda: files_of(report, forms, Paper.A4), __file__)
 
 
 @pytest.fixture(scope="session")

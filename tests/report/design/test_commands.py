@@ -1,12 +1,15 @@
 """`trimmer init`, `design` and `compare` as a new user tries them, and wrongly.
 
-Touches inner parts: a look that is quick enough for a test, and an interrupt in its midst, have no door.
+Touches inner parts: a look that is quick enough for a test has no door.
 """
 
 from __future__ import annotations
 
+import contextlib
+import io
 import multiprocessing
 import re
+import signal
 from argparse import ArgumentParser
 from importlib.metadata import EntryPoint
 from pathlib import Path
@@ -14,14 +17,13 @@ from pathlib import Path
 import pytest
 
 from report.cache.stage_store import StageStore
-from report.design import building, command
+from report.design import command
 from report.design.building import CACHE, keeper_of, looked_at
 from trimmer import SerialRunner
 from trimmer.command_line import main as command_line
 from trimmer.command_line.main import main
 from trimmer.design import settings
 from trimmer.design.design_file import read_design_file
-from trimmer.design.keeping import Keeper
 from trimmer.design.settings import DesignSettings
 from trimmer.examples import examples
 
@@ -157,15 +159,13 @@ def test_a_file_of_another_kind_is_not_replaced(folder: Path, capsys: pytest.Cap
 
 
 def test_a_folder_that_cannot_be_made_is_told_before_any_work(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "taken").write_text("notes")
-    monkeypatch.setattr(Keeper, "kept", lambda *_: pytest.fail("work was begun"))
     assert main(["design", "block.toml", "--directory", "taken"]) == 2
-    assert (
-        "taken/block.html cannot be written: a file stands where its folder would be"
-        in capsys.readouterr().err
-    )
+    told = capsys.readouterr().err
+    assert "taken/block.html cannot be written: a file stands where its folder would be" in told
+    assert "motions from several starts" not in told
 
 
 @pytest.mark.parametrize(
@@ -204,38 +204,33 @@ def test_a_log_says_what_was_done_and_what_time_was_left(
     assert any(re.fullmatch(r"branch over the gap of fork: .* \(\d+:\d\d left\)", line) for line in lines)
 
 
-@pytest.mark.slow
-def test_an_interrupted_design_leaves_nothing_half_written(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def interrupt(keeper: Keeper, stage: str, depends: object, result: object) -> None:
-        if stage == "branch":
-            raise KeyboardInterrupt
-        whole(keeper, stage, depends, result)
+class Interrupting(io.StringIO):
+    """Takes what is told, and interrupts as a user would once that holds some words."""
 
-    whole = Keeper.keep
-    monkeypatch.setattr(Keeper, "keep", interrupt)
+    def __init__(self, words: str) -> None:
+        super().__init__()
+        self.words = words
+
+    def write(self, text: str) -> int:
+        if self.words in text:
+            signal.raise_signal(signal.SIGINT)
+        return super().write(text)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words", ["motions of neighbours", "equations, pictures and pages"])
+def test_an_interrupted_design_leaves_nothing_half_written_and_goes_on(
+    words: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     arguments = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
-    assert main(arguments) == 130
-    assert "what is done is kept in out/.kept" in capsys.readouterr().err
+    told = Interrupting(words)
+    with contextlib.redirect_stderr(told):
+        assert main(arguments) == 130
+    assert "what is done is kept in out/.kept" in told.getvalue()
     assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.log"}
     assert not list((folder / "out" / CACHE).glob("*.part"))
-    monkeypatch.setattr(Keeper, "keep", whole)
     assert main(arguments) == 0
     assert "motions from several starts: kept" in capsys.readouterr().err
-
-
-@pytest.mark.slow
-def test_an_interrupt_while_pages_are_made_tells_what_is_kept(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    def interrupt(*_: object) -> object:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(building, "report_on", interrupt)
-    assert main(["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]) == 130
-    assert "what is done is kept in out/.kept" in capsys.readouterr().err
-    assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.log"}
 
 
 def look(path: Path, folder: Path) -> None:

@@ -115,7 +115,7 @@ def files_of_small(texts: list[str]) -> dict[Format, str | bytes]:
     rows = [["Name", texts[1]], *([each, markdown("*{}*", plain(each))] for each in texts)]
     values = {"texts": texts, "bold": markdown("**{}**", plain(texts[1])), "rows": rows, "report": document}
     pieces = {"one": environment().from_string(TEMPLATE).render(values)}
-    return rendered(document, pieces, frozenset({Format.HTML, Format.PDF}), Paper.A4, None)
+    return rendered(document, pieces, frozenset({Format.HTML, Format.PDF}), Paper.A4)
 
 
 class Skeleton(HTMLParser):
@@ -276,7 +276,7 @@ def made(names: list[str], title: str, folder: Path, name: str = "mine.toml") ->
     store = StageStore(folder / ".kept")
     file = design_file_of_text(text_of(names, title), name)
     report = report_on(looked_at(file, TINY, SerialRunner(), store, lambda *_: None), store, "2026-03-01")
-    files = files_of(report, frozenset({Format.HTML, Format.PDF}), Paper.A4, store)
+    files = files_of(report, frozenset({Format.HTML, Format.PDF}), Paper.A4)
     for form, content in files.items():
         path = folder / f"mine.{form.value}"
         path.write_bytes(content.encode() if isinstance(content, str) else content)
@@ -336,7 +336,7 @@ def test_a_comparison_shows_names_of_files_as_they_are(design: Design) -> None:
     figures = spectra_overlaid(comparison, names)
     report = ComparisonReport("A", figures, origin_of(files, "2026-03-01"), comparison, names)
     pieces = comparison_to_markdown(report)
-    html = str(rendered(report, pieces, frozenset({Format.HTML}), Paper.A4, None)[Format.HTML])
+    html = str(rendered(report, pieces, frozenset({Format.HTML}), Paper.A4)[Format.HTML])
     assert acting(html) == []
     shown = unescape(re.sub(r"<[^>]+>", "", html))
     assert all(shown.count(name) >= 4 for name in names)

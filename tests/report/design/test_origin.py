@@ -73,8 +73,7 @@ def test_the_same_input_on_the_same_day_gives_the_same_bytes(
 ) -> None:
     again = report_on(design, StageStore(tmp_path), "2026-03-01")
     first, second, other = (
-        files_of(each, BOTH, Paper.A4, store)
-        for each in (report, again, report_on(design, store, "2026-03-02"))
+        files_of(each, BOTH, Paper.A4) for each in (report, again, report_on(design, store, "2026-03-02"))
     )
     assert first == second
     assert all(first[form] != other[form] for form in BOTH)
