@@ -98,18 +98,16 @@ def _acceleration(design: Design) -> Iterator[Figure]:
         return
     bounded = [each.part for each in design.file.targets if each.measure is Measure.RMS_ACCELERATION]
     wanted = [name for name in bounded if name in motion.hand_arm]
-    asked = [design.file.held] if design.file.held else wanted
-    if len(asked) != 1:
-        asked = [max(asked or motion.hand_arm, key=lambda name: motion.rms_acceleration[name])]
-    rms = shown(motion.rms_acceleration[asked[0]], "m/s²")
+    body = design.file.held or max(wanted or motion.hand_arm, key=lambda name: motion.rms_acceleration[name])
+    rms = shown(motion.rms_acceleration[body], "m/s²")
     lines = "each line an exact one" if motion.repeats else "of samples, as the motion does not repeat"
     yield drawn(
         "acceleration",
-        f"The acceleration of {asked[0]}",
+        f"The acceleration of {body}",
         f"Above over time, below its spectrum up to 3 kHz, {lines}: what a sensor on it would measure along "
         "this axis, without weighting.",
         f"A curve over time, and lines over frequency; its rms is {rms}.",
-        partial(acceleration_of, motion, asked),
+        partial(acceleration_of, motion, body),
     )
 
 

@@ -175,8 +175,7 @@ def transfer_rows(design: Design) -> Rows:
                 angle = f"{written(degrees, 3)}°"
                 rows.setdefault((each.drive, each.output), []).append(f"{value} at {angle}")
     if len(design.linear) == 1:
-        head = ["From, to", "Response", "Unit"]
-        return [head] + [[f"{a}, {b}", *cells, "m/m or m/N"] for (a, b), cells in rows.items()]
+        head = ["From, to", "Response"]
     return [head] + [[f"{drive}, {output}", *cells] for (drive, output), cells in rows.items()]
 
 
@@ -204,11 +203,7 @@ def motion_rows(design: Design) -> Rows:
     for motion in design.motions.found:
         cells = [capital(kind_words(motion)) + (" (a mirror image)" if motion.mirrored else "")]
         for each in asked:
-            value = (
-                motion.outputs[each.part].peak_to_peak
-                if each.measure is Measure.STROKE
-                else motion.contacts[each.part].impact_speed
-            )
+            value = motion.measure(each.measure, each.part)
             cells.append(_value(value, unit_of_measure(design.file.mechanism, each.measure, each.part)))
         origin = count(motion.starts, "start") if motion.starts else "the motion of a similar machine"
         cells.append(f"{origin} of {design.motions.starts}" if motion.starts else origin)
@@ -223,13 +218,14 @@ def contact_rows(design: Design) -> Rows:
     if design.motion is not None:
         for name, each in design.motion.contacts.items():
             speed = unit_of_measure(mechanism, Measure.IMPACT_SPEED, name)
-            assert each.largest_force is not None, "contacts of mechanisms have springs"
+            assert each.largest_force is not None, "contacts of mechanisms have forces"
+            force = _value(each.largest_force, "N" if speed == "m/s" else "N m")
             rows.append(
                 [
                     name,
                     written(each.impacts, 3),
                     _value(each.impact_speed, speed),
-                    _value(each.largest_force, "N" if speed == "m/s" else "N m"),
+                    "an impulse" if name in mechanism.walls and each.impacts else force,
                     percent(each.share),
                 ]
             )

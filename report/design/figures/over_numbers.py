@@ -20,7 +20,6 @@ from trimmer.design.ranges import RangeStudy
 from trimmer.design.sensitivity import Sensitivities
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart
-from trimmer.design.varied_places import VariedNumber
 from trimmer.drawing.cells import draw_cells, edges
 from trimmer.drawing.look import plain_label
 from trimmer.drawing.mechanisms.kinds import categories, category, legend_of
@@ -169,35 +168,25 @@ def target_maps(drawn: DesignMap, names: Sequence[str], marks: Sequence[tuple[fl
     rows = -(-len(drawn.targets) // 2)
     wide = min(len(drawn.targets), 2)
     figure, every = panels(0.5 + 2.7 * rows, rows, wide, squeeze=False)
-    first, second = (
-        scale_for(values, each.unit) for values, each in zip(drawn.result.values, _sides(drawn), strict=True)
-    )
+    first, second = _scales(drawn)
     flat = list(every.flat)
     for axes, target, name in zip(flat, drawn.targets, names, strict=False):
-        _target_map(axes, drawn, target, (first, second))
+        _target_map(axes, drawn, target)
         axes.set_title(plain_label(name))
-        axes.plot(
-            drawn.first.value / first.factor, drawn.second.value / second.factor, "o",
-            color="white", markeredgecolor="black", markersize=7, clip_on=False,
-        )  # fmt: skip
+        _frame(axes, drawn)
         for across, up in marks:
             axes.plot(
                 across / first.factor, up / second.factor, "*",
                 color="#F0E442", markeredgecolor="black", markersize=12, clip_on=False,
             )  # fmt: skip
-        axes.set(
-            xlabel=f"{plain_label(place_words(drawn.first.place))} [{first.unit}]",
-            ylabel=f"{plain_label(place_words(drawn.second.place))} [{second.unit}]",
-        )
-        axes.grid(visible=False)
     for axes in flat[len(drawn.targets) :]:
         axes.set_axis_off()
     return figure
 
 
-def _target_map(axes: Axes, drawn: DesignMap, target: Target, scales: tuple[Scale, Scale]) -> None:
+def _target_map(axes: Axes, drawn: DesignMap, target: Target) -> None:
     result = drawn.result
-    across, up = (values / scale.factor for values, scale in zip(result.values, scales, strict=True))
+    across, up = (values / scale.factor for values, scale in zip(result.values, _scales(drawn), strict=True))
     if target.measure is Measure.PERIOD:
         draw_cells(axes, across, up, (result.period_count == 1).astype(np.int64), MET)
         return
@@ -224,15 +213,29 @@ def kind_map(drawn: DesignMap) -> Figure:
     names = [category(cell.motions[0]) for cell in result.cells]
     legend = [each for each in categories() if each in names]
     numbers = np.array([legend.index(each) for each in names]).reshape(result.shape)
-    first, second = (
-        scale_for(values, each.unit) for values, each in zip(result.values, _sides(drawn), strict=True)
-    )
     figure = new_figure(3.5)
     axes = figure.add_subplot()
     colours = {number: each.colour for number, each in enumerate(legend)}
     hatches = {number: each.hatch for number, each in enumerate(legend)}
-    across, up = (values / scale.factor for values, scale in zip(result.values, (first, second), strict=True))
+    across, up = (values / scale.factor for values, scale in zip(result.values, _scales(drawn), strict=True))
     draw_cells(axes, across, up, numbers, colours, hatches)
+    _frame(axes, drawn)
+    axes.legend(
+        handles=legend_of(legend, result.inputs.settings.most_periods),
+        loc="upper left",
+        bbox_to_anchor=(1.01, 1.0),
+    )
+    return figure
+
+
+def _scales(drawn: DesignMap) -> tuple[Scale, Scale]:
+    first, second = drawn.result.values
+    return scale_for(first, drawn.first.unit), scale_for(second, drawn.second.unit)
+
+
+def _frame(axes: Axes, drawn: DesignMap) -> None:
+    """Mark the working point, and name the two numbers."""
+    first, second = _scales(drawn)
     axes.plot(
         drawn.first.value / first.factor, drawn.second.value / second.factor, "o",
         color="white", markeredgecolor="black", markersize=7, clip_on=False,
@@ -242,13 +245,3 @@ def kind_map(drawn: DesignMap) -> Figure:
         ylabel=f"{plain_label(place_words(drawn.second.place))} [{second.unit}]",
     )
     axes.grid(visible=False)
-    axes.legend(
-        handles=legend_of(legend, result.inputs.settings.most_periods),
-        loc="upper left",
-        bbox_to_anchor=(1.01, 1.0),
-    )
-    return figure
-
-
-def _sides(drawn: DesignMap) -> tuple[VariedNumber, VariedNumber]:
-    return drawn.first, drawn.second

@@ -81,28 +81,21 @@ def _bars(axes: Axes, rows: list[tuple[str, str, Spans]], time: Scale) -> None:
     axes.grid(visible=False, axis="y")
 
 
-def acceleration_of(motion: FoundMotion, bodies: list[str]) -> Figure:
-    """Draw the acceleration of bodies over time, and below it its spectrum."""
+def acceleration_of(motion: FoundMotion, body: str) -> Figure:
+    """Draw the acceleration of a body over time, and below it its spectrum."""
     figure, (upper, lower) = panels(4.4, 2, 1)
     signals = motion.signals
     time = scale_for(signals.times, "s")
-    _curves(
-        upper,
-        signals.times / time.factor,
-        {name: signals.accelerations[name] for name in bodies},
-        "acceleration",
-        "m/s²",
-    )
+    _curves(upper, signals.times / time.factor, {body: signals.accelerations[body]}, "acceleration", "m/s²")
     upper.set_xlabel(f"time [{time.unit}]")
-    for name, look in zip(bodies, LINES * 4, strict=False):
-        found = motion.hand_arm[name]
-        there = found.amplitude > SMALLEST * found.amplitude.max(initial=0.0)
-        frequency, sizes = found.frequency[there], found.amplitude[there]
-        if motion.repeats:
-            lower.vlines(frequency, sizes.min(initial=1.0) / 3, sizes, color=look["color"], linewidth=1.1)
-            lower.plot(frequency, sizes, "o", color=look["color"], markersize=3, linestyle="none")
-        else:
-            lower.plot(frequency, sizes, linewidth=0.8, **{"color": look["color"]})
+    found, colour = motion.hand_arm[body], LINES[0]["color"]
+    there = found.amplitude > SMALLEST * found.amplitude.max(initial=0.0)
+    frequency, sizes = found.frequency[there], found.amplitude[there]
+    if motion.repeats:
+        lower.vlines(frequency, sizes.min(initial=1.0) / 3, sizes, color=colour, linewidth=1.1)
+        lower.plot(frequency, sizes, "o", color=colour, markersize=3, linestyle="none")
+    else:
+        lower.plot(frequency, sizes, linewidth=0.8, color=colour)
     lower.set(yscale="log", xlabel="frequency [Hz]", ylabel="amplitude [m/s²]")
     lower.set_xlim(left=0.0)
     return figure
