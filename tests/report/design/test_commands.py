@@ -200,7 +200,8 @@ def test_a_log_says_what_was_done_and_what_time_was_left(
     assert "block.log is there already and is no log of a design" in capsys.readouterr().err
     assert main([*arguments, "--overwrite", "--budget", "10min"]) == 0
     lines = log.read_text().splitlines()
-    assert lines[0].startswith("trimmer design: ") and lines[-1].startswith("done (9:")
+    assert lines[0].startswith("trimmer design: ")
+    assert re.fullmatch(r"done \(\d:\d\d left\)", lines[-1])  # less than ten minutes, however slow it was
     assert any(re.fullmatch(r"branch over the gap of fork: .* \(\d+:\d\d left\)", line) for line in lines)
 
 
