@@ -75,7 +75,7 @@ def _of_mechanism(arguments: Namespace) -> int:
         from trimmer.drawing.mechanisms.linear import linear_figure
 
         write_picture(arguments, linear_figure(mechanism, states))
-    show((as_json if arguments.json else as_text)(mechanism, states), arguments.plot)
+    show(as_json(states) if arguments.json else as_text(mechanism, states), arguments.plot)
     return 0
 
 

@@ -77,8 +77,9 @@ class MapInputs:
     @property
     def _settings(self) -> dict[str, Any]:
         """The settings, without measures where none are asked for, so that older files are gone on with."""
-        asked = {"measures": list(self.settings.measures)} if self.settings.measures else {}
-        return {**{name: each for name, each in asdict(self.settings).items() if name != "measures"}, **asked}
+        settings = asdict(self.settings)
+        measures = settings.pop("measures")
+        return settings | ({"measures": list(measures)} if measures else {})
 
     @property
     def header(self) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from trimmer.maps.jumps import Jump
 from trimmer.maps.plateau import Plateau
 from trimmer.mechanism.place_text import unit_of
 from trimmer.messages import listed
+from trimmer.motion.chosen import SIZES
 from trimmer.response.flows import flow_of
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
@@ -219,10 +220,7 @@ def _point(point: SweepPoint) -> dict[str, Any]:
         "impact_speed": motion.impact_speed,
         "outputs": {
             name: {
-                "peak_to_peak": each.peak_to_peak,
-                "rms": each.rms,
-                "mean": each.mean,
-                "advance": each.advance,
+                **{size: getattr(each, size) for size in SIZES},
                 "lines": [list(line) for line in each.lines],
             }
             for name, each in motion.outputs.items()

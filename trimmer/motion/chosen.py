@@ -9,6 +9,8 @@ from types import MappingProxyType
 from typing import Any, TypeAlias
 
 from trimmer.choices import ChoiceError
+from trimmer.mechanism.place_text import parse_place
+from trimmer.messages import near_match
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import HARMONICS, Measures
 from trimmer.motion.units import Units
@@ -57,9 +59,6 @@ def chosen_measure(flow: Flow, key: str) -> ChosenMeasure:
     Raises:
         ChoiceError: if there is none.
     """
-    from trimmer.mechanism.place_text import parse_place
-    from trimmer.messages import near_match
-
     known = {each.key: each for each in _known(flow)}
     names = parse_place(key)
     if key in known:

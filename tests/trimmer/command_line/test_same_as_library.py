@@ -48,6 +48,14 @@ def printed(folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
     return call
 
 
+def test_shapes_of_a_structure_are_of_its_points(printed) -> None:
+    content = printed("linear", str(Path(__file__).parents[3] / "examples" / "housing-modes.toml"), "--json")
+    names = content["coordinates"]
+    assert names == ["bit", "hand", "housing.motor", "housing.tool", "housing.handle"]
+    shapes = [mode["shape"] for state in content["states"] for mode in state["modes"]]
+    assert {len(shape) for shape in shapes} == {len(names)}
+
+
 def test_the_linear_trimmer(printed) -> None:
     content = printed("linear", "--output", "q1", "--channels", "displacement", "--json")
     summary = trimmer.summarise(

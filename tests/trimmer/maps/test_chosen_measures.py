@@ -12,6 +12,7 @@ from tests.trimmer.response.mechanisms import example, twin
 from trimmer import SerialRunner, follow, motion_map, respond
 from trimmer.choices import ChoiceError
 from trimmer.motion.chosen import chosen_measure
+from trimmer.motion.measures import Measures
 from trimmer.response.flows import flow_of
 from trimmer.response.response_json import response_json
 
@@ -41,6 +42,10 @@ def test_keys_are_those_of_the_json_of_a_response() -> None:
     assert of("outputs.stroke.harmonics.3") == of("outputs.stroke.lines.3/1") == third
     assert of("outputs.stroke.lines.6/2") == third
     assert of("outputs.stroke.lines.1/2") == 0.0
+    orbit = response.motion.orbit
+    assert orbit is not None
+    twice = Measures(flow.course(orbit.instant, 2), flow, 2, 2)
+    assert chosen_measure(flow, "outputs.stroke.lines.3").of(twice) == pytest.approx(stroke["harmonics"][2])
     speed = max(content["contacts"]["bridge"]["impact_speeds"])
     assert of("contacts.bridge.impact_speed") == of("impact_speed") == speed
     assert (of("rattle"), of("impacts_per_period")) == (1.0, of("contacts.bridge.impacts_per_period"))

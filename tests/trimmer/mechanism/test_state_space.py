@@ -101,6 +101,15 @@ def test_outputs_of_every_kind_have_the_response_of_their_kind() -> None:
     assert machine.state_space(inputs=["load"]).output_labels == list(machine.outputs)
 
 
+def test_a_closed_contact_stands_beside_a_link_of_its_name() -> None:
+    wall, rod = Stop(("ground", "a"), stiffness=90.0, damping=0.0, gap=1.0), Link(("ground", "a"), 10.0)
+    forces, outputs = {"push": Force("a", amplitude=1.0)}, {"x": Output({"a": 1.0})}
+    machine = Mechanism(
+        {"a": Body(1.0)}, 1.0, links={"rod": rod}, stops={"rod": wall}, forces=forces, outputs=outputs
+    )
+    assert sorted(machine.state_space().poles().imag) == pytest.approx([-10.0, 10.0])
+
+
 def test_undamped_modes_are_those_of_scipy() -> None:
     links = {name: Link(each.between, each.stiffness) for name, each in MACHINE.links.items()}
     undamped = Mechanism(MACHINE.bodies, 7.0, links=links, pins=MACHINE.pins)

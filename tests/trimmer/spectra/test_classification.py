@@ -48,13 +48,13 @@ def test_a_natural_mode_and_a_limit_cycle_are_found() -> None:
 
 
 def test_a_line_between_the_harmonics_is_a_reduced_fraction_of_the_drive() -> None:
-    third = only(2 * 110.0 / 6 + 0.05, drive_frequency=110.0).explanation
+    third = only(2 * 110.0 / 6 + 0.09, drive_frequency=110.0).explanation
     assert third is not None
     assert third.origin == DriveFraction(1, 3, pytest.approx(110.0 / 3))
     assert third.origin.label == "1/3 of the drive"
     beside = only(165.0, drive_frequency=110.0)
     assert [type(match.origin) for match in beside.candidates] == [DriveFraction, Harmonic]
-    assert only(165.3, drive_frequency=110.0).explanation is None  # By more than a tenth of a bin.
+    assert only(165.11, drive_frequency=110.0).explanation is None  # By more than a tenth of a bin.
     assert only(330.0, drive_frequency=110.0).candidates[0].origin == Harmonic(3, 330.0)
 
 

@@ -61,11 +61,11 @@ def as_text(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
     return "\n".join(["\n\n".join("\n".join(lines) for lines in parts), *friction])
 
 
-def as_json(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
+def as_json(states: Sequence[LinearState]) -> str:
     """Return the same as JSON: full precision, SI units, complex numbers as [real, imaginary]."""
     return document(
         {
-            "coordinates": list(mechanism.coordinates),
+            "coordinates": list(states[0].bodies),
             "states": [
                 {
                     "contacts": state.contacts.value,
