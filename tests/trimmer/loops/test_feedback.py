@@ -116,7 +116,7 @@ def test_from_many_starts_it_hunts_alike_or_rests() -> None:
     assert respond(Feedback(SERVO, ELEMENTS), state={"I": 0.02}).motion.kind.word == "rest"
 
 
-@pytest.mark.parametrize("frequencies", [(1.1, 1.1), (0.9, 1.5), (1.0, np.sqrt(2.0))])
+@pytest.mark.parametrize("frequencies", [(1.1, 1.1), (0.8, 1.2), (1.0, np.sqrt(2.0))])
 def test_drives_of_any_frequency_reach_states_inputs_of_elements_and_outputs(
     frequencies: tuple[float, float],
 ) -> None:
@@ -160,7 +160,7 @@ def test_drives_of_any_frequency_reach_states_inputs_of_elements_and_outputs(
             respond(loop)
         return
     orbit = forced_orbit(loop)
-    period = {1.1: 1 / 1.1, 0.9: 1 / 0.3}[first]
+    period = {1.1: 1 / 1.1, 0.8: 1 / 0.4}[first]
     assert (orbit.period, loop.frequency) == (pytest.approx(period), pytest.approx(1 / period))
     with pytest.raises(ValueError, match="of several drives none is what a phase is relative to"):
         orbit.phase_of("z")
