@@ -201,11 +201,22 @@ def functions_of_walls(machine: Machine, statuses: tuple[int, ...], period: floa
 def at_walls(machine: Machine, resting: Places) -> Reals:
     """Return the state with walls at rest exactly at their gaps, (N, N)."""
     bodies = machine.contact_push.shape[1]
-    tree = resting[independent(machine.wall_distance[resting, :bodies])]
-    distance, push = machine.wall_distance[tree], machine.wall_push[tree]
-    moved = np.eye(distance.shape[1])
-    moved[:bodies] -= push.T @ np.linalg.inv(distance[:, :bodies] @ push.T) @ distance
-    return moved
+    return _without(machine.wall_distance[resting], machine.wall_push[resting], slice(bodies))
+
+
+def stopped_at_walls(machine: Machine, walls: Places) -> Reals:
+    """Return the state with the rates of walls set to zero by impulses of all of them together, (N, N)."""
+    bodies = machine.contact_push.shape[1]
+    return _without(machine.wall_rate[walls], machine.wall_push[walls], slice(bodies, 2 * bodies))
+
+
+def _without(rows: Reals, push: Reals, moved: slice) -> Reals:
+    """Return the state of which some entries are moved along pushes until functionals are zero, (N, N)."""
+    tree = independent(rows[:, moved])
+    rows, push = rows[tree], push[tree]
+    found = np.eye(rows.shape[1])
+    found[moved] -= push.T @ np.linalg.inv(rows[:, moved] @ push.T) @ rows
+    return found
 
 
 def _of_stick(machine: Machine, sticking: Places, tree: Places, forces: Reals) -> Iterator[EventFunction]:

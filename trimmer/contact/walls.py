@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.assembly import assemble
+from trimmer.contact.assembly import assemble, stopped_at_walls
 from trimmer.contact.curves import first_curve, segments_at
 from trimmer.contact.impulses import NEARLY, at_gap, first_wall, impulse_of
 from trimmer.contact.joint import decide
@@ -41,16 +41,25 @@ def strike(machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int,
     Raises:
         ArithmeticError: if rounding keeps it from being decided.
     """
-    return _Strike(machine, statuses, at_gap(machine, wall, state), wall, period).decision()
+    state = at_gap(machine, wall, state)
+    return _Strike(machine, statuses, state, wall, period, abs(state)).decision()
 
 
 @dataclass(frozen=True, eq=False)
 class _Strike:
+    """An instant at which a wall is reached.
+
+    Attributes:
+        machine, statuses, state, wall, period: See ``strike``.
+        largest: Moduli of the entries of the state, the largest of the instant, (N,).
+    """
+
     machine: Machine
     statuses: tuple[int, ...]
     state: Reals
     wall: int
     period: float
+    largest: Reals
 
     def decision(self) -> Decision:
         touching, state, impulses = self.touching(), self.state, list[Impulse]()
@@ -60,17 +69,16 @@ class _Strike:
             impulses += acted
             state = impulses[-1].state if impulses else state
             statuses, at_rest = self.decided(touching, state)
-            ending = [
-                wall
-                for wall in {each.part - self.first for each in acted}
-                if wall not in completed and self.has_chattered(wall, statuses, state)
-            ]
+            # The wall that is reached may be left at once with a rate that is rounding.
+            met = {self.wall, *(each.part - self.first for each in acted)} - completed
+            ending = sorted(wall for wall in met if self.has_chattered(wall, statuses, state))
             if not ending:
                 break
-            for wall in sorted(ending):
-                state = self.stopped(wall, state)
-                impulses.append(Impulse(self.first + wall, COMPLETED, state))
+            for wall in ending:
                 completed.add(wall)
+                state = self.seen(stopped_at_walls(self.machine, np.array(sorted(completed))) @ state)
+                if self.machine.restitution[wall] > 0.0:
+                    impulses.append(Impulse(self.first + wall, COMPLETED, state))
         if not impulses and self.rebounds and statuses[self.first + self.wall] == RESTS:
             # The bounces have become lower than can be told.
             impulses = [Impulse(self.first + self.wall, COMPLETED, state)]
@@ -85,21 +93,26 @@ class _Strike:
         """Number of the first wall among all parts."""
         return first_wall(self.machine)
 
-    def size(self, row: Reals, state: Reals) -> float:
+    def seen(self, state: Reals) -> Reals:
+        """Return a state that is reached at the instant, once its size is known."""
+        np.maximum(self.largest, abs(state), out=self.largest)
+        return state
+
+    def size(self, row: Reals) -> float:
         """Return the sum of the moduli of what a functional of the state is made of."""
-        return float(abs(row) @ np.maximum(abs(state), abs(self.state)))
+        return float(abs(row) @ self.largest)
 
     def rate(self, wall: int, state: Reals) -> float:
         """Return how fast the ends of a wall part, zero where rounding cannot tell."""
         row = self.machine.wall_rate[wall]
         rate = float(row @ state)
-        return 0.0 if abs(rate) <= NEARLY * self.size(row, state) else rate
+        return 0.0 if abs(rate) <= NEARLY * self.size(row) else rate
 
     def touching(self) -> list[int]:
         """Return the walls that are reached, in the order of the file."""
         machine, found = self.machine, []
         for wall, (row, rate) in enumerate(zip(machine.wall_distance, machine.wall_rate, strict=True)):
-            near = self.size(row, self.state) + self.period * self.size(rate, self.state)
+            near = self.size(row) + self.period * self.size(rate)
             is_near = abs(row @ self.state) <= NEARLY * near
             if wall == self.wall or self.statuses[self.first + wall] == RESTS or is_near:
                 found.append(wall)
@@ -112,7 +125,7 @@ class _Strike:
             for wall in touching:
                 if self.rate(wall, state) > 0.0:
                     restitution = 0.0 if wall in completed else self.machine.restitution[wall]
-                    state = impulse_of(self.machine, wall, restitution) @ state
+                    state = self.seen(impulse_of(self.machine, wall, restitution) @ state)
                     acted = True
                     yield Impulse(self.first + wall, IMPACT, state)
             if not acted:
@@ -125,12 +138,8 @@ class _Strike:
             if force > 0.0:
                 state = state.copy()
                 state[bodies : 2 * bodies] -= self.machine.wall_push[wall] * force
+                self.seen(state)
                 yield Impulse(self.first + wall, TOGETHER, state)
-
-    def stopped(self, wall: int, state: Reals) -> Reals:
-        """Return the state with the rate of a wall set to zero by an impulse."""
-        stopped: Reals = impulse_of(self.machine, wall, 0.0) @ state
-        return stopped
 
     def decided(self, touching: list[int], state: Reals) -> tuple[tuple[int, ...], Places]:
         """Return the statuses after the last impulse, and the holds, by number, whose velocity is zero."""
@@ -140,7 +149,7 @@ class _Strike:
         statuses[self.first :] = [LOOSE] * len(machine.restitution)
         for friction, row in enumerate(machine.friction_rate):
             speed = float(row @ state)
-            rests = abs(speed) <= NEARLY * self.size(row, state)
+            rests = abs(speed) <= NEARLY * self.size(row)
             statuses[contacts + friction] = STICK if rests else FORWARD if speed > 0 else BACKWARD
         sliding = np.flatnonzero(np.array(statuses[contacts : contacts + frictions], dtype=int) == STICK)
         for curve, segment in enumerate(segments_at(machine, state)):
