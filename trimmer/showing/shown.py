@@ -74,9 +74,9 @@ def _short(told: str) -> str:
     return line if len(line) <= LONGEST else f"{line[: LONGEST - 1].rstrip()}…"
 
 
-def counted(count: int, noun: str) -> str:
+def counted(count: int | str, noun: str) -> str:
     """Return a number with what it counts: ``1 orbit``, ``2 orbits``, ``2 bodies``, ``2 guesses``."""
-    if count == 1:
+    if str(count) == "1":
         return f"1 {noun}"
     plural = f"{noun}es" if noun.endswith(("ch", "s")) else f"{noun}s"
     plural = f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2] not in "aeiou" else plural

@@ -127,7 +127,9 @@ def test_columns_take_attributes_and_rows() -> None:
         (1, "stretch", "1 stretch"),
         (2, "stretch", "2 stretches"),
         (2, "day", "2 days"),
+        ("1", "event", "1 event"),
+        ("0.5", "event", "0.5 events"),
     ],
 )
-def test_plurals(count: int, noun: str, text: str) -> None:
+def test_plurals(count: int | str, noun: str, text: str) -> None:
     assert counted(count, noun) == text

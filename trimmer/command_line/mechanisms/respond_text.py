@@ -14,6 +14,7 @@ from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
 from trimmer.response.response_json import response_json
 from trimmer.showing.rounding import or_rounding
+from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
@@ -114,11 +115,13 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
     if motion.orbit is not None:
         largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
         per, size = "drive period" if motion.orbit.periods else "period", or_rounding(largest, ".6g")
-        yield f"  {motion.events_per_period:g} events per {per}; largest multiplier {size}"
+        events = counted(f"{motion.events_per_period:g}", "event")
+        yield f"  {events} per {per}; largest multiplier {size}"
     elif motion.linear is not None:
         yield "  no events; figures are exact, of all time"
     else:
-        yield f"  {motion.events_per_period:.4g} events per drive period; figures are those of the window"
+        events = counted(f"{motion.events_per_period:.4g}", "event")
+        yield f"  {events} per drive period; figures are those of the window"
 
 
 def rest_lines(rest: Rest) -> Iterator[str]:
