@@ -65,9 +65,9 @@ pinion = { drive = 0.5 }
 "drive shaft" = { between = ["ground", "drive"], stiffness = "50 N m/rad", damping = "0.02 N m s/rad" }
 "gear shaft" = { between = ["ground", "gear"], stiffness = "5 N m/rad", damping = "0.02 N m s/rad" }
 [plays]
-mesh = { between = ["pinion", "gear"], stiffness = 300.0, damping = 0.05, gap = "0.4 deg" }
+mesh = { between = ["pinion", "gear"], stiffness = "300 N m/rad", damping = 0.05, gap = "0.4 deg" }
 [forces]
-ripple = { on = "drive", amplitude = 1.0, harmonics = [[2, 0.5, 0.3], [4, 0.2, -1.0]] }
+ripple = { on = "drive", amplitude = 1.0, harmonics = [[2, "0.5 N m", 0.3], [4, 0.2, -1.0]] }
 [outputs]
 drive = { drive = 1 }
 gear = { gear = 1 }
@@ -90,6 +90,12 @@ def test_digits_of_another_integrator(text: str, digits: dict[str, tuple[float, 
     found = {n: (response.motion.peak_to_peak[n], response.motion.rms[n].value) for n in digits}
     for name, expected in digits.items():
         assert found[name] == pytest.approx(expected, rel=2e-12)
+
+
+def test_the_multipliers_of_the_gears_of_the_definition() -> None:
+    mechanism = Mechanism.from_toml_text(GEARS)
+    assert mechanism.places["forces.ripple.harmonics.1.amplitude"] == "N m"
+    assert abs(forced_orbit(mechanism).multipliers).max() == pytest.approx(0.613454418, abs=1e-9)
 
 
 def test_a_lever_multiplies_stiffness_and_damping_by_the_square_of_its_arm() -> None:
