@@ -8,6 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Places, Reals
 from trimmer.contact.curves import add_curves, functions_of_curves
+from trimmer.contact.impulses import first_wall
 from trimmer.contact.machine import Machine, free_springs, relaxing_springs
 from trimmer.contact.statuses import (
     ALWAYS,
@@ -188,7 +189,7 @@ SCREEN = 1e-7
 
 def functions_of_walls(machine: Machine, statuses: tuple[int, ...], period: float) -> Iterator[EventFunction]:
     """Yield how far the ends of each wall are from its gap, unless they rest there."""
-    first = len(statuses) - len(machine.restitution)
+    first = first_wall(machine)
     for wall, status in enumerate(machine.of_walls(statuses)):
         if status != RESTS:
             rebound = max(machine.restitution[wall], np.finfo(float).tiny)

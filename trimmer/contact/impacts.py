@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.impulses import first_wall
-from trimmer.contact.statuses import COMPLETED, IMPACT, RESTS, TOGETHER
+from trimmer.contact.statuses import IMPACT, IMPULSES, RESTS
 from trimmer.motion.extremes import extremes
 from trimmer.motion.signals import Steady, while_status
 
@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
 GRAZING = 1e-6
 """Share of its path by which a body may miss a wall that it touches; its square root for the speed."""
-IMPULSES = (IMPACT, COMPLETED, TOGETHER)
-"""Kinds of events with an impulse."""
 
 
 def impact_at(course: Course, row: int) -> tuple[float, float]:

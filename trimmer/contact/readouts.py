@@ -10,7 +10,7 @@ from trimmer.contact.assembly import PUSHING
 from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.curves import mirror_of
 from trimmer.contact.friction_forces import hold_forces
-from trimmer.contact.impacts import IMPULSES, impact_at
+from trimmer.contact.impacts import impact_at
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import (
@@ -20,6 +20,7 @@ from trimmer.contact.statuses import (
     CONTACT_MADE,
     FORWARD,
     IMPACT,
+    IMPULSES,
     MINUS,
     PLUS,
     RELEASED_MINUS,

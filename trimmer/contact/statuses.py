@@ -25,3 +25,5 @@ KIND_COUNT = OWN_KINDS + 5
 CONTACT_MADE, CONTACT_BROKEN, IMPACT, COMPLETED, TOGETHER = range(OWN_KINDS, KIND_COUNT)
 """What contacts and walls do that begins a segment of the motion; of walls an impact with its restitution,
 the impulse that ends an infinite chatter, and that of walls which act together without rebound."""
+IMPULSES = (IMPACT, COMPLETED, TOGETHER)
+"""Kinds of events with an impulse."""

@@ -13,7 +13,7 @@ from trimmer.contact.impulses import first_wall, impulse_of
 from trimmer.contact.joint import after_event
 from trimmer.contact.layout import Layout
 from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import ACTIONS, COMPLETED, IMPACT, KIND_COUNT, TOGETHER
+from trimmer.contact.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
 from trimmer.contact.transitions import transition
 from trimmer.contact.walls import strike
 from trimmer.hybrid.system import STRUCK, Decision, EventFunction, Mode, Transition
@@ -87,7 +87,7 @@ class MechanismSystem:
 
         None where what happened to the part was no impulse.
         """
-        if kind not in (IMPACT, COMPLETED, TOGETHER):
+        if kind not in IMPULSES:
             return None
         wall = part - first_wall(self.machine)
         restitution = self.machine.restitution[wall] if kind == IMPACT else 0.0

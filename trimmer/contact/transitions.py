@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.curves import beyond_knot
-from trimmer.contact.impulses import impulse_of
+from trimmer.contact.impulses import first_wall, impulse_of
 from trimmer.contact.statuses import (
     ABOVE_KNOT,
     BACKWARD,
@@ -75,7 +75,7 @@ def transition(
         return None if others else Transition(_with(statuses, function.owner, STICK), HOLD_BEGUN)
     if function.owner == JOINTLY:
         return None
-    if function.owner >= contacts + len(machine.kinetic):
+    if function.owner >= first_wall(machine):
         if others and jumped:
             return None
         return Transition(_with(statuses, function.owner, LOOSE), HOLD_ENDED, ((STRUCK, 2 if jumped else 3),))
@@ -92,7 +92,7 @@ def held_parts(machine: Machine, statuses: tuple[int, ...]) -> list[int]:
     """Return the parts that hold two ends together: frictions that stick, walls at rest."""
     contacts = len(machine.stiffness)
     sticking = [contacts + k for k, each in enumerate(machine.of_frictions(statuses)) if each == STICK]
-    first = len(statuses) - len(machine.restitution)
+    first = first_wall(machine)
     return sticking + [first + k for k, each in enumerate(machine.of_walls(statuses)) if each == RESTS]
 
 
@@ -100,7 +100,7 @@ def _of_impact(
     machine: Machine, statuses: tuple[int, ...], function: EventFunction, jumped: bool
 ) -> Transition | None:
     """Return an impact that concerns neither friction nor another wall; None for any other."""
-    wall = function.owner - (len(statuses) - len(machine.restitution))
+    wall = function.owner - first_wall(machine)
     bodies = machine.contact_push.shape[1]
     concerned = machine.hold_rate[:, bodies : 2 * bodies] @ machine.wall_push[wall] != 0.0
     concerned[len(machine.kinetic) :] &= np.array(machine.of_walls(statuses), dtype=int) == RESTS

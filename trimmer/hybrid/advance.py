@@ -306,8 +306,8 @@ class _Integration:
         decide, state = self.modes.system.decide, self.work.state
         decision = decide(mode, state, function, place.jumped, at_rest)
         state[:] = decision.state
-        while place.row + len(decision.statuses) + len(decision.impulses) >= len(self.log.start):
-            more = place.row + len(decision.statuses) + len(decision.impulses)
+        more = place.row + len(decision.statuses) + len(decision.impulses)
+        while more >= len(self.log.start):
             self.log = self.log.longer(max(most_events, more) + 1)
         log = self.log
         if dropped:
