@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trimmer.branches.arc import Arc
+from trimmer.branches.branch import BranchPoint
 from trimmer.branches.narrowing import narrowed
 from trimmer.branches.orbit import Place
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -14,6 +16,10 @@ MOST_BORDERS = 12
 """Changes of phases on one step, beyond which the step is shortened."""
 CONTINUOUS = 1e-9
 """Distance of the orbits on both sides of a border, beyond which the branch is torn."""
+IMPACT = 1e3
+"""Largest multiplier beyond which it is that of an impact almost without speed."""
+DISTINCT = 1.5
+"""Ratio of the speeds of two impacts, beyond which a line through them tells well where there is none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,13 +74,37 @@ def special_points(border: Border) -> list[SpecialPoint]:
     return found
 
 
-def grazing(place: Place) -> SpecialPoint:
-    """Return an orbit that touches rigid walls without speed as a special point.
+def grazing(place: Place, points: Sequence[BranchPoint]) -> SpecialPoint:
+    """Return where a branch touches rigid walls without speed as a special point.
 
     Behind it impacts are born, or die, and the map has a square root there: no orbit of the branch goes on.
+    As the speed of an impact falls to zero, the largest multiplier grows as its inverse, and the branch is
+    smooth in that speed; so the point is found beyond the last orbit, where the inverse multiplier is zero.
+
+    Args:
+        place: The last orbit that was found.
+        points: The orbits up to it.
     """
-    parts = place.passage.grazed
-    return SpecialPoint(SpecialKind.GRAZING, place.value, place.strobed, parts, "an impact without speed")
+    last = points[-1]
+    impacts = 2 if place.problem.map.mirrored else 1
+    growths = {
+        (_largest(last) / _largest(each)) ** (1.0 / impacts): each
+        for each in points[:-1]
+        if each.signature == last.signature and _largest(each) > IMPACT
+    }
+    value, state = place.value, place.strobed
+    growth = min((each for each in growths if each > DISTINCT), default=None)
+    if growth is not None:
+        before, beyond = growths[growth], 1.0 / (growth - 1.0)
+        value, state = (
+            here + beyond * (here - there)
+            for here, there in ((last.value, before.value), (last.state, before.state))
+        )
+    return SpecialPoint(SpecialKind.GRAZING, value, state, place.passage.grazed, "an impact without speed")
+
+
+def _largest(point: BranchPoint) -> float:
+    return float(abs(point.multipliers).max())
 
 
 def _kind(phase: Phase) -> SpecialKind:

@@ -158,7 +158,7 @@ def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
     for taken in taken_steps:
         if isinstance(taken, BranchEnd):
             if taken is BranchEnd.GRAZED:
-                record.special.append(grazing(front.place))
+                record.special.append(grazing(front.place, record.points))
             return _Leg(front, taken)
         if limits.settings.deadline.passed:
             return _Leg(front, BranchEnd.OUT_OF_TIME)

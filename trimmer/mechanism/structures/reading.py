@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from pathlib import Path
@@ -79,7 +80,9 @@ def _matrix(path: Path) -> Any:
         rows, columns, *_ = mminfo(str(path))
         if max(rows, columns) > MOST:
             raise StructureError(f"has {rows} rows; reduce the model to at most {MOST}, as Craig-Bampton do")
-        matrix = mmread(str(path))
+        with warnings.catch_warnings():  # SciPy 1.18 tells that its default class will change; either does
+            warnings.filterwarnings("ignore", message="The default value for `spmatrix`")
+            matrix = mmread(str(path))
     except FileNotFoundError:
         raise StructureError(f"no such file; {near_file(path) or f'it is looked for as {path}'}") from None
     except OSError as reason:
