@@ -245,6 +245,20 @@ def beside_words(design: Design) -> str:
     return speeds + scatter
 
 
+def around_sentence(design: Design) -> str:
+    """Say beside which point the targets were looked at; empty if nowhere."""
+    around = design.around
+    speeds, machines = (len(around.beside(kind)) if around else 0 for kind in (Beside.SPEED, Beside.SCATTER))
+    where = [
+        *([f"at speeds up to {percent(max(SPEEDS))} lower and higher"] if speeds else []),
+        *([f"for {machines} machines whose numbers scatter as the file says"] if machines else []),
+    ]
+    if not where:
+        return ""
+    places = ", and ".join(where)
+    return f"The motion was also computed {places}; the columns hold the worst that came out there."
+
+
 def _remedies(design: Design) -> tuple[Remedy, ...]:
     found = design.remedies
     return () if found is None else (*found.found, *([found.nearest] if found.nearest else []))

@@ -68,6 +68,8 @@ def test_as_many_periods_are_followed_as_there_is_time_for() -> None:
     made = oscillator()
     assert periods_within(made, 1000, np.inf) == periods_within(made, 1000, 3600.0) == 1000
     assert periods_within(made, 1000, 1e-9) == FEWEST
+    some = {periods_within(made, 10**6, seconds) for seconds in (0.03, 0.05, 0.07)}
+    assert some <= {FEWEST * 2**doublings for doublings in range(14)}
     assert periods_within(replace(made, frequency=None, forces={}), 1000, 1e-9) == 1000
 
 

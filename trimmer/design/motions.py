@@ -88,7 +88,8 @@ class Motions:
 def periods_within(mechanism: Mechanism, most: int, seconds: float) -> int:
     """Return for how many drive periods some seconds suffice at the pace of the first ones, ``most`` at most.
 
-    A few are followed whatever time there is; without a drive there are none to count.
+    A few are followed whatever time there is, then twice as many and so on, so that a run again, whose pace
+    is not quite the same, finds what was kept; without a drive there are none to count.
     """
     if seconds == np.inf or mechanism.frequency is None or diverges_by_pull(mechanism):
         return most
@@ -99,7 +100,8 @@ def periods_within(mechanism: Mechanism, most: int, seconds: float) -> int:
     begun = time.perf_counter()
     flow.strobe(flow.rest(), PACE)
     pace = (time.perf_counter() - begun) / PACE
-    return min(most, max(FEWEST, int(seconds / pace)))
+    doublings = int(np.log2(max(seconds / pace / FEWEST, 1.0)))
+    return min(most, FEWEST * 2**doublings)
 
 
 def motions_from_starts(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from report.design.tables import target_rows
-from report.design.words import verdict_sentence
+from report.design.words import around_sentence, verdict_sentence
 from tests.trimmer.design.made import OSCILLATOR
 from trimmer import SerialRunner
 from trimmer.design.design_file import design_file_of_text
@@ -48,3 +48,4 @@ def test_a_target_that_is_missed_beside_the_point_is_told_with_the_worst_that_ca
     head, row = target_rows(design)
     assert head[4:] == ["At ±5 % speed", "As numbers scatter", "Verdict"]
     assert row[-1] == "missed beside it"
+    assert "at speeds up to 5 % lower and higher, and for 3 machines" in around_sentence(design)
