@@ -59,15 +59,9 @@ def draw_cells(
 def draw_values(
     axes: Axes, first: Reals, second: Reals, values: Reals, label: str, colours: Mapping[str, Any]
 ) -> None:
-    """Draw values, (n2, n1), over rising values of two numbers in colours, and say beside it which is which.
+    """Draw values, (n2, n1), over rising ones, (n1,) and (n2,), in colours of Matplotlib, with a bar of them.
 
-    Args:
-        axes: Where to draw.
-        first: Values along a row, (n1,).
-        second: Values of the rows, (n2,).
-        values: What is drawn; what is not a number stays blank.
-        label: What they are, with their unit.
-        colours: Matplotlib's map of colours and its limits.
+    What is not a number stays blank.
     """
     mesh = axes.pcolormesh(edges(first), edges(second), values, rasterized=True, **colours)
     figure = axes.get_figure(root=True)

@@ -84,7 +84,9 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
         return dwell(new, carried(flow_at(last), instant, new), periods)
 
     # Only after whole returns of all drives does a value begin with the phases at which the one before ended.
-    together = flow_at(values[0]).modes.system.layout.recurrence or 1
+    first = flow_at(values[0])
+    require_repeating(first)
+    together = first.modes.system.layout.recurrence or 1
     periods = -(-periods // together) * together
     plateaus: list[Plateau] = []
     ends: list[Instant] = []
@@ -92,20 +94,15 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
         if number:
             plateau, end = step(values[number - 1], values[number], ends[-1])
         else:
-            plateau, end = _first(flow_at(values[0]), state, periods)
+            plateau, end = dwell(first, instant_of(first, state), periods)
         plateaus.append(plateau)
         ends.append(end)
         if plateau.ending is not Ending.REACHED_END:
             break
-    jumped = jumps(list(flow_at(values[0]).outputs), values, plateaus, ends, step)
+    jumped = jumps(list(first.outputs), values, plateaus, ends, step)
     points = tuple(map(SweepPoint, values, ways, plateaus))
     followed = follow(mechanism, place, *values[0 : steps + 1 : steps]) if branch else None
     return Sweep(mechanism, place_text(parse_place(place)), steps, periods, back, points, jumped, followed)
-
-
-def _first(flow: Flow, state: Start, periods: int) -> tuple[Plateau, Instant]:
-    require_repeating(flow)
-    return dwell(flow, instant_of(flow, state), periods)
 
 
 def _values(

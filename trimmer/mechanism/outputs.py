@@ -7,12 +7,11 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.choices import ChoiceError
-from trimmer.mechanism.kinds import Kind, kind_of_point, number_of_weight
 from trimmer.mechanism.parts import COUPLINGS, GROUND, Output, OutputKind
 from trimmer.mechanism.place_text import Place
 from trimmer.mechanism.points import ends_in
 from trimmer.mechanism.problems import Problem, no_such
-from trimmer.mechanism.quantities import WEIGHT, NumberField
+from trimmer.mechanism.quantities import WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.structures.ends import no_such_end
 from trimmer.messages import listed
@@ -53,16 +52,14 @@ def problems_of_form(place: Place, entries: object) -> Iterator[Problem]:
 def output_of(
     place: Place,
     entries: Mapping[str, Any],
-    number: Callable[[Place, object, NumberField], Any],
-    kinds: Mapping[str, Kind],
+    read: Callable[[Place, Mapping[str, Any]], Mapping[str, Any]],
 ) -> Output:
     """Return an output of a file.
 
     Args:
         place: Names that lead to it.
         entries: What stands there, in good form.
-        number: Returns the number of a text at a place.
-        kinds: Of what may have a weight, by name.
+        read: Returns weights with numbers for their texts, by the place of all and the texts.
     """
     key = _kind_key(entries)
     if key == FORCE:
@@ -70,11 +67,7 @@ def output_of(
     kind, inner = OutputKind.DISPLACEMENT, place
     if key is not None:
         kind, inner, entries = OF_ENDS[key], (*place, key), entries[key]
-    moves = kind_of_point(kinds, entries)
-    weights = {
-        of: number((*inner, of), each, number_of_weight(kinds, moves, of)) for of, each in entries.items()
-    }
-    return Output(weights, kind)
+    return Output(read(inner, entries), kind)
 
 
 def _kind_key(entries: Mapping[str, Any]) -> str | None:

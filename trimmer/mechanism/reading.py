@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, fields, replace
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -211,9 +212,9 @@ def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]
             )
     for name, weights in content.get("points", {}).items():
         by_length = any(map(is_length, weights.values()))
-        arguments["points"][name] = Point(convert.weights(("points", name), weights, kinds), by_length)
+        arguments["points"][name] = Point(convert.weights(kinds, ("points", name), weights), by_length)
     for name, entries in content.get("outputs", {}).items():
-        arguments["outputs"][name] = output_of(("outputs", name), entries, convert.number, kinds)
+        arguments["outputs"][name] = output_of(("outputs", name), entries, partial(convert.weights, kinds))
     for name, state in content.get("start", {}).items():
         arguments["start"][name] = convert.state(("start", name), state, numbers_of_start(kinds, name))
     return arguments
@@ -240,7 +241,7 @@ class _Converter:
             return None
 
     def weights(
-        self, place: tuple[str, ...], weights: Mapping[str, object], kinds: Mapping[str, Kind]
+        self, kinds: Mapping[str, Kind], place: tuple[str, ...], weights: Mapping[str, object]
     ) -> dict[str, Any]:
         """Return the weights of a sum, each of which may be text."""
         kind = kind_of_point(kinds, weights)
