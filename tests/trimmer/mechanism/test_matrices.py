@@ -48,6 +48,29 @@ def test_a_mechanism_by_hand() -> None:
     np.testing.assert_array_equal(viscous.stiffness, matrices.stiffness)
 
 
+def test_a_curve_has_its_slope_where_the_ends_are_together() -> None:
+    """At a corner there it is the mean of both sides; beyond the outer points it goes on as straight."""
+    slopes = {
+        ((-1.0, -3.0), (0.0, 0.0), (2.0, 10.0)): 4.0,
+        ((-1.0, -3.0), (1.0, 3.0), (2.0, 10.0)): 3.0,
+        ((-2.0, -9.0), (-1.0, -3.0), (2.0, 12.0)): 5.0,
+        ((1.0, 0.0), (2.0, 7.0), (3.0, 8.0)): 7.0,
+        ((-3.0, 0.0), (-2.0, 7.0), (-1.0, 8.0)): 1.0,
+    }
+    for curve, slope in slopes.items():
+        link = Link(("ground", "a"), 0.5, curve=curve)
+        (found,) = linear_matrices(Mechanism({"a": Body(1.0)}, links={"k": link})).stiffness.ravel()
+        assert found == 0.5 + slope
+
+
+def test_a_link_is_the_same_in_both_directions_if_its_curve_is() -> None:
+    ends = ("ground", "a")
+    for curve in (None, ((-1.0, -3.0), (1.0, 3.0)), ((-2.0, -9.0), (0.0, 0.0), (2.0, 9.0))):
+        assert Link(ends, 1.0, curve=curve).is_odd
+    for curve in (((-1.0, -3.0), (1.0, 4.0)), ((-1.0, -3.0), (2.0, 6.0)), ((-1.0, 3.0), (1.0, 3.0))):
+        assert not Link(ends, 1.0, curve=curve).is_odd
+
+
 @settings(max_examples=8)
 @given(mechanisms(), st.floats(0.1, 10.0))
 def test_matrices_scale_with_masses_springs_and_dampers(mechanism: Mechanism, factor: float) -> None:
