@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -100,8 +101,8 @@ def periods_within(mechanism: Mechanism, most: int, seconds: float) -> int:
     begun = time.perf_counter()
     flow.strobe(flow.rest(), PACE)
     pace = (time.perf_counter() - begun) / PACE
-    doublings = int(np.log2(max(seconds / pace / FEWEST, 1.0)))
-    return min(most, FEWEST * 2**doublings)
+    doublings = int(math.log2(max(seconds / pace / FEWEST, 1.0)))
+    return min(most, FEWEST << doublings)
 
 
 def motions_from_starts(
