@@ -14,8 +14,6 @@ from trimmer.design.design import Stage
 from trimmer.files import FileWriteError
 from trimmer.progress import is_silenced
 
-KEPT = 0.05
-"""Time below which a step was not computed but kept, s."""
 OFTEN = 5.0
 """Time after which the same step is told of again where there is no terminal, s."""
 
@@ -49,16 +47,16 @@ class ProgressLines:
             self._write("trimmer design: what was done, and the time that was left")
 
     def __call__(self, stage: Stage, over: tuple[str, ...], done: int, count: int) -> None:
-        """Tell how much of a step is done."""
+        """Tell how much of a step is done; one that ends without having begun was kept, or left out."""
         now = time.perf_counter()
-        begun = self._begun.setdefault((stage, over), now)
         name = f"{stage.value}{f' over the {_words(over)}' if over else ''}"
         if done == count <= 1:
-            del self._begun[stage, over]
-            seconds = now - begun
-            took = f"{seconds:.1f} s" if seconds > KEPT else "kept"
+            begun = self._begun.pop((stage, over), None)
+            took = "kept" if begun is None else f"{now - begun:.1f} s"
             self.say(f"{name}: {took if count else 'left out'}", after_bar=True)
-        elif sys.stderr.isatty() and not is_silenced():
+            return
+        self._begun.setdefault((stage, over), now)
+        if sys.stderr.isatty() and not is_silenced():
             share = f" {done}/{count}" if count > 1 else ""
             print(f"\r\033[K{name} ...{share}{self._left()}", end="", file=sys.stderr, flush=True)
         elif count > 1 and now > self._last + OFTEN:

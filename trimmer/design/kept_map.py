@@ -85,7 +85,8 @@ def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list
     whole: dict[int, Row] = {row: found for row, found in kept.items() if found is not None}
     missing = [row for row in range(count) if row not in whole]
     done = count - len(missing)
-    told(done, count)
+    if missing:
+        told(done, count)
     numbers = [row * columns + column for row in missing for column in range(columns)]
     pending: dict[int, dict[int, CellResult]] = {row: {} for row in missing}
     work = CellWork(inputs.subject, inputs.places, inputs.settings)

@@ -294,7 +294,6 @@ class Study:
         runner = TimedRunner(self.runner, deadline)
         sizes = [self.settings.cells] if deadline.end == math.inf else [*self._sizes()]
         left = deadline.left
-        self.told(Stage.MAP, over, 0, 1)
         for cells, before in zip(sizes, [None, *sizes], strict=False):
             took = left - deadline.left
             if before is not None and took * (cells / before) ** 2 > deadline.left:
@@ -332,10 +331,10 @@ class Study:
         deadline = self.deadline.share(SPENT[stage])
         key = stage.name.lower(), (over, depends)
         result: Result | None = self.keeper.kept(*key)
-        self.told(stage, over, 0, 1)
         if result is None and deadline.passed and stage is not Stage.MOTIONS:
             return self._left_out(stage, over, otherwise)
         if result is None:
+            self.told(stage, over, 0, 1)
             result = make(TimedRunner(self.runner, deadline, told=told))
             if deadline.passed:
                 self._cut.append((stage, over))
