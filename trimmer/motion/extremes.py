@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -16,24 +16,41 @@ NEWTON_STEPS = 5
 """Steps of Newton's method from between two nodes to the place of an extreme."""
 
 
+class TurningPoints(NamedTuple):
+    """Points of a signal between which, in each row of the log, it only rises or only falls.
+
+    Attributes:
+        times: s, (count,), in their order.
+        rows: Rows of the log, (count,).
+        values: The signal, (count,).
+    """
+
+    times: Reals
+    rows: Integers
+    values: Reals
+
+
 def extremes(course: Course, signal: Signal) -> tuple[float, float]:
     """Return the smallest and the largest value of a signal over a motion, in its unit."""
-    values = turning_values(course, signal)
+    values = turning_points(course, signal).values
     return float(values.min()), float(values.max())
 
 
-def turning_values(course: Course, signal: Signal) -> Reals:
+def turning_points(course: Course, signal: Signal) -> TurningPoints:
     """Return a signal at both ends of each segment and at its extremes in between."""
     times, rows, states = _points(course)
     slopes = along(course, rate(course.modes, signal), rows, states)
     turning = np.flatnonzero((rows[1:] == rows[:-1]) & (slopes[1:] * slopes[:-1] < 0))
     _, firsts = np.unique(rows, return_index=True)
-    ends = np.concatenate([firsts, firsts[1:] - 1, [-1]])
-    found = along(course, signal, rows[ends], states[ends])
+    ends = np.sort(np.concatenate([firsts, firsts[1:] - 1, [len(rows) - 1]]))
+    at_ends = TurningPoints(times[ends], rows[ends], along(course, signal, rows[ends], states[ends]))
     if not len(turning):
-        return found
+        return at_ends
     bracket = times[turning], times[turning + 1], slopes[turning], slopes[turning + 1]
-    return np.concatenate([found, _between(course, signal, rows[turning], bracket)])
+    between = _between(course, signal, rows[turning], bracket)
+    joined = TurningPoints._make(np.concatenate(pair) for pair in zip(at_ends, between, strict=True))
+    order = np.lexsort((joined.times, joined.rows))
+    return TurningPoints._make(each[order] for each in joined)
 
 
 def _points(course: Course) -> tuple[Reals, Integers, Reals]:
@@ -51,7 +68,7 @@ def _points(course: Course) -> tuple[Reals, Integers, Reals]:
 
 def _between(
     course: Course, signal: Signal, rows: Integers, bracket: tuple[Reals, Reals, Reals, Reals]
-) -> Reals:
+) -> TurningPoints:
     """Return a signal where its rate is zero, by Newton's method between two times of unlike slopes."""
     low, high, slope_low, slope_high = (each.copy() for each in bracket)
     modes = course.modes
@@ -69,4 +86,4 @@ def _between(
             following = times - np.divide(slope, curvature, out=np.zeros_like(slope), where=slope != 0)
         inside = (following >= low) & (following <= high)
         times = np.where(inside, following, 0.5 * (low + high))
-    return along(course, signal, rows, course.states(times))
+    return TurningPoints(times, rows, along(course, signal, rows, course.states(times)))
