@@ -86,9 +86,8 @@ def grazing(place: Place, points: Sequence[BranchPoint]) -> SpecialPoint:
         points: The orbits up to it.
     """
     last = points[-1]
-    impacts = 2 if place.problem.map.mirrored else 1
     growths = {
-        (_largest(last) / _largest(each)) ** (1.0 / impacts): each
+        _largest(last) / _largest(each): each
         for each in points[:-1]
         if each.signature == last.signature and _largest(each) > IMPACT
     }
@@ -96,10 +95,8 @@ def grazing(place: Place, points: Sequence[BranchPoint]) -> SpecialPoint:
     growth = min((each for each in growths if each > DISTINCT), default=None)
     if growth is not None:
         before, beyond = growths[growth], 1.0 / (growth - 1.0)
-        value, state = (
-            here + beyond * (here - there)
-            for here, there in ((last.value, before.value), (last.state, before.state))
-        )
+        value += beyond * (last.value - before.value)
+        state = last.state + beyond * (last.state - before.state)
     return SpecialPoint(SpecialKind.GRAZING, value, state, place.passage.grazed, "an impact without speed")
 
 
