@@ -17,6 +17,7 @@ from trimmer.command_line.mechanism_options import add_set_option, chosen_mechan
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, as_option
 from trimmer.command_line.system_options import SOURCES, refuse_loop_options
+from trimmer.mechanism.control_checks import require_uncontrolled
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -70,6 +71,7 @@ def _of_mechanism(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.linear_text import as_json, as_text, chosen_states
 
     mechanism = chosen_mechanism(arguments)
+    require_uncontrolled(mechanism.controllers, "this command")
     states = chosen_states(mechanism, arguments.contacts)
     if arguments.plot is not None:
         from trimmer.drawing.mechanisms.linear import linear_figure

@@ -13,6 +13,7 @@ from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
+from trimmer.mechanism.control_checks import require_uncontrolled
 from trimmer.mechanism.coordinates import elastic_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
@@ -106,6 +107,7 @@ class Machine(NamedTuple):
 
 def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
     """Return the arrays of a mechanism, in the frame of the ground or a given one, and their rows' names."""
+    require_uncontrolled(mechanism.controllers, "exact motion")
     parts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
     contacts = {name: part for name, part in parts.items() if part.stiffness > 0 or part.damping > 0}
     frictions = {name: part for name, part in mechanism.frictions.items() if part.static_force > 0}

@@ -16,6 +16,7 @@ from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
+from trimmer.mechanism.control_checks import require_uncontrolled
 from trimmer.mechanism.drives import drives_of, waves_in
 from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
@@ -85,9 +86,11 @@ def require_balanceable(mechanism: Mechanism) -> None:
     """Check that harmonic balance knows the motions of a mechanism: sums of harmonics of a drive.
 
     Raises:
+        MechanismError: if it has controllers.
         UnsupportedMotionError: if it has no frequency, a spring leans on a pin that moves on, or nothing
             holds a body in place.
     """
+    require_uncontrolled(mechanism.controllers, "harmonic balance")
     if mechanism.frequency is None:
         raise UnsupportedMotionError("harmonic balance needs a frequency at the top of the mechanism")
     if curved := curves_of(mechanism):

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
 from trimmer.choices import ChoiceError
-from trimmer.mechanism import number_rows
+from trimmer.mechanism import control_checks, number_rows
 from trimmer.mechanism.kinds import Kind, kind_of_part, kinds_of, numbers_of_part, numbers_of_start
 from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
@@ -60,6 +60,7 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
     yield from _sums("points", Point, content["points"])
     yield from _sums("outputs", Output, content["outputs"])
     yield from _start(content["start"], kinds)
+    yield from control_checks.problems_of_types(content, kinds)
 
 
 def _heading(content: Content) -> Iterator[Problem]:

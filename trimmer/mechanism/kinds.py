@@ -12,7 +12,7 @@ from enum import Enum
 from types import MappingProxyType
 from typing import Any
 
-from trimmer.mechanism.parts import COUPLINGS, GROUND, Body, Output
+from trimmer.mechanism.parts import COUPLINGS, GROUND, Body, Output, OutputKind
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import DISPLACEMENT, PARTS, QUANTITIES, VELOCITY, WEIGHT, NumberField
 from trimmer.mechanism.structures.ends import rotations_in
@@ -135,8 +135,10 @@ def kind_of_output(content: Mapping[str, Any], kinds: Mapping[str, Kind], output
     """Return the kind of an output, which is there: of a force that of its part."""
     if output.part is None:
         return kind_of_point(kinds, output) or Kind.TRANSLATION
-    section = next(each for each in COUPLINGS if output.part in content[each])
-    return kind_of_part(kinds, section, output.part, content[section][output.part])
+    sections = ("controllers",) if OutputKind.chosen(output.kind, "kind") is OutputKind.CONTROL else COUPLINGS
+    parts = ((each, content.get(each, {}).get(output.part)) for each in sections)
+    found = (kind_of_part(kinds, section, output.part, part) for section, part in parts if part is not None)
+    return next(found, Kind.TRANSLATION)
 
 
 def is_length(value: object) -> bool:
@@ -152,6 +154,8 @@ def kind_of_part(kinds: Mapping[str, Kind], section: str, name: str, part: objec
     ends: Any = (name,)
     if section in COUPLINGS:
         ends = entry(part, "between")
+    elif section == "controllers":
+        ends = entry(part, "acts")
     elif section == "forces":
         ends = (entry(part, "on"),)
     known = (_known(kinds, each) for each in (ends if _is_list(ends) else ()))
@@ -159,6 +163,8 @@ def kind_of_part(kinds: Mapping[str, Kind], section: str, name: str, part: objec
 
 
 def _of_units(section: str, part: object) -> Kind:
+    if section not in PARTS:
+        return Kind.TRANSLATION
     turning, moving = (_FIELDS[PARTS[section], kind] for kind in (Kind.ROTATION, Kind.TRANSLATION))
     texts = [(key, text) for key in moving if isinstance(text := entry(part, key), str)]
     turns = any(_fits(text, turning[key]) and not _fits(text, moving[key]) for key, text in texts)
@@ -199,7 +205,12 @@ def problems_of_kinds(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> 
                 f"{start!r} is a {first.value} and {end!r} a {second.value}; both ends are of one kind, "
                 "so let one be a point that turns the other's motion into its own"
             )
-            yield Problem((section, name, "between"), reason, [start, end])
+            yield Problem((section, name, key_of_ends(section)), reason, [start, end])
+
+
+def key_of_ends(section: str) -> str:
+    """Return the key below which the parts of a section have their two ends."""
+    return "acts" if section == "controllers" else "between"
 
 
 def entry(part: object, key: str) -> Any:
@@ -214,9 +225,9 @@ def _parts(content: Mapping[str, Any], section: str) -> list[tuple[str, Any]]:
 
 def _joined(content: Mapping[str, Any]) -> Iterator[tuple[str, str, tuple[str, str]]]:
     """Yield section and name of each part between two ends, and their names."""
-    for section in COUPLINGS:
+    for section in (*COUPLINGS, "controllers"):
         for name, part in _parts(content, section):
-            ends = entry(part, "between")
+            ends = entry(part, key_of_ends(section))
             if _is_list(ends) and len(ends) == 2 and all(isinstance(e, str) for e in ends):
                 yield section, name, (ends[0], ends[1])
 

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import number_rows
+from trimmer.mechanism import control_reading, number_rows
 from trimmer.mechanism.checks import problems_of_types
+from trimmer.mechanism.control_checks import SECTIONS
+from trimmer.mechanism.controllers import Controller
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import UNITS, taken
 from trimmer.mechanism.parts import (
@@ -29,6 +31,7 @@ from trimmer.mechanism.parts import (
 from trimmer.mechanism.problems import Problem, as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
+from trimmer.mechanism.references import Reference
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.showing.shown import Shown, counted
@@ -55,6 +58,8 @@ class Mechanism(Shown):
             the bodies, and stand wherever a body may.
         start: Displacement, m, and velocity, m/s, of bodies at t = 0; the others are at rest at 0.
         points: Weighted sums of displacements, which stand wherever a body may.
+        controllers: What measures an output and acts with a force.
+        references: What controllers follow.
 
     Raises:
         MechanismError: if a part cannot be used or the parts do not go together; every problem is named.
@@ -75,6 +80,8 @@ class Mechanism(Shown):
     structures: Mapping[str, Structure] = field(default_factory=dict)
     walls: Mapping[str, Wall] = field(default_factory=dict)
     drives: Mapping[str, float] = field(default_factory=dict)
+    controllers: Mapping[str, Controller] = field(default_factory=dict)
+    references: Mapping[str, Reference] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if problems := problems_with(vars(self)):
@@ -89,6 +96,8 @@ class Mechanism(Shown):
             for name, (displacement, velocity) in self.start.items()
         }
         drives = {name: FREQUENCY.taken(each) for name, each in self.drives.items()}
+        for section, controls in control_reading.taken(vars(self), self.kinds).items():
+            object.__setattr__(self, section, controls)
         object.__setattr__(self, "drives", ReadOnly(drives))
         object.__setattr__(self, "outputs", ReadOnly(outputs))
         object.__setattr__(self, "points", ReadOnly(points))
@@ -130,7 +139,7 @@ class Mechanism(Shown):
         }
 
     def _told(self) -> str:
-        sections = ((name, len(getattr(self, name))) for name in (*PARTS, "points"))
+        sections = ((name, len(getattr(self, name))) for name in (*PARTS, "points", *SECTIONS))
         parts = ", ".join(counted(count, SINGULAR.get(name, name[:-1])) for name, count in sections if count)
         return f"{self.title}, {parts}" if self.title else parts
 

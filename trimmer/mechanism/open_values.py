@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from trimmer.mechanism.control_checks import SECTIONS
+from trimmer.mechanism.control_numbers import numbers_of
 from trimmer.mechanism.kinds import kinds_of, numbers_of_part
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem
@@ -79,6 +81,11 @@ def open_values(content: Mapping[str, Any]) -> Iterator[OpenValue]:
     for section in PARTS:
         for name, entries in _tables(content.get(section)):
             for key, wanted in numbers_of_part(kinds, section, name, entries).items():
+                if wanted.range is not Range.WHOLE and _is_open(entries.get(key)):
+                    yield OpenValue((section, name, key), entries[key], wanted)
+    for section in SECTIONS:
+        for name, entries in _tables(content.get(section)):
+            for key, wanted in numbers_of(content, kinds, section, name).items():
                 if wanted.range is not Range.WHOLE and _is_open(entries.get(key)):
                     yield OpenValue((section, name, key), entries[key], wanted)
 

@@ -19,8 +19,9 @@ from trimmer.messages import listed
 OF_ENDS = {kind.word: kind for kind in (OutputKind.VELOCITY, OutputKind.ACCELERATION)}
 """The kinds with weights that have a key of their own."""
 FORCE = OutputKind.FORCE.word
-CONTROL = "control"
-"""What a controller gives, which is not read yet."""
+CONTROL = OutputKind.CONTROL.word
+OF_PARTS = {kind.word: kind for kind in (OutputKind.FORCE, OutputKind.CONTROL)}
+"""The kinds that name a part."""
 KEYS = (*OF_ENDS, FORCE, CONTROL)
 """Keys that say of which kind an output is, each of which then stands alone."""
 UNITS: Mapping[OutputKind, str] = MappingProxyType(
@@ -29,6 +30,7 @@ UNITS: Mapping[OutputKind, str] = MappingProxyType(
         OutputKind.VELOCITY: "m/s",
         OutputKind.ACCELERATION: "m/s²",
         OutputKind.FORCE: "N",
+        OutputKind.CONTROL: "N",
     }
 )
 """SI unit of each kind."""
@@ -41,12 +43,12 @@ def problems_of_form(place: Place, entries: object) -> Iterator[Problem]:
         yield Problem(place, f"give weights, as in {_EXAMPLE}", entries)
         return
     key = _kind_key(entries) if place[0] == "outputs" else None
-    if key == CONTROL:
-        yield Problem(place, "there are no controllers whose output could be asked for; leave it out")
-    elif key in OF_ENDS and not isinstance(entries[key], dict):
+    if key in OF_ENDS and not isinstance(entries[key], dict):
         yield Problem((*place, key), f"give weights, as in {{ {key} = {_EXAMPLE} }}", entries[key])
     elif key == FORCE and not isinstance(entries[key], str):
         yield Problem((*place, key), 'name a part, as in { force = "bridge" }', entries[key])
+    elif key == CONTROL and not isinstance(entries[key], str):
+        yield Problem((*place, key), 'name a controller, as in { control = "axis" }', entries[key])
 
 
 def output_of(
@@ -62,8 +64,8 @@ def output_of(
         read: Returns weights with numbers for their texts, by the place of all and the texts.
     """
     key = _kind_key(entries)
-    if key == FORCE:
-        return Output(kind=OutputKind.FORCE, part=entries[key])
+    if key in OF_PARTS:
+        return Output(kind=OF_PARTS[key], part=entries[key])
     kind, inner = OutputKind.DISPLACEMENT, place
     if key is not None:
         kind, inner, entries = OF_ENDS[key], (*place, key), entries[key]
@@ -79,8 +81,8 @@ def entries_of(output: Output) -> dict[str, object]:
     match output.kind:
         case OutputKind.DISPLACEMENT:
             return dict(output.weights)
-        case OutputKind.FORCE:
-            return {FORCE: output.part}
+        case OutputKind.FORCE | OutputKind.CONTROL:
+            return {output.kind.word: output.part}
         case kind:
             return {kind.word: dict(output.weights)}
 
@@ -98,13 +100,15 @@ def problems_of_kind(place: Place, output: Output) -> Iterator[Problem]:
     except ChoiceError as error:
         yield Problem((*place, "kind"), str(error).split(": ", 1)[-1], output.kind)
         return
-    if kind is not OutputKind.FORCE:
+    if kind not in OF_PARTS.values():
         if output.part is not None:
             yield Problem((*place, "part"), "only the force of a part is asked for by its name", output.part)
     elif not isinstance(output.part, str):
-        yield Problem((*place, FORCE), 'name a part, as in { force = "bridge" }', output.part)
+        yield Problem((*place, kind.word), f'name a part, as in {{ {kind.word} = "bridge" }}', output.part)
     elif output.weights:
-        yield Problem(place, "a force has no weights; leave them out, or write another output for them")
+        yield Problem(
+            place, f"a {kind.word} has no weights; leave them out, or write another output for them"
+        )
 
 
 def taken(output: Output) -> Output:
@@ -124,6 +128,10 @@ def problems_of_outputs(content: Mapping[str, Any], known: list[str]) -> Iterato
         place, kind = ("outputs", name), OutputKind.chosen(output.kind, "kind")
         if kind is OutputKind.FORCE:
             yield from _of_force((*place, FORCE), output.part, content)
+        elif kind is OutputKind.CONTROL:
+            if output.part not in content["controllers"]:
+                reason = no_such("controller", output.part, content["controllers"])
+                yield Problem((*place, CONTROL), reason, output.part)
         elif not output.weights:
             yield Problem(place, f"has no weights; write them, as in {_EXAMPLE}")
         elif kind is OutputKind.DISPLACEMENT and (key := _kind_key(output.weights)) is not None:

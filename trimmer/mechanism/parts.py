@@ -270,23 +270,25 @@ class Force:
 
 
 class OutputKind(Choice):
-    """What an output is. The value is the order of its time derivative; None for what is no motion."""
+    """What an output is. The value of a motion is the order of its time derivative."""
 
     DISPLACEMENT = 0
     VELOCITY = 1
     ACCELERATION = 2
     FORCE = None
+    CONTROL = "what a controller gives"
 
 
 @dataclass(frozen=True)
 class Output:
-    """What is asked for: a sum of displacements, velocities or accelerations, or the force of a part.
+    """What is asked for: a sum of displacements, velocities or accelerations, or what a part exerts.
 
     Attributes:
         weights: Factor of each body's, point's and pin's displacement, velocity or acceleration; none of a
             force. If some are rotations and others translations, those of the rotations are lengths, m.
         kind: What it is.
         part: Of a force: the link, play, stop, wall or friction; positive where it pulls its ends together.
+            Of a control: the controller, whose acting force is meant.
     """
 
     weights: Mapping[str, float] = field(default_factory=dict)

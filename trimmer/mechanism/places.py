@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import number_rows
+from trimmer.mechanism import control_reading, number_rows
 from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.outputs import weight_place
@@ -35,6 +35,7 @@ def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
     for name, output in mechanism.outputs.items():
         for of in output.weights:
             found[weight_place(name, output.kind, of)] = _weight(mechanism, "outputs", name, of)
+    found |= control_reading.quantities(vars(mechanism), mechanism.kinds)
     for name in mechanism.coordinates:
         state = zip(STATE, numbers_of_start(mechanism.kinds, name), strict=True)
         found |= {("start", name, key): each for key, each in state}
@@ -71,6 +72,8 @@ def value_at(mechanism: Mechanism, place: str) -> float:
             return mechanism.drives[name]
         case ("outputs" | "points", name, *_, body):
             return getattr(mechanism, names[0])[name].weights[body]  # type: ignore[no-any-return]
+        case ("controllers" | "references" as section, name, *end):
+            return float(control_reading.value_of(getattr(mechanism, section)[name], tuple(end)))
         case ("start", name, key):
             return mechanism.start.get(name, (0.0, 0.0))[STATE.index(key)]
         case (section, name, listed, row, key):
@@ -106,6 +109,9 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
             part = getattr(mechanism, names[0])[name]
             weights = ReadOnly({**part.weights, body: number})
             return _with_entry(mechanism, names[0], name, replace(part, weights=weights))
+        case ("controllers" | "references" as section, name, *end):
+            part = control_reading.with_value_of(getattr(mechanism, section)[name], tuple(end), number)
+            return _with_entry(mechanism, section, name, part)
         case ("start", name, key):
             state = list(mechanism.start.get(name, (0.0, 0.0)))
             state[STATE.index(key)] = number
@@ -148,7 +154,7 @@ def _with_entry(mechanism: Mechanism, section: str, name: str, entry: object) ->
 def _number(names: Place, value: float | str, wanted: NumberField) -> float:
     if isinstance(value, str):
         try:
-            value = quantity(value, wanted.unit)
+            value = wanted.read(value)
         except UnitError as error:
             reason = f'{error}; "{wanted.example}" would do'
             raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}") from None
@@ -188,6 +194,8 @@ def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:
             return _weight(mechanism, "outputs", name, body) if there else None
         case ("start", name, key) if key in STATE and name in mechanism.coordinates:
             return numbers_of_start(mechanism.kinds, name)[STATE.index(key)]
+        case ("controllers" | "references", *_):
+            return control_reading.quantities(vars(mechanism), mechanism.kinds).get(names)
         case (section, name, *end) if section in PARTS and name in getattr(mechanism, section):
             return _of_part(mechanism, section, name).get(tuple(end))
     return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from trimmer.mechanism.kinds import Kind, is_length, place_of_weights, weights_of
+from trimmer.mechanism.kinds import Kind, is_length, key_of_ends, place_of_weights, weights_of
 from trimmer.mechanism.parts import COUPLINGS, GROUND, Pin, Point
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, weights_in
@@ -74,11 +74,13 @@ def problems_of_moving(content: Mapping[str, Any]) -> Iterator[Problem]:
         if not any(point.weights.values()):
             yield Problem(("points", name), "all its weights are 0, so that it never moves; give one another")
     known = weights_in(content)
-    for section in COUPLINGS:
+    for section in (*COUPLINGS, "controllers"):
+        key = key_of_ends(section)
         for name, part in content[section].items():
-            if all(end in known for end in part.between):
-                weights = [known[end] for end in part.between]
-                yield from _of_ends((section, name, "between"), part.between, weights, content["pins"])
+            ends = getattr(part, key)
+            if all(end in known for end in ends):
+                weights = [known[end] for end in ends]
+                yield from _of_ends((section, name, key), ends, weights, content["pins"])
 
 
 def _of_ends(

@@ -73,8 +73,10 @@ def as_message_of_file(
 def no_such(kind: str, name: str, known: Iterable[str]) -> str:
     """Return the reason against a name that nothing of a kind has, with what is there."""
     known = list(known)
-    there = f"there {'is' if len(known) == 1 else 'are'} {listed(map(repr, known))}"
-    return f"there is no {kind} {name!r}; {near_match(name, known) or (there if known else 'there is none')}"
+    there = "there is none"
+    if known:
+        there = f"there {'is' if len(known) == 1 else 'are'} {listed(map(repr, known))}"
+    return f"there is no {kind} {name!r}; {near_match(name, known) or there}"
 
 
 def in_one(sentences: Sequence[str], name: str) -> str:

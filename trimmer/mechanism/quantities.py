@@ -12,6 +12,7 @@ from types import MappingProxyType
 from trimmer.arguments import scalar
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop, Wall
 from trimmer.mechanism.structures.structure import Structure
+from trimmer.mechanism.units import quantity
 
 _LOWEST = 1e-300
 """Hz; thousands of periods of it are still finite."""
@@ -25,6 +26,7 @@ class Range(Enum):
     POSITIVE = "greater than zero"
     WHOLE = "a whole number from 1 on"
     SHARE = "from 0 to 1"
+    TO_INFINITY = "greater than zero, or inf"
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,8 @@ class NumberField:
         if not is_number(value):
             return f"give a number{self._in_unit}"
         number = self.taken(value)
+        if self.range is Range.TO_INFINITY and value == math.inf:
+            return ""
         if isinstance(number, float) and not math.isfinite(number):
             return "is too large for a floating-point number" if isinstance(value, int) else "must be finite"
         if self.unit == "Hz" and not math.isfinite(math.tau * number):
@@ -61,8 +65,19 @@ class NumberField:
             Range.POSITIVE: number > 0,
             Range.WHOLE: isinstance(number, int) and number >= 1,
             Range.SHARE: 0 <= number <= 1,
+            Range.TO_INFINITY: number > 0,
         }[self.range]
         return "" if fits else f"must be {self.range.value}{self._in_unit}"
+
+    def read(self, text: str) -> float:
+        """Return the number of a text in the SI unit.
+
+        Raises:
+            UnitError: if it is none; the message is the end of a sentence.
+        """
+        if self.range is Range.TO_INFINITY and text.strip() == "inf":
+            return math.inf
+        return quantity(text, self.unit)
 
     def taken(self, value: object) -> float:
         """Return a number as the float, or for a whole one the int, that the parts hold."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, replace
 from functools import partial
 from pathlib import Path
@@ -10,7 +10,8 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
-from trimmer.mechanism import number_rows
+from trimmer.mechanism import control_reading, number_rows
+from trimmer.mechanism.control_checks import SECTIONS as CONTROLS
 from trimmer.mechanism.kinds import (
     Kind,
     is_length,
@@ -35,12 +36,12 @@ from trimmer.mechanism.structures.ends import problems_of_dots
 from trimmer.mechanism.structures.reading import problems_of_keys, structure_of
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.toml_lines import lines_of_keys
-from trimmer.mechanism.units import UnitError, quantity
+from trimmer.mechanism.units import UnitError
 from trimmer.mechanism.waves import samples_of
 from trimmer.messages import listed, near_match
 from trimmer.toml_files import decoded, is_parameter_file, parsed, read_bytes_of_text
 
-SECTIONS = ("drives", *PARTS, "points", "outputs", "start")
+SECTIONS = ("drives", *PARTS, "points", "outputs", *CONTROLS, "start")
 FOR_OTHERS = ("author", "held", "targets", "uncertainty")
 """Keys that are no part of the mechanism: ``trimmer design`` and ``trimmer sample`` read them."""
 KEYS = ("title", "frequency", *SECTIONS, *FOR_OTHERS)
@@ -138,12 +139,9 @@ def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
             yield Problem((key,), _unknown(key, KEYS, "the top of the file"), _if_plain(value))
         elif key in SECTIONS and not isinstance(value, dict):
             yield Problem((key,), f"is a section: write [{key}] on a line of its own", value)
-        elif key in PARTS:
+        elif key in _FORMS:
             for name, entries in value.items():
-                yield from _problems_of_part((key, name), entries)
-        elif key in ("points", "outputs"):
-            for name, entries in value.items():
-                yield from problems_of_form((key, name), entries)
+                yield from _FORMS[key]((key, name), entries)
     yield from problems_of_dots(content)
     if "bodies" not in content and "structures" not in content:
         yield Problem(("bodies",), "there is none; write one, as in motor = { mass = 0.035 } below [bodies]")
@@ -168,6 +166,15 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
     for each in fields(kind):
         if each.default is MISSING is each.default_factory and each.name not in entries:
             yield Problem((*place, each.name), f"missing; add {_example(kind, each.name)}")
+
+
+_FORMS: Mapping[str, Callable[[tuple[str, str], object], Iterator[Problem]]] = MappingProxyType(
+    {
+        **dict.fromkeys(PARTS, _problems_of_part),
+        **dict.fromkeys(("points", "outputs"), problems_of_form),
+        **dict.fromkeys(CONTROLS, control_reading.problems_of_form),
+    }
+)
 
 
 def _structures(content: Mapping[str, Any], folder: Path, problems: list[Problem]) -> dict[str, Structure]:
@@ -215,6 +222,8 @@ def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]
         arguments["points"][name] = Point(convert.weights(kinds, ("points", name), weights), by_length)
     for name, entries in content.get("outputs", {}).items():
         arguments["outputs"][name] = output_of(("outputs", name), entries, partial(convert.weights, kinds))
+    for section in CONTROLS:
+        arguments[section] = control_reading.controls_of(content, kinds, section, convert.number)
     for name, state in content.get("start", {}).items():
         arguments["start"][name] = convert.state(("start", name), state, numbers_of_start(kinds, name))
     return arguments
@@ -235,7 +244,7 @@ class _Converter:
         if not isinstance(value, str):
             return value
         try:
-            return quantity(value, wanted.unit)
+            return wanted.read(value)
         except UnitError as error:
             self._problems.append(Problem(place, f'{error}; "{wanted.example}" would do', value))
             return None

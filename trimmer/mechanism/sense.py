@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from trimmer.mechanism.control_checks import problems_of_control, problems_of_control_numbers
 from trimmer.mechanism.kinds import kind_of_part, kinds_of, problems_of_kinds
 from trimmer.mechanism.number_rows import problems_of_order
 from trimmer.mechanism.outputs import problems_of_outputs
@@ -68,6 +69,7 @@ def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
             yield from problems_of_order((section, name), part)
     yield from _drive(content)
     yield from problems_of_moving(content)
+    yield from problems_of_control_numbers(content)
 
 
 def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
@@ -78,6 +80,7 @@ def _problems_of_parts(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from (*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds))
     yield from problems_of_numbers(content)
     yield from problems_of_outputs(content, [*ends, *modes_in(content)])
+    yield from problems_of_control(content)
     yield from _start(content)
     yield from _symbols(content)
 
@@ -200,6 +203,7 @@ def _start(content: Mapping[str, Any]) -> Iterator[Problem]:
 def _untouched(content: Mapping[str, Any]) -> Iterator[Problem]:
     ends = [end for section in COUPLINGS for part in content[section].values() for end in part.between]
     ends += [force.on for force in content["forces"].values()]
+    ends += [end for controller in content["controllers"].values() for end in controller.acts]
     weights = weights_in(content)
     touched = {body for end in ends for body in weights[end]}
     for name in content["bodies"]:

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from trimmer.mechanism.control_checks import SECTIONS
+from trimmer.mechanism.control_reading import entries_of as entries_of_control
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import entries_of
@@ -34,17 +36,23 @@ def _paragraphs(mechanism: Mechanism) -> Iterator[str]:
         yield f"frequency = {_value(mechanism.frequency)}\n"
     if mechanism.drives:
         yield _section("drives", {name: _value(each) for name, each in mechanism.drives.items()})
-    for section in PARTS:
-        if parts := getattr(mechanism, section):
-            yield _section(section, {name: _inline(_entries(part)) for name, part in parts.items()})
-    if mechanism.points:
-        points = {name: _inline(_weights(mechanism, name)) for name in mechanism.points}
-        yield _section("points", points)
-    if mechanism.outputs:
-        outputs = {name: _inline(entries_of(output)) for name, output in mechanism.outputs.items()}
-        yield _section("outputs", outputs)
-    if mechanism.start:
-        yield _section("start", {name: _value(state) for name, state in mechanism.start.items()})
+    for section, parts in _written(mechanism).items():
+        if parts:
+            yield _section(section, {name: _value(entries) for name, entries in parts.items()})
+
+
+def _written(mechanism: Mechanism) -> dict[str, dict[str, object]]:
+    """Return what stands in each section, by name."""
+    found: dict[str, dict[str, object]] = {
+        section: {name: _entries(part) for name, part in getattr(mechanism, section).items()}
+        for section in PARTS
+    }
+    found["points"] = {name: _weights(mechanism, name) for name in mechanism.points}
+    found["outputs"] = {name: entries_of(output) for name, output in mechanism.outputs.items()}
+    for section in SECTIONS:
+        controls = getattr(mechanism, section).items()
+        found[section] = {name: entries_of_control(part) for name, part in controls}
+    return found | {"start": dict(mechanism.start)}
 
 
 def _section(name: str, entries: dict[str, str]) -> str:

@@ -102,11 +102,12 @@ def document() -> str:
 
 def test_files_in_the_document_are_read(document: str) -> None:
     blocks = re.findall(r"```toml\n(.*?)```", document, flags=re.DOTALL)
-    trimmer, block, motor, housing = map(Mechanism.from_toml_text, blocks)
+    trimmer, block, motor, housing, axis = map(Mechanism.from_toml_text, blocks)
     assert trimmer.value("plays.bridge.gap") == 40e-6
     assert motor.kinds["gear"] is Kind.ROTATION and motor.kinds["rack"] is Kind.TRANSLATION
     assert block.start == {"block": (0.01, 0.5)}
     assert block.links["spring"].damping_symbol == "c"
+    assert (axis.value("references.path.at"), axis.value("controllers.axis.limit")) == (0.01, 2.0)
     assert housing.coordinates == ("housing.u1", "housing.u2", "housing.eta")
 
 

@@ -147,7 +147,7 @@ CASES = {
         "y = { acceleration = 1 }": "outputs.y.acceleration = 1: give weights, as in { acceleration = {",
         "y = { force = 3 }": 'line 16: outputs.y.force = 3: name a part, as in { force = "bridge" }',
         "y = { force = 'mont' }": "there is no link, play, stop, wall or friction 'mont'",
-        "y = { control = 'axis' }": "line 16: outputs.y: there are no controllers",
+        "y = { control = 'axis' }": "line 16: outputs.y.control = 'axis': there is no controller",
         "y = { velocity = { b = '1 m' } }": "outputs.y.velocity.b = '1 m': 'b' is a translation, so that its",
         "y = { velocity = 1, b = 1 }": "outputs.y.velocity = 1: there is no body or pin 'velocity'",
     },

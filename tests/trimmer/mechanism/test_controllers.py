@@ -1,0 +1,202 @@
+"""Controllers and references as data: files, places, units, and what is said of those that will not do."""
+
+from __future__ import annotations
+
+import math
+
+import control
+import pytest
+
+from trimmer import Mechanism, MechanismError, simulate
+from trimmer.mechanism import (
+    Body,
+    Cascade,
+    Link,
+    Output,
+    OutputKind,
+    Pid,
+    ProfileReference,
+    RampReference,
+    SineReference,
+    StepReference,
+    TransferController,
+)
+
+TEXT = """\
+[bodies]
+motor = { inertia = 2e-4 }
+slide = { mass = 0.5 }
+[points]
+rack = { motor = "10 mm" }
+[pins]
+base = { on = "motor" }
+[links]
+belt = { between = ["rack", "slide"], stiffness = 1e4 }
+[frictions]
+guide = { between = ["ground", "slide"], force = 1.0 }
+[outputs]
+angle = { motor = 1 }
+rate = { velocity = { motor = 1 } }
+way = { slide = 1 }
+shaking = { acceleration = { slide = 1 } }
+rubbing = { force = "guide" }
+pull = { force = "belt" }
+torque = { control = "axis" }
+[controllers]
+axis = { kind = "pid", measure = "angle", acts = ["ground", "motor"], kp = "2 N m/rad" }
+"""
+AXIS = TEXT.splitlines()[-1]
+
+
+def axis(**keys: str) -> str:
+    """Return the text with other keys of the controller, as TOML."""
+    given = {"kind": '"pid"', "measure": '"angle"', "acts": '["ground", "motor"]'} | keys
+    return TEXT.replace(AXIS, f"axis = {{ {', '.join(f'{key} = {value}' for key, value in given.items())} }}")
+
+
+def cascade(**keys: str) -> str:
+    return axis(kind='"cascade"', **keys)
+
+
+def transfer(**keys: str) -> str:
+    return axis(kind='"transfer"', **{"numerator": "[1]", "denominator": "[1, 2]"} | keys)
+
+
+def reference(text: str) -> str:
+    return axis(reference='"path"') + f"[references]\npath = {text}\n"
+
+
+WRONG = {
+    axis(kind='"pdi"'): "line 21: controllers.axis.kind = 'pdi': did you mean pid?",
+    TEXT.replace('kind = "pid", ', ""): "controllers.axis.kind: missing; write one of 'pid', 'cascade' or",
+    axis(filter="1e-3"): "line 21: controllers.axis.filter = 0.001: unknown key; did you mean filter_time?",
+    axis(kv="1"): "controllers.axis.kv = 1: unknown key",
+    TEXT.replace('measure = "angle", ', ""): 'controllers.axis.measure: missing; add measure = "angle"',
+    axis(measure='"angel"'): "axis.measure = 'angel': there is no output 'angel'; did you mean angle?",
+    axis(reference='"path"'): "axis.reference = 'path': there is no reference 'path'; there is none",
+    axis(acts='"motor"'): ': name two ends, as in ["ground", "motor"]',
+    axis(acts='["ground", "base"]'): "a pin moves as prescribed; name what carries it, 'motor'",
+    axis(acts='["motor", "slide"]'): "'motor' is a rotation and 'slide' a translation",
+    axis(acts='["motor", "motor"]'): "both ends are the same; name two different ones",
+    axis(kp='"2 N/m"'): "controllers.axis.kp = '2 N/m': 'N/m' does not measure what N m/rad does",
+    axis(kd="1"): "controllers.axis.filter_time = 0.0: a gain kd needs a filter_time",
+    axis(limit="0"): "controllers.axis.limit = 0: must be greater than zero, in N m",
+    axis(ki="1", limit="1"): "controllers.axis.tracking: missing; a limit and an integral part need",
+    axis(kp="1", ki="1", tracking="1"): "tracking = 1: the integral follows a limit, and there is none",
+    axis(kp="1", limit="1", tracking="1"): "tracking = 1: there is no integral part",
+    axis(ki="1", limit="1", sample="1e-3", tracking="1e-4"): "must not be shorter than the sample, 0.001 s",
+    axis(ki="1", limit="1", tracking="0"): "tracking = 0: must be greater than zero, or inf, in s",
+    axis(delay="1e-3"): "controllers.axis.delay = 0.001: a delay needs a sample, or pade = 3",
+    axis(sample="1e-3", pade="2"): "controllers.axis.pade = 2: a sampled controller delays exactly",
+    axis(sample="0"): "controllers.axis.sample = 0: must be greater than zero, in s",
+    axis(pade="1.5"): "controllers.axis.pade = 1.5: must be a whole number from 1 on",
+    axis(measure='"shaking"'): "an algebraic loop, 'axis' -> 'shaking' -> forces -> 'axis'",
+    axis(measure='"rubbing"'): "an algebraic loop, 'axis' -> 'rubbing' -> 'guide' -> 'axis'",
+    axis(measure='"torque"'): "axis.measure = 'torque': an algebraic loop, 'axis' -> 'torque' -> 'axis'",
+    cascade(speed='"difference"'): "axis.speed = 'difference': a difference is that of two samples",
+    cascade(speed='"shaking"'): "controllers.axis.speed = 'shaking': an algebraic loop",
+    cascade(measure='"rate"'): "controllers.axis.speed: missing; 'rate' is no displacement",
+    cascade(ti="0"): "controllers.axis.ti = 0: must be greater than zero, in s",
+    transfer(numerator="[1, 2, 3]"): "controllers.axis.numerator = [1, 2, 3]: improper: it has the degree 2",
+    transfer(denominator="[0, 1]"): "its first coefficient must not be 0",
+    transfer(numerator="[]"): "numerator = []: give a list of numbers, descending powers of s",
+    transfer(numerator='["a"]'): "controllers.axis.numerator.1 = 'a': is no number; text is not evaluated",
+    transfer(limit="1", tracking="1"): "a transfer function has no integral that could follow",
+    transfer(denominator="[1, -2000]", sample="1e-3"): "has a root at s = 2/sample = 2000 1/s",
+    reference("{ stop = 1 }"): "references.path: gives no step, ramp, sine or profile; did you mean step?",
+    reference("{ step = 1, time = 2 }"): "references.path.time = 2: unknown key; 'step' may hold step and at",
+    reference("{ sine = 1 }"): "references.path.frequency: missing; add frequency = 5.0",
+    reference("{ step = '1 mm' }"): "references.path.step = '1 mm': 'mm' does not measure what rad does",
+    reference("{ profile = [[1, 0], [1, 1]] }"): "references.path.profile.2.time = 1.0: the time must rise",
+    reference("{ profile = [1, 2] }"): "give a list of points [time in s, value], as in",
+    TEXT.replace('control = "axis"', 'control = "axes"'): "there is no controller 'axes'; did you mean axis?",
+    TEXT.replace('control = "axis"', "control = 1"): 'name a controller, as in { control = "axis" }',
+}
+
+
+@pytest.mark.parametrize(("text", "sentence"), WRONG.items(), ids=range(len(WRONG)))
+def test_what_will_not_do_is_told(text: str, sentence: str) -> None:
+    with pytest.raises(MechanismError) as raised:
+        Mechanism.from_toml_text(text)
+    assert sentence in str(raised.value)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        axis(ki="1", limit="1", tracking="inf"),
+        axis(ki="1", limit="1", tracking='"inf"'),
+        axis(measure='"pull"', delay="1e-3", pade="2"),
+        axis(measure='"torque"', sample="1e-3", delay='"2 ms"'),
+        cascade(measure='"rate"', speed='"way"', kp="1", kv='"2 N"', ti="1", limit="1"),
+        cascade(measure='"way"', kp='"3 s^-1"', kv="1", speed='"difference"', sample="1e-3"),
+        transfer(numerator="[0, 1, 2]", limit='"1 N m"', acts='["ground", "rack"]').replace(
+            '"1 N m"', '"1 N"'
+        ),
+        reference("{ ramp = '20 rpm', at = '1 s' }"),
+        reference("{ sine = 1, frequency = '3 Hz', phase = '90 deg' }"),
+        reference("{ profile = [[0, '2 deg'], ['1 s', 3]] }"),
+    ],
+)
+def test_files_and_places_keep_what_they_hold(text: str) -> None:
+    mechanism = Mechanism.from_toml_text(text)
+    again = Mechanism.from_toml_text(mechanism.to_toml())
+    assert again == mechanism
+    assert hash(again) == hash(mechanism)
+    for place in mechanism.places:
+        if not place.startswith(("controllers", "references")):
+            continue
+        value = mechanism.value(place)
+        if value and not place.endswith("tracking"):
+            assert mechanism.with_value(place, 1.01 * value).value(place) == 1.01 * value
+        assert mechanism.with_value(place, value).value(place) == value
+    assert mechanism.value("controllers.axis.delay") == mechanism.controllers["axis"].delay
+
+
+def test_units_follow_what_is_measured_and_what_acts() -> None:
+    text = cascade(measure='"way"', speed='"rate"', kp="1", kv="1", ti="1", limit="1", reference='"path"')
+    mechanism = Mechanism.from_toml_text(f"{text}[references]\npath = {{ ramp = 1 }}\n")
+    expected = {"kp": "rad/s/m", "kv": "N m s/rad", "limit": "N m", "feedforward": "rad/m", "ti": "s"}
+    for key, unit in expected.items():
+        assert mechanism.places[f"controllers.axis.{key}"] == unit
+    assert mechanism.places["references.path.ramp"] == "m/s"
+    assert mechanism.output_units["torque"] == "N m"
+    assert mechanism.value("controllers.axis.tracking") == 1.0
+
+
+def test_open_numbers_are_named_with_their_place() -> None:
+    with pytest.raises(MechanismError, match=r"axis\.kp = '1 N m/rad\.\.2 N m/rad': this is a range"):
+        Mechanism.from_toml_text(axis(kp='"1 N m/rad..2 N m/rad"'))
+
+
+def test_controllers_in_python() -> None:
+    parts = {
+        "bodies": {"slide": Body(1.0)},
+        "links": {"mount": Link(("ground", "slide"), 1.0)},
+        "outputs": {"way": Output({"slide": 1}), "u": Output(kind=OutputKind.CONTROL, part="lead")},
+    }
+    of = control.tf([1, 2], [1, 3, 4])
+    controllers = {
+        "lead": TransferController.of_system(of, measure="way", acts=("ground", "slide"), reference="step"),
+        "pid": Pid(measure="way", acts=["ground", "slide"], kp=1, ki=2, limit=3),
+        "speed": Cascade(measure="way", acts=("slide", "ground"), kp=1, kv=2, ti=0.5, reference="sine"),
+    }
+    references = {
+        "step": StepReference(1),
+        "ramp": RampReference(0.5, 1),
+        "sine": SineReference(1, 5),
+        "profile": ProfileReference([(0, 1), (1, 2)]),
+    }
+    mechanism = Mechanism(**parts, controllers=controllers, references=references)
+    lead, pid = mechanism.controllers["lead"], mechanism.controllers["pid"]
+    assert isinstance(lead, TransferController)
+    assert (lead.numerator, lead.denominator) == ((1.0, 2.0), (1.0, 3.0, 4.0))
+    assert (pid.acts, pid.tracking_time) == (("ground", "slide"), 0.5)
+    assert mechanism.with_value("controllers.pid.tracking", math.inf).controllers["pid"].tracking == math.inf
+    assert Mechanism.from_toml_text(mechanism.to_toml()) == mechanism
+    with pytest.raises(MechanismError, match=r"controllers\.lead = .*: give one of the controllers"):
+        Mechanism(**parts, controllers={"lead": {"kind": "pid"}})
+    with pytest.raises(
+        MechanismError, match=r"controllers\.lead: exact motion does not know controllers yet"
+    ):
+        simulate(mechanism, 1.0)
