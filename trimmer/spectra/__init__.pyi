@@ -9,8 +9,10 @@ from .classification import ClassifiedPeak as ClassifiedPeak
 from .classification import DriveFraction as DriveFraction
 from .classification import Harmonic as Harmonic
 from .classification import LimitCycleLine as LimitCycleLine
+from .classification import MainsHum as MainsHum
 from .classification import Match as Match
 from .classification import NaturalMode as NaturalMode
+from .classification import OwnMultiple as OwnMultiple
 from .classification import Tolerance as Tolerance
 from .classification import classify as classify
 from .comparison import MotionComparison as MotionComparison
@@ -18,6 +20,7 @@ from .comparison import SimulatedLines as SimulatedLines
 from .comparison import compare_motions as compare_motions
 from .harmonics import HarmonicFit as HarmonicFit
 from .harmonics import fit_harmonics as fit_harmonics
+from .own_lines import with_own_lines as with_own_lines
 from .peaks import Peak as Peak
 from .spectrum import Spectrum as Spectrum
 from .spectrum import amplitude_spectrum as amplitude_spectrum

@@ -1,10 +1,11 @@
-"""Classification of the peaks of a spectrum by frequency: harmonic, natural mode or limit cycle."""
+"""Classification of the peaks of a spectrum by frequency: harmonic, natural mode, limit cycle or hum."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import final
 
 from trimmer.arguments import real_number, require_instance, require_instances, shown, truth_value
@@ -122,7 +123,45 @@ class LimitCycleLine:
         return f"limit cycle {self.number}{harmonic}"
 
 
-Origin = Harmonic | DriveFraction | NaturalMode | LimitCycleLine
+@final
+@dataclass(frozen=True)
+class OwnMultiple:
+    """A multiple of the frequency with which a motion without a drive repeats.
+
+    Attributes:
+        order: The multiple, 1 for that frequency.
+        frequency: Frequency of the line, Hz.
+    """
+
+    order: int
+    frequency: float
+
+    @property
+    def label(self) -> str:
+        """Text for tables: the multiple, and of what."""
+        return f"{self.order} x {self.frequency / self.order:.6g} Hz"
+
+
+@final
+@dataclass(frozen=True)
+class MainsHum:
+    """A multiple of the frequency of the mains.
+
+    Attributes:
+        order: The multiple.
+        frequency: Frequency of the line, Hz.
+    """
+
+    order: int
+    frequency: float
+
+    @property
+    def label(self) -> str:
+        """Text for tables: the multiple, and of what."""
+        return f"hum of the mains, {self.order} x {self.frequency / self.order:g} Hz"
+
+
+Origin = Harmonic | DriveFraction | NaturalMode | LimitCycleLine | OwnMultiple | MainsHum
 
 
 @final
@@ -144,6 +183,11 @@ class Match:
     def fits(self) -> bool:
         """Whether the peak may be that."""
         return abs(self.distance) <= self.tolerance
+
+    @property
+    def share(self) -> float:
+        """Its distance as a share of what it may be."""
+        return abs(self.distance) / self.tolerance
 
 
 @final
@@ -175,6 +219,16 @@ class ClassifiedPeak:
     def ambiguous(self) -> bool:
         """Whether several candidates fit, so that frequency alone does not decide."""
         return self.second is not None
+
+
+def match_of(peak: Peak, origin: Origin, bin_width: float, tolerance: float) -> Match:
+    """Return how well a peak fits an origin; bin width in Hz, tolerance in bins."""
+    return Match(origin, (peak.frequency - origin.frequency) / bin_width, tolerance)
+
+
+def classified(peak: Peak, candidates: Iterable[Match]) -> ClassifiedPeak:
+    """Return a peak with its candidates, the best one first."""
+    return ClassifiedPeak(peak, tuple(sorted(candidates, key=attrgetter("share"))))
 
 
 def require_positive(name: str, value: float) -> None:
@@ -255,16 +309,16 @@ def classify(
     def candidates(peak: Peak) -> Iterator[Match]:
         if drive_frequency is not None:
             order = max(1, round(peak.frequency / drive_frequency))
-            harmonic = _match(peak, Harmonic(order, order * drive_frequency), bin_width, tolerance.bins)
+            harmonic = match_of(peak, Harmonic(order, order * drive_frequency), bin_width, tolerance.bins)
             yield harmonic
             if not harmonic.fits:
                 yield from _fractions(peak, drive_frequency, bin_width, FRACTION_BINS * tolerance.bins)
         for origins in filter(None, (modes, lines)):
             nearest = min(origins, key=lambda origin: abs(origin.frequency - peak.frequency))
             allowed = max(tolerance.bins, tolerance.model * nearest.frequency / bin_width)
-            yield _match(peak, nearest, bin_width, allowed)
+            yield match_of(peak, nearest, bin_width, allowed)
 
-    return tuple(ClassifiedPeak(peak, tuple(sorted(candidates(peak), key=_share))) for peak in peaks)
+    return tuple(classified(peak, candidates(peak)) for peak in peaks)
 
 
 def _fractions(peak: Peak, drive: float, bin_width: float, tolerance: float) -> Iterator[Match]:
@@ -272,7 +326,7 @@ def _fractions(peak: Peak, drive: float, bin_width: float, tolerance: float) -> 
     for denominator in DENOMINATORS:
         numerator = round(peak.frequency / drive * denominator)
         origin = DriveFraction(numerator, denominator, numerator * drive / denominator)
-        match = _match(peak, origin, bin_width, tolerance)
+        match = match_of(peak, origin, bin_width, tolerance)
         if numerator and math.gcd(numerator, denominator) == 1 and match.fits:
             yield match
             return
@@ -298,14 +352,6 @@ def _lines(frequencies: Sequence[float], orders: Sequence[int]) -> list[Origin]:
         for number, each in enumerate(frequencies, start=1)
         for order in orders
     ]
-
-
-def _match(peak: Peak, origin: Origin, bin_width: float, tolerance: float) -> Match:
-    return Match(origin, (peak.frequency - origin.frequency) / bin_width, tolerance)
-
-
-def _share(match: Match) -> float:
-    return abs(match.distance) / match.tolerance
 
 
 def frequencies_of(name: str, values: Sequence[float]) -> tuple[float, ...]:

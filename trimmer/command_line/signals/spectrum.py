@@ -66,6 +66,12 @@ def _configure(parser: ArgumentParser) -> None:
         "in place of the thesis's, and whose motion stands beside; --output names its output",
     )
     add_set_option(parser)
+    parser.add_argument(
+        "--mains",
+        type=positive("Hz"),
+        metavar="HZ",
+        help="frequency of the mains, Hz, whose hum is looked for among the peaks (default: 50 and 60)",
+    )
     parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
     parser.add_argument(
         "--limit", type=positive_whole, metavar="N", default=20, help="number of peaks (default: 20)"
@@ -184,7 +190,8 @@ def _against(
     drive = arguments.drive if mechanism.frequency is None else comparison.frequency
     modes = [mode.frequency for state in linear_states(mechanism, ()) for mode in state.modes]
     source = f"{arguments.against}, contacts closed and open"
-    return PredictedFrequencies(source, tuple(dict.fromkeys(modes)), None, ()), comparison, drive
+    own = comparison.frequency if drive is None else None
+    return PredictedFrequencies(source, tuple(dict.fromkeys(modes)), None, (), own), comparison, drive
 
 
 def _analysis(
@@ -192,11 +199,12 @@ def _analysis(
 ) -> SpectrumAnalysis:
     from trimmer.errors import SignalWarning
     from trimmer.spectra.analysis import analyse_signal
+    from trimmer.spectra.own_lines import MAINS, with_own_lines
 
     with warnings.catch_warnings():
         # They stand in the text and in the JSON.
         warnings.simplefilter("ignore", SignalWarning)
-        return analyse_signal(
+        analysis = analyse_signal(
             signal,
             drive,
             predictions.natural_frequencies,
@@ -205,6 +213,8 @@ def _analysis(
             arguments.limit,
             closed_loop=arguments.closed_loop,
         )
+    mains = MAINS if arguments.mains is None else (arguments.mains,)
+    return with_own_lines(analysis, predictions.own_frequency, mains)
 
 
 def _averaged(arguments: Namespace, chosen: ChosenRecording) -> AveragedSpectrum | None:

@@ -28,9 +28,11 @@ from trimmer.spectra.classification import (
     DriveFraction,
     Harmonic,
     LimitCycleLine,
+    MainsHum,
     Match,
     NaturalMode,
     Origin,
+    OwnMultiple,
 )
 from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.harmonics import HarmonicFit
@@ -50,12 +52,14 @@ class PredictedFrequencies:
         natural_frequencies: Frequencies of the natural modes, Hz; 0 for an overdamped one.
         gap: Total clearance of the backlash, m; None if no limit cycles were asked for.
         limit_cycles: Frequencies of the stable limit cycles, Hz.
+        own_frequency: That with which a mechanism without a drive repeats, in the measurement, Hz.
     """
 
     source: str
     natural_frequencies: tuple[float, ...]
     gap: float | None
     limit_cycles: tuple[float, ...]
+    own_frequency: float | None = None
 
 
 @dataclass(frozen=True)
@@ -189,6 +193,8 @@ def _candidates(analysis: SpectrumAnalysis, predictions: PredictedFrequencies) -
     if predictions.gap is not None:
         listed = _listed(predictions.limit_cycles)
         yield f"  stable limit cycles with a gap of {predictions.gap:g} m (harmonic balance): {listed}"
+    if predictions.own_frequency is not None:
+        yield f"  multiples of {predictions.own_frequency:.9g} Hz, with which the mechanism repeats by itself"
     yield (
         f"  a peak may be what is within {TOLERANCE_BINS:g} bin of it, or {100 * MODEL_TOLERANCE:g} % for "
         "modes and limit cycles"
@@ -257,6 +263,10 @@ def _origin(origin: Origin) -> dict[str, Any]:
             return {"kind": "natural mode", **vars(origin)}
         case LimitCycleLine():
             return {"kind": "limit cycle", **vars(origin)}
+        case OwnMultiple():
+            return {"kind": "multiple of its own frequency", **vars(origin)}
+        case MainsHum():
+            return {"kind": "hum of the mains", **vars(origin)}
 
 
 def _match_cells(match: Match | None, otherwise: str) -> tuple[str, str]:

@@ -19,7 +19,9 @@ from trimmer.spectra.classification import (
     DriveFraction,
     Harmonic,
     LimitCycleLine,
+    MainsHum,
     NaturalMode,
+    OwnMultiple,
 )
 from trimmer.spectra.harmonics import HarmonicFit
 from trimmer.spectra.peaks import Peak
@@ -37,6 +39,8 @@ MARKERS = {
     LimitCycleLine: ("^", "limit cycle"),
     type(None): ("x", "unexplained"),
     DriveFraction: ("D", "fraction of the drive"),
+    OwnMultiple: ("v", "multiple of its own frequency"),
+    MainsHum: ("P", "hum of the mains"),
 }
 
 
