@@ -28,7 +28,9 @@ from trimmer.mechanism.parts import (
     Play,
     Point,
     Stop,
+    Wall,
 )
+from trimmer.mechanism.structures.structure import Structure
 
 LAWS = tuple(ContactLaw)
 
@@ -305,3 +307,57 @@ def turned(mechanism: Mechanism, arms: np.ndarray) -> Mechanism:
         outputs={},
         start={name: (q / arm[name], v / arm[name]) for name, (q, v) in mechanism.start.items()},
     )
+
+
+def curved(mechanism: Mechanism, seed: int) -> Mechanism:
+    """Return a mechanism whose first link is a curve beside its spring, and whose frictions fall or rise."""
+    random = np.random.default_rng(seed)
+    (name, first), *_ = mechanism.links.items()
+    length = float(max(abs(pin.amplitude) for pin in mechanism.pins.values()))
+    d = np.cumsum(random.uniform(0.1, 0.6, 4)) * length - length
+    forces = np.cumsum(random.uniform(-0.3, 1.5, 4)) * first.stiffness * length
+    link = {name: replace(first, curve=tuple(zip(d.tolist(), forces.tolist(), strict=True)))}
+    speed = length * 2 * np.pi * mechanism.frequency
+
+    def falling(friction: Friction) -> Friction:
+        v = np.append(0.0, np.cumsum(random.uniform(0.1, 0.8, 2))) * speed
+        forces = friction.force * np.append(1.0, random.uniform(0.4, 1.3, 2))
+        points = tuple(zip(v.tolist(), forces.tolist(), strict=True))
+        return replace(friction, force=None, curve=points)
+
+    frictions = {name: falling(each) for name, each in mechanism.frictions.items()}
+    return replace(mechanism, links={**mechanism.links, **link}, frictions=frictions)
+
+
+def with_every_part(seed: int) -> Mechanism:
+    """Return a random mechanism with curves, harmonics, a wall and a structure, on levers or turning."""
+    mechanism, random = curved(random_mechanism(seed), seed), np.random.default_rng(seed)
+    length = float(max(abs(pin.amplitude) for pin in mechanism.pins.values()))
+    name, body = next(iter(mechanism.bodies.items()))
+    stiffness = body.mass * (2 * np.pi * mechanism.frequency) ** 2
+    structure = Structure(
+        body.mass * np.array([[0.5, 0.1], [0.1, 0.7]]),
+        stiffness * np.array([[3.0, -1.0], [-1.0, 2.0]]),
+        damping_ratio=0.02,
+        coordinates=("u", "w"),
+    )
+    seat = Link(("frame.u", name), float(random.uniform(0.5, 4)) * stiffness)
+    walls = {
+        f"wall {at}": Wall(pair, float(random.uniform(0, 0.9)), length * float(random.uniform(0.02, 0.5)))
+        for at, pair in enumerate([(GROUND, name), ("frame.w", "frame.u"), (name, "frame.u")][seed % 2 :])
+    }
+    pins = {
+        each: replace(pin, harmonics=((2, 0.2 * pin.amplitude, 1.0),)) if pin.amplitude else pin
+        for each, pin in mechanism.pins.items()
+    }
+    made = replace(
+        mechanism,
+        pins=pins,
+        links={**mechanism.links, "seat": seat},
+        structures={"frame": structure},
+        walls=walls,
+        start={},
+    )
+    if seed % 3 == 0:
+        return levered(made, seed)
+    return turned(made, random.uniform(0.5, 2.0, len(made.bodies))) if seed % 3 == 1 else made

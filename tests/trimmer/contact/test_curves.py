@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.mechanisms.random_mechanisms import curved, random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
 from trimmer import Mechanism, forced_orbit, respond, simulate
@@ -60,23 +60,7 @@ def last(motion) -> np.ndarray:
 
 
 def with_curves(seed: int) -> Mechanism:
-    """A random mechanism whose first link is a curve beside its spring, and whose frictions fall or rise."""
-    made, random = random_mechanism(seed), np.random.default_rng(seed)
-    (name, first), *_ = made.links.items()
-    length = float(max(abs(pin.amplitude) for pin in made.pins.values()))
-    d = np.cumsum(random.uniform(0.1, 0.6, 4)) * length - length
-    forces = np.cumsum(random.uniform(-0.3, 1.5, 4)) * first.stiffness * length
-    curved = {name: replace(first, curve=tuple(zip(d.tolist(), forces.tolist(), strict=True)))}
-    speed = length * 2 * np.pi * made.frequency
-
-    def falling(friction: Friction) -> Friction:
-        v = np.append(0.0, np.cumsum(random.uniform(0.1, 0.8, 2))) * speed
-        forces = friction.force * np.append(1.0, random.uniform(0.4, 1.3, 2))
-        points = tuple(zip(v.tolist(), forces.tolist(), strict=True))
-        return replace(friction, force=None, curve=points)
-
-    frictions = {name: falling(each) for name, each in made.frictions.items()}
-    return replace(made, links={**made.links, **curved}, frictions=frictions)
+    return curved(random_mechanism(seed), seed)
 
 
 @pytest.mark.parametrize("seed", quick(range(80), 3))
