@@ -75,6 +75,7 @@ def _motion(design: Design) -> Iterator[Figure]:
     signals = motion.signals
     span = "one period" if motion.repeats else "some drive periods of a motion that does not repeat"
     span = "a part of the rest" if motion.kind is MotionKind.REST else span
+    span = "the time until nothing happens any more" if motion.switched is not None else span
     shown = [
         *(["the outputs"] if signals.outputs else []),
         *(["the forces of its contacts"] if signals.forces else []),
@@ -301,15 +302,16 @@ def important(design: Design) -> list[MeasureOfPart]:
     ]
     if mechanism.outputs:
         found.append(MeasureOfPart(Measure.STROKE, next(iter(mechanism.outputs))))
-    shaken = design.file.held or max(motion.rms_acceleration, key=lambda name: motion.rms_acceleration[name])
-    found.append(MeasureOfPart(Measure.RMS_ACCELERATION, shaken))
+    if motion.rms_acceleration:
+        shaken = design.file.held or max(motion.rms_acceleration, key=motion.rms_acceleration.__getitem__)
+        found.append(MeasureOfPart(Measure.RMS_ACCELERATION, shaken))
     hit = [name for name, each in motion.contacts.items() if each.impact_speed > 0]
     if hit:
         found.append(
             MeasureOfPart(Measure.IMPACT_SPEED, max(hit, key=lambda name: motion.contacts[name].impact_speed))
         )
     worn = [name for name, each in motion.frictions.items() if each.power > 0]
-    if worn:
+    if worn and motion.switched is None:
         found.append(
             MeasureOfPart(Measure.WEAR_POWER, max(worn, key=lambda name: motion.frictions[name].power))
         )

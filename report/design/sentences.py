@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from report.design.quantities import percent, place_words, shown, written
-from report.design.words import capital, count, kind_words
+from report.design.words import capital, closings_words, count, kind_words
 from report.pages.escaping import Markdown, code, markdown
 from trimmer.design.design import Design, Stage
 from trimmer.design.plausible import Oddity, Question
@@ -139,6 +139,8 @@ def settled_sentences(design: Design) -> str:
     assert motion is not None
     begun = "its own start" if design.file.mechanism.start else "rest"
     drive = design.file.mechanism.frequency
+    if motion.switched is not None:
+        return f"The machine switches. From {begun}, {closings_words(motion)}."
     if motion.kind is MotionKind.REST:
         where = " Where it stays depends on its start." if motion.neutral else ""
         return f"From {begun}, the mechanism comes to rest, and nothing sets it in motion.{where}"
@@ -190,6 +192,8 @@ def _steadiness(design: Design) -> str:
 def searched_sentences(design: Design) -> str:
     """Say where other motions were looked for, and where not."""
     motions = design.motions
+    if design.motion is not None and design.motion.switched is not None:
+        return "One start was followed, that of the file, with which a machine that switches always begins."
     if design.file.mechanism.frequency is None:
         return "One start was followed. Without a drive, other motions were not looked for."
     told = (

@@ -23,13 +23,13 @@ from trimmer.maps.cells import described
 from trimmer.response.response import MotionKind
 
 
-def map_sentences(drawn: DesignMap) -> str:
+def map_sentences(drawn: DesignMap, switched: bool) -> str:
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
     own = f"In the cell nearest to the file’s own point the motion is {_cell_words(drawn)}."
     starts = "Each cell is what comes of the file’s start alone; from other starts other motions may come."
     failed = len(result.failures)
-    told = f"{own} {starts}"
+    told = "Where a contact does not close its times are left white." if switched else f"{own} {starts}"
     return told + (
         f" {capital(count(failed, 'cell'))} could not be followed and are left white." if failed else ""
     )

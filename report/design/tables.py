@@ -30,6 +30,7 @@ from trimmer.design.spectrum import LineKind, OutputLine, OutputSpectrum
 from trimmer.design.surroundings import SPEEDS, Beside
 from trimmer.design.targets import Measure, unit_of_measure
 from trimmer.design.trial import all_measures
+from trimmer.mechanism.parts import COUPLINGS
 from trimmer.messages import listed
 
 Rows = list[list[str]]
@@ -76,10 +77,10 @@ def target_rows(design: Design) -> Rows:
     return rows
 
 
-def remedy_rows(remedies: Iterable[Remedy], starts: int) -> Rows:
-    """Return changes with the margins that are left."""
-    head = ["Change", "Margin", "Beside it", "Starts"]
-    return [head] + [
+def remedy_rows(remedies: Iterable[Remedy], design: Design) -> Rows:
+    """Return changes with the margins that are left, also beside the point and from other starts, if any."""
+    starts = design.remedies.starts if design.remedies else 0
+    rows = [["Change", "Margin", "Beside it", "Starts"]] + [
         [
             capital(changes_words(each)),
             _value_of_margin(each.around.margin(Beside.POINT)),
@@ -88,6 +89,9 @@ def remedy_rows(remedies: Iterable[Remedy], starts: int) -> Rows:
         ]
         for each in remedies
     ]
+    if not design.file.switched:
+        return rows
+    return [row[: 3 if design.file.uncertainty else 2] for row in rows]
 
 
 def _value_of_margin(margin: float) -> str:
@@ -188,7 +192,8 @@ def measure_rows(design: Design) -> Rows:
     for name, each in motion.outputs.items():
         unit = mechanism.output_units[name]
         what = f"{name}, {quantity_words(unit)}"
-        rows.append([what, _value(each.peak_to_peak, unit, 4), _value(each.rms, unit, 4)])
+        swing = DASH if motion.switched is not None else _value(each.rms, unit, 4)
+        rows.append([what, _value(each.peak_to_peak, unit, 4), swing])
     for name, rms in motion.rms_acceleration.items():
         unit = unit_of_measure(mechanism, Measure.RMS_ACCELERATION, name)
         rows.append([f"{name}, acceleration", DASH, _value(rms, unit, 4)])
@@ -229,6 +234,30 @@ def contact_rows(design: Design) -> Rows:
                     percent(each.share),
                 ]
             )
+    return rows
+
+
+def closing_rows(design: Design) -> Rows:
+    """Return how the contacts of a machine that switches close."""
+    rows = [["Contact", "Closes after", "Touches", "Bounces for", "Largest speed", "At the end"]]
+    if design.motion is not None and design.motion.switched is not None:
+        for name, each in design.motion.switched.closings.items():
+            unit = unit_of_measure(design.file.mechanism, Measure.IMPACT_SPEED, name)
+            force = _value(abs(each.force), "N" if unit == "m/s" else "N m")
+            cells = [_value(each.closing_time, "s", 4), str(each.touches), _value(each.bounce_time, "s", 4)]
+            end = f"closed, with {force}" if each.closed else "open"
+            rows.append([name, *cells, _value(each.impact_speed, unit), end])
+    return rows
+
+
+def rest_rows(design: Design) -> Rows:
+    """Return the forces at which a machine that switches rests at last."""
+    rows, mechanism = [["Part", "Force at rest"]], design.file.mechanism
+    if design.motion is not None and design.motion.switched is not None:
+        sections = {name: section for section in COUPLINGS for name in getattr(mechanism, section)}
+        for name, force in design.motion.switched.forces.items():
+            unit = mechanism.kind_of(sections[name], name).unit("N")
+            rows.append([name, _value(force, unit)])
     return rows
 
 

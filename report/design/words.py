@@ -11,7 +11,7 @@ from trimmer.design.design import Design
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.remedies import Change, Remedy
 from trimmer.design.surroundings import SPEEDS, Around, Beside, Condition
-from trimmer.design.targets import Measure, Target
+from trimmer.design.targets import OF_CLOSING, Measure, Target
 from trimmer.design.verdict import NEAR, DesignOutcome, JudgedTarget, Sureness
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
@@ -74,6 +74,8 @@ def measure_words(measure: Measure, part: str) -> str:
         Measure.IMPACT_SPEED: f"impact speed in {part}",
         Measure.WEAR_POWER: f"wear power in {part}",
         Measure.PERIOD: "period of the motion",
+        Measure.CLOSING_TIME: f"closing time of {part}",
+        Measure.BOUNCE_TIME: f"bounce time of {part}",
     }[measure]
 
 
@@ -81,7 +83,9 @@ def measure_value(measure: Measure, value: float, unit: str = "") -> str:
     """Return a measure's value as plain text, in its unit or in that of translations."""
     if measure is Measure.PERIOD and not math.isnan(value):
         return "it does not repeat" if math.isinf(value) else count(int(value), "drive period")
-    return shown(value, unit or measure.value)
+    if measure in OF_CLOSING and math.isinf(value):
+        return "it does not close"
+    return shown(value, unit or measure.unit)
 
 
 def bound_words(target: Target) -> str:
@@ -89,7 +93,7 @@ def bound_words(target: Target) -> str:
     if target.measure is Measure.PERIOD:
         return "that of the drive alone"
     side = "at least" if target.at_least else "at most"
-    return f"{side} {shown(target.bound, target.unit or target.measure.value)}"
+    return f"{side} {shown(target.bound, target.unit or target.measure.unit)}"
 
 
 def without_margin(target: Target) -> bool:
@@ -137,13 +141,28 @@ def verdict_sentence(design: Design) -> Markdown:
 
 def _without_targets(design: Design) -> Markdown:
     if design.motion is None:
-        return markdown("**There is nothing to judge**: {}", _lowered(design.motions.message))
+        return markdown("**No motion could be measured**: {}", _lowered(design.motions.message))
     motion = _first(design)
+    if motion.switched is not None:
+        return markdown("**The file names no targets**, so nothing is judged; {}.", closings_words(motion))
     return markdown(
         "**The file names no targets**, so nothing is judged; from its start, the mechanism {} to {}.",
         "settles" if motion.repeats else "comes",
         kind_words(motion),
     )
+
+
+def closings_words(motion: FoundMotion) -> str:
+    """Say how the contacts of a machine that switches close, and whether it rests, as plain text."""
+    assert motion.switched is not None
+    told = [
+        f"{name} closes after {shown(each.closing_time, 's')} and "
+        + (f"bounces for {shown(each.bounce_time, 's')}" if each.bounce_time else "does not bounce")
+        for name, each in motion.switched.closings.items()
+    ]
+    last, rests = shown(motion.switched.last, "s"), motion.switched.forces
+    end = f"after {last} nothing happens any more" if rests else f"its last event is at {last}"
+    return f"{listed(told)}; {end}" if told else f"no contact closes; {end}"
 
 
 def _first(design: Design) -> FoundMotion:
@@ -207,6 +226,9 @@ def _miss(judged: JudgedTarget) -> str:
     which = measure_words(judged.target.measure, judged.target.part)
     if judged.target.measure is Measure.PERIOD and math.isinf(judged.value):
         return f"the motion does not repeat, and {bound_words(judged.target)} is wanted as its period"
+    if judged.target.measure in OF_CLOSING and math.isinf(judged.value):
+        part, bound = judged.target.part, bound_words(judged.target)
+        return f"{part} does not close, where {bound} is wanted as the {which}"
     value = measure_value(judged.target.measure, judged.value, judged.target.unit)
     return f"the {which} is {value}, where {bound_words(judged.target)} is wanted"
 
@@ -219,11 +241,11 @@ def _advice(design: Design) -> str:
         best = found[0]
         sure = "" if best.meeting in (design.remedies.starts, None) else ", though not from every start"
         spare = f"with at least {percent(best.margin)} to spare"
-        return f"{changes_words(best)} would meet all targets{sure}, {beside_words(design)} too, {spare}"
+        return f"{changes_words(best)} would meet all targets{sure}{and_beside(design)}, {spare}"
     told = "no change of one number or of two at once was found that meets all of them"
     if nearest is None:
         return told
-    return f"{told}, {beside_words(design)} too; nearest comes {changes_words(nearest)}"
+    return f"{told}{and_beside(design)}; nearest comes {changes_words(nearest)}"
 
 
 def changes_words(remedy: Remedy) -> str:
@@ -240,9 +262,18 @@ def change_words(change: Change) -> str:
 def beside_words(design: Design) -> str:
     """Return beside which point targets are looked at, as plain text."""
     machines = max((len(each.around.beside(Beside.SCATTER)) for each in _remedies(design)), default=0)
-    speeds = f"at speeds up to {percent(max(SPEEDS))} away"
-    scatter = f" and in {number_words(machines)} machines as their numbers scatter" if machines else ""
-    return speeds + scatter
+    driven = design.file.mechanism.frequency is not None
+    told = [
+        *([f"at speeds up to {percent(max(SPEEDS))} away"] if driven else []),
+        *([f"in {number_words(machines)} machines as their numbers scatter"] if machines else []),
+    ]
+    return " and ".join(told)
+
+
+def and_beside(design: Design) -> str:
+    """Say that targets are met beside the point too, between commas; empty if nothing is beside it."""
+    where = beside_words(design)
+    return f", {where} too" if where else ""
 
 
 def around_sentence(design: Design) -> str:
@@ -321,6 +352,9 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
     measured = f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
     if motion.repeats:
         measured = "the motion repeats exactly, and was solved for to rounding"
+    elif motion.switched is not None:
+        end = "until all of it rests" if motion.switched.forces else "for as long as the report says"
+        measured = f"the motion was followed from event to event, each known to rounding, {end}"
     elif motion.kind is MotionKind.REST:
         measured = "nothing moves, and what holds each part is known to rounding"
     grounds = [measured]

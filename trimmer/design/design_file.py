@@ -11,7 +11,7 @@ from typing import Any, Protocol
 from trimmer.arguments import file_path
 from trimmer.arrays import Reals
 from trimmer.design.assumed_range import assumed_range
-from trimmer.design.targets import Target, targets_of
+from trimmer.design.targets import Target, is_switched, targets_of
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.coordinates import shaken_ends
@@ -92,6 +92,16 @@ class DesignFile:
     digest: str = ""
     scatter: Mapping[str, Any] = field(default_factory=dict)
     uncertainty: Scattering | None = None
+
+    @property
+    def switched(self) -> bool:
+        """Whether its motion is looked at from the start until all rests, and not once it has settled."""
+        return is_switched(self.mechanism, (each.measure for each in self.targets))
+
+    @property
+    def is_tried(self) -> bool:
+        """Whether other numbers can be tried: it is driven, or switches."""
+        return self.mechanism.frequency is not None or self.switched
 
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""

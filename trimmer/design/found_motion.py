@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,15 +16,18 @@ from trimmer.contact.statuses import STICK
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.targets import Measure, Target
 from trimmer.hybrid.advance import Ending
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, read, while_status
 from trimmer.motion.spans import spans_of
+from trimmer.response.closings import Closing
 from trimmer.response.estimate import Estimate
 from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.switching import switching
 
 POINTS = 1200
 """Instants at which signals are kept."""
@@ -34,6 +37,8 @@ SAMPLES = 256
 """Samples per drive period of the acceleration of such a motion."""
 ROUNDING = 1e-9
 """Share of the largest displacement below which an advance is rounding."""
+SEEN = 1.15
+"""Up to which multiple of the time of its last event the motion of a machine that switches is kept."""
 SHOWN = 6
 """Of these, how many are kept as signals."""
 
@@ -66,6 +71,24 @@ class MotionSignals:
     force_units: Mapping[str, str] = field(default_factory=dict)
 
 
+@dataclass(frozen=True)
+class Switched:
+    """What a machine that switches does from its start on.
+
+    Attributes:
+        closings: How its contacts close, by name.
+        last: Time of its last event, or of the end of its last profile, s.
+        forces: Of each part where it rests, N, positive where it pulls its ends together; empty if it does
+            not come to rest.
+        positions: Of each body there, m.
+    """
+
+    closings: Mapping[str, Closing]
+    last: float
+    forces: Mapping[str, float]
+    positions: Mapping[str, float]
+
+
 @dataclass(frozen=True, eq=False)
 class FoundMotion:
     """A motion and its measures.
@@ -87,6 +110,7 @@ class FoundMotion:
         hand_arm: Vibration of each body that does not turn, as a hand would feel it.
         events: Events per drive period.
         signals: Over a period, or over some drive periods.
+        switched: Where it is that of a machine that switches, from its start on; else None.
     """
 
     kind: MotionKind
@@ -108,6 +132,7 @@ class FoundMotion:
     hand_arm: Mapping[str, HandArm]
     events: float
     signals: MotionSignals
+    switched: Switched | None = None
 
     @property
     def repeats(self) -> bool:
@@ -137,6 +162,9 @@ class FoundMotion:
                 return self.contacts[part].impact_speed if part in self.contacts else 0.0
             case Measure.WEAR_POWER:
                 return self.frictions[part].power if part in self.frictions else 0.0
+            case Measure.CLOSING_TIME | Measure.BOUNCE_TIME:
+                closing = self.switched.closings.get(part) if self.switched else None
+                return float("inf") if closing is None else float(getattr(closing, measure.key))
             case Measure.PERIOD:
                 return float(self.period_count) if self.period_count else float("inf")
 
@@ -165,6 +193,31 @@ def of_settled(settled: SettledMotion) -> FoundMotion | None:
     return _made(flow, course, settled, None, WINDOW)
 
 
+def of_switching(mechanism: Mechanism) -> FoundMotion:
+    """Return what a machine does from its start until it rests.
+
+    Raises:
+        UnsupportedMotionError: if it cannot be followed so long.
+    """
+    found = switching(mechanism)
+    flow, course, rest = found.motion.flow, found.motion.course, found.rest
+    share = min(1.0, SEEN * found.last / course.duration) or 1.0
+    motion = _made(flow, course, None, None, 1, share)
+    return replace(
+        motion,
+        kind=MotionKind.UNDECIDED if rest is None else MotionKind.REST,
+        starts=1,
+        rms_acceleration={},
+        hand_arm={},
+        switched=Switched(
+            found.closings,
+            found.last,
+            {} if rest is None else dict(rest.forces),
+            {} if rest is None else dict(rest.positions),
+        ),
+    )
+
+
 def of_orbit(orbit: Orbit, settled: SettledMotion | None = None) -> FoundMotion:
     """Return an orbit with its measures; without starts, if no settled motion is given with it."""
     return _made(orbit.flow, orbit.course, settled, orbit, orbit.periods or 1)
@@ -176,6 +229,7 @@ def _made(
     settled: SettledMotion | None,
     orbit: Orbit | None,
     periods: int,
+    share: float | None = None,
 ) -> FoundMotion:
     measures = Measures(course, flow, max(orbit.period_count, 1) if orbit else 1, periods)
     return FoundMotion(
@@ -201,7 +255,7 @@ def _made(
             if flow.units_of_body(name).length == "m"
         },
         events=measures.events_per_period,
-        signals=_signals(flow, course, min(1.0, SHOWN / periods)),
+        signals=_signals(flow, course, share or min(1.0, SHOWN / periods)),
     )
 
 

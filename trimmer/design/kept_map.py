@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
 from trimmer.design.keeping import Keeper
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design.targets import Measure, Target, is_switched
+from trimmer.design.trial import MeasureOfPart, TrialWork
 from trimmer.design.varied_places import VariedNumber
-from trimmer.maps.cells import Cell, CellResult, CellWork
+from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
+from trimmer.maps.measures import Measures
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.response import MotionKind
 from trimmer.runners.runner import Runner
 
 Told = Callable[[int, int], None]
@@ -64,8 +67,15 @@ def design_map(  # noqa: PLR0913 (each is a choice of its own)
         The map; None if the runner left cells out.
     """
     values = {each.place: each.values(settings.cells) for each in (first, second)}
-    inputs = checked_inputs(mechanism, values, Settings(settings.cell_periods, measures=keys_of(targets)))
-    rows = _rows(inputs, runner, keeper, told)
+    of_map, asked = Settings(settings.cell_periods, measures=keys_of(targets)), asked_of(targets)
+    work: Callable[[Cell], CellResult]
+    if is_switched(mechanism, (each.measure for each in asked)):
+        inputs = MapInputs(mechanism, tuple(values), tuple(map(tuple, values.values())), of_map)
+        work = SwitchedCells(mechanism, inputs.places, asked)
+    else:
+        inputs = checked_inputs(mechanism, values, of_map)
+        work = CellWork(inputs.subject, inputs.places, inputs.settings)
+    rows = _rows(inputs, work, runner, keeper, told)
     if rows is None:
         return None
     return DesignMap(first, second, MotionMap(inputs, tuple(cell for row in rows for cell in row)), targets)
@@ -73,11 +83,42 @@ def design_map(  # noqa: PLR0913 (each is a choice of its own)
 
 def keys_of(targets: tuple[Target, ...]) -> tuple[str, ...]:
     """Return the keys of what targets bound, without that of a period."""
+    return tuple(each.column for each in asked_of(targets))
+
+
+def asked_of(targets: tuple[Target, ...]) -> tuple[MeasureOfPart, ...]:
+    """Return what targets bound, without a period."""
     asked = (MeasureOfPart(each.measure, each.part) for each in targets if each.measure is not Measure.PERIOD)
-    return tuple(dict.fromkeys(each.column for each in asked))
+    return tuple(dict.fromkeys(asked))
 
 
-def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list[Row] | None:
+@dataclass(frozen=True)
+class SwitchedCells:
+    """The work of a cell of a map of a machine that switches.
+
+    Attributes:
+        mechanism: The machine.
+        places: Places of the values.
+        asked: What is measured.
+    """
+
+    mechanism: Mechanism
+    places: tuple[str, ...]
+    asked: tuple[MeasureOfPart, ...]
+
+    def __call__(self, cell: Cell) -> CellResult:
+        """Return what it does from its start with the values of a cell."""
+        trial = TrialWork(self.mechanism, self.places, self.asked, 0)(cell.values)
+        if trial.kind is None:
+            return CellResult(cell.number, (CellMotion(MotionKind.UNDECIDED, failure="it has no motion"),))
+        found = {each.column: size if math.isfinite(size) else math.nan for each, size in trial.measures}
+        measures = Measures({}, {}, {}, 0.0, 0.0, 0.0, chosen=found)
+        return CellResult(cell.number, (CellMotion(trial.kind, measures=measures),))
+
+
+def _rows(
+    inputs: MapInputs, work: Callable[[Cell], CellResult], runner: Runner, keeper: Keeper, told: Told
+) -> list[Row] | None:
     columns, digest = len(inputs.values[0]), inputs.header["inputs"]
     count = inputs.count // columns
     # They are read now, not looked for again at the end: whoever clears the folder meanwhile spoils nothing.
@@ -89,7 +130,6 @@ def _rows(inputs: MapInputs, runner: Runner, keeper: Keeper, told: Told) -> list
         told(done, count)
     numbers = [row * columns + column for row in missing for column in range(columns)]
     pending: dict[int, dict[int, CellResult]] = {row: {} for row in missing}
-    work = CellWork(inputs.subject, inputs.places, inputs.settings)
     cells = (Cell(number, inputs.cell_values(number)) for number in numbers)
     for result in runner.results(work, cells) if numbers else ():
         row = result.number // columns

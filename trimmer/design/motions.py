@@ -11,10 +11,11 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled
+from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled, of_switching
 from trimmer.design.settings import DesignSettings
+from trimmer.design.targets import has_profile
 from trimmer.design.varied_places import VariedNumber
-from trimmer.errors import TrimmerError
+from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.maps.cells import CellMotion
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
@@ -92,7 +93,8 @@ def periods_within(mechanism: Mechanism, most: int, seconds: float) -> int:
     A few are followed whatever time there is, then twice as many and so on, so that a run again, whose pace
     is not quite the same, finds what was kept; without a drive there are none to count.
     """
-    if seconds == np.inf or mechanism.frequency is None or diverges_by_pull(mechanism):
+    by_itself = mechanism.frequency is None or has_profile(mechanism)
+    if seconds == np.inf or by_itself or diverges_by_pull(mechanism):
         return most
     flow = flow_of(mechanism)
     if flow.modes.system.layout.ramp:
@@ -106,9 +108,15 @@ def periods_within(mechanism: Mechanism, most: int, seconds: float) -> int:
 
 
 def motions_from_starts(
-    mechanism: Mechanism, settings: DesignSettings, deadline: Deadline = NEVER
+    mechanism: Mechanism, settings: DesignSettings, deadline: Deadline = NEVER, *, switched: bool = False
 ) -> Motions:
-    """Return what several starts settle to; after the deadline no further one is followed."""
+    """Return what several starts settle to; after the deadline no further one is followed.
+
+    Of a machine that switches it is what it does from its start until it rests; so it is without a drive, if
+    contacts of it close before it rests, or it is not seen to settle.
+    """
+    if switched or has_profile(mechanism):
+        return _switched(mechanism, settings)
     starts = settings.starts if mechanism.frequency is not None else 1
     response = respond(
         mechanism,
@@ -121,7 +129,19 @@ def motions_from_starts(
     found = [of_settled(each) for each in response.motions]
     measured = tuple(each for each in found if each is not None)
     lost = len(found) - len(measured)
+    closing = mechanism.plays or mechanism.stops or mechanism.walls
+    ended = found[0] is None or found[0].kind is MotionKind.REST
+    if mechanism.frequency is None and closing and ended and response.motion.kind is not MotionKind.DIVERGING:
+        return _switched(mechanism, settings)
     return Motions(measured, starts, settings.seed, lost, response.motion.message, found[0] is None)
+
+
+def _switched(mechanism: Mechanism, settings: DesignSettings) -> Motions:
+    try:
+        motion = of_switching(mechanism)
+    except UnsupportedMotionError as error:
+        return Motions((), 1, settings.seed, 1, f"{str(error).capitalize()}.", first_failed=True)
+    return Motions((motion,), 1, settings.seed, 0, "", first_failed=False)
 
 
 def with_neighbours(

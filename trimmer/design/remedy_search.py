@@ -22,7 +22,7 @@ from trimmer.design.remedies import Change, Mend, Remedies, Remedy
 from trimmer.design.sensitivity import Sensitivities, designable
 from trimmer.design.settings import DesignSettings
 from trimmer.design.surroundings import Around, Beside, Condition, Numbers, margins, study_around, trials_of
-from trimmer.design.targets import Measure, Target
+from trimmer.design.targets import Measure, Target, is_switched
 from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place
@@ -222,6 +222,8 @@ class _Search:
 
     def from_starts(self, ranked: list[Remedy]) -> list[Remedy]:
         """Try remedies from several starts; those that do from all come first."""
+        if is_switched(self.mechanism, (each.measure for each in self.targets)):
+            return ranked  # it always begins as the file says
         work = _FromStarts(self.mechanism, self.targets, self.settings)
         tried = {each.changes: each for each in self.runner.results(work, ranked)}
         confirmed = [tried.get(each.changes, each) for each in ranked]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import takewhile
@@ -11,7 +12,7 @@ import numpy as np
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart, all_measures, measured
+from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures, measured
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.kinds import numbers_of_part
 from trimmer.mechanism.mechanism import Mechanism
@@ -101,7 +102,8 @@ def sensitivities(mechanism: Mechanism, motion: FoundMotion, deadline: Deadline 
         motion: A periodic motion of it.
         deadline: After which no further number is changed.
     """
-    asked = tuple(each for each in all_measures(mechanism) if each.measure is not Measure.PERIOD)
+    every = all_measures(mechanism, switched=motion.switched is not None)
+    asked = tuple(each for each in every if each.measure is not Measure.PERIOD)
     found, failed = [], []
     numbers = list(designable(mechanism))
     for place, unit, value in takewhile(lambda _: not deadline.passed, numbers):
@@ -154,13 +156,17 @@ def _slopes(
     below, above = sides
     if below is None or above is None:
         return None
-    middle = {each: 0.5 * (below[each] + above[each]) for each in asked}
-    return {each: (above[each] - below[each]) / (2 * step * middle[each]) for each in asked if middle[each]}
+    there = [each for each in asked if each in below and each in above]
+    middle = {each: 0.5 * (below[each] + above[each]) for each in there}
+    return {each: (above[each] - below[each]) / (2 * step * middle[each]) for each in there if middle[each]}
 
 
 def _measures(
     mechanism: Mechanism, place: str, value: float, motion: FoundMotion, asked: tuple[MeasureOfPart, ...]
 ) -> Mapping[MeasureOfPart, float] | None:
+    if motion.switched is not None:
+        trial = TrialWork(mechanism, (place,), asked, 0)((value,))
+        return {each: size for each, size in trial.measures if math.isfinite(size)}
     try:
         changed = mechanism.with_value(place, value)
         orbit = exact_orbit(changed, motion.period_count or 1, motion.state)

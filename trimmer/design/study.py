@@ -161,17 +161,19 @@ class Study:
     def motions(self) -> Motions:
         """Return what several starts lead to; the first is followed whatever time is left."""
         settings = self.settings
-        depends = (settings.starts, settings.seed, settings.most_periods)
+        depends = (settings.starts, settings.seed, settings.most_periods, self.file.switched)
 
         def make(runner: TimedRunner) -> Motions:
-            return motions_from_starts(self.file.mechanism, settings, runner.deadline)
+            return motions_from_starts(
+                self.file.mechanism, settings, runner.deadline, switched=self.file.switched
+            )
 
         return self._made(Stage.MOTIONS, (), depends, make, NO_MOTIONS)
 
     def with_neighbours(self, motions: Motions) -> Motions:
         """Return the motions, those that neighbours lead to among them."""
         near = self.varied(motions)
-        if self.file.mechanism.frequency is None or len(near) < 2:
+        if self.file.mechanism.frequency is None or self.file.switched or len(near) < 2:
             return motions
 
         def make(runner: TimedRunner) -> Motions:
@@ -189,23 +191,26 @@ class Study:
 
     def spectra(self, motions: Motions, linear: tuple[LinearState, ...]) -> Mapping[str, OutputSpectrum]:
         """Return the lines of the first motion."""
-        return {} if motions.first is None else spectra(motions.first, self.file.mechanism.frequency, linear)
+        first = motions.first
+        if first is None or first.switched is not None:
+            return {}
+        return spectra(first, self.file.mechanism.frequency, linear)
 
     def sensitivities(self, motions: Motions) -> Sensitivities | None:
         """Return what each number changes."""
         first = motions.first
-        if first is None or not first.repeats:
+        if first is None or not (first.repeats or self.file.switched):
             return None
 
         def make(runner: TimedRunner) -> Sensitivities:
             return sensitivities(self.file.mechanism, first, runner.deadline)
 
-        return self._made(Stage.SENSITIVITIES, (), (), make, None)
+        return self._made(Stage.SENSITIVITIES, (), self.file.switched, make, None)
 
     def ranges(self) -> RangeStudy | None:
         """Return how the verdict depends on unknown numbers."""
         file = self.file
-        if not file.ranges or file.mechanism.frequency is None:
+        if not file.ranges or not file.is_tried:
             return None
         make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings)
         depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
@@ -214,7 +219,7 @@ class Study:
     def around(self, motions: Motions) -> Around | None:
         """Return whether the targets hold at neighbouring speeds, and as numbers scatter."""
         file, settings = self.file, self.settings
-        if not file.targets or file.mechanism.frequency is None or motions.first is None:
+        if not file.targets or not file.is_tried or motions.first is None:
             return None
         conditions = self._conditions
 
@@ -227,7 +232,7 @@ class Study:
     def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
         file, settings = self.file, self.settings
-        if not verdict.missed or file.mechanism.frequency is None:
+        if not verdict.missed or not file.is_tried:
             return None
         conditions = self._conditions
 
@@ -276,7 +281,7 @@ class Study:
 
         Without them they are over gap and speed, and gap and friction; without a gap over speed and friction.
         """
-        if self.file.mechanism.frequency is None:
+        if not self.file.is_tried:
             return ()
         by_role = tuple({each.role: each for each in varied}.values())
         wanted = pairs or {(by_role[0], each): () for each in by_role[1:]}

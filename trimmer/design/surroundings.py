@@ -61,7 +61,8 @@ def conditions_of(
     mechanism: Mechanism, uncertainty: Scattering | None, settings: DesignSettings
 ) -> tuple[Condition, ...]:
     """Return the point itself, speeds beside it, and machines as their numbers scatter."""
-    found = [Condition(Beside.POINT), *(Condition(Beside.SPEED, each) for each in SPEEDS)]
+    speeds = SPEEDS if mechanism.frequency is not None else ()
+    found = [Condition(Beside.POINT), *(Condition(Beside.SPEED, each) for each in speeds)]
     if uncertainty is not None and uncertainty.places:
         from scipy.stats import qmc
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -17,13 +17,25 @@ from trimmer.messages import listed, near_match
 
 
 class Measure(Enum):
-    """What is measured of a motion. The value is the unit, of displacements and translations."""
+    """What is measured of a motion. The value is its key in tables and its unit, that of translations."""
 
-    STROKE = "m"
-    RMS_ACCELERATION = "m/s²"
-    IMPACT_SPEED = "m/s"
-    PERIOD = "drive periods"
-    WEAR_POWER = "W"
+    STROKE = "peak_to_peak", "m"
+    RMS_ACCELERATION = "rms_acceleration", "m/s²"
+    IMPACT_SPEED = "impact_speed", "m/s"
+    PERIOD = "period", "drive periods"
+    WEAR_POWER = "wear_power", "W"
+    CLOSING_TIME = "closing_time", "s"
+    BOUNCE_TIME = "bounce_time", "s"
+
+    @property
+    def key(self) -> str:
+        """What it is called in tables."""
+        return self.value[0]
+
+    @property
+    def unit(self) -> str:
+        """Its SI unit, of displacements and translations."""
+        return self.value[1]
 
 
 @dataclass(frozen=True)
@@ -68,10 +80,16 @@ BOUNDS: Mapping[str, Measure] = {
     "stroke_at_least": Measure.STROKE,
     "rms_acceleration_at_most": Measure.RMS_ACCELERATION,
     "impact_speed_at_most": Measure.IMPACT_SPEED,
+    "closing_time_at_most": Measure.CLOSING_TIME,
+    "bounce_time_at_most": Measure.BOUNCE_TIME,
 }
 """What each key bounds."""
+OF_CLOSING = (Measure.CLOSING_TIME, Measure.BOUNCE_TIME)
+"""What is measured of a machine that switches, from its start until it rests."""
+OF_REPEATING = (Measure.RMS_ACCELERATION, Measure.PERIOD, Measure.WEAR_POWER)
+"""What is measured of a motion that repeats alone: of one that ends it depends on how long is looked."""
 _EXAMPLES = {
-    **{"m": "2.5 mm", "m/s": "0.2 m/s", "m/s²": "90 m/s²", "N": "20 N"},
+    **{"s": "5 ms", "m": "2.5 mm", "m/s": "0.2 m/s", "m/s²": "90 m/s²", "N": "20 N"},
     **{"rad": "2 deg", "rad/s": "0.5 rad/s", "rad/s²": "900 rad/s^2", "N m": "20 mN m"},
 }
 ONLY_DRIVE_PERIOD = "only_drive_period"
@@ -109,12 +127,12 @@ def unit_of_measure(mechanism: Mechanism, measure: Measure, part: str) -> str:
         case Measure.STROKE:
             return mechanism.output_units[part]
         case Measure.RMS_ACCELERATION:
-            return mechanism.kinds[part].unit(measure.value)
+            return mechanism.kinds[part].unit(measure.unit)
         case Measure.IMPACT_SPEED:
             section = next(each for each in ("plays", "stops", "walls") if part in getattr(mechanism, each))
-            return mechanism.kind_of(section, part).unit(measure.value)
+            return mechanism.kind_of(section, part).unit(measure.unit)
         case _:
-            return str(measure.value)
+            return measure.unit
 
 
 def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
@@ -123,15 +141,23 @@ def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> 
         problems.append(Problem(place, "write true or false", value))
     elif value and mechanism.frequency is None:
         problems.append(Problem(place, "the mechanism has no drive, so there is no period to keep", value))
+    elif value and has_profile(mechanism):
+        problems.append(Problem(place, _SWITCHES, value))
     elif value:
         yield Target(ONLY_DRIVE_PERIOD, Measure.PERIOD, "", 1.0)
 
 
 def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
     measure = BOUNDS[key]
-    parts = _parts(measure, mechanism)
+    parts, noun = _parts(measure, mechanism), _NAMES.get(measure, "play or stop")
+    if measure in OF_REPEATING and has_profile(mechanism):
+        problems.append(Problem(("targets", key), _SWITCHES))
+        return
+    if measure in OF_CLOSING and mechanism.frequency is not None and not has_profile(mechanism):
+        problems.append(Problem(("targets", key), _REPEATS))
+        return
     if not parts:
-        reason = f"the mechanism has no {_NAMES[measure]} that this could bound; leave the line out"
+        reason = f"the mechanism has no {noun} that this could bound; leave the line out"
         problems.append(Problem(("targets", key), reason))
         return
     given = value if isinstance(value, dict) else dict.fromkeys(parts, value)
@@ -139,7 +165,7 @@ def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Proble
         place = ("targets", key, part) if isinstance(value, dict) else ("targets", key)
         if part not in parts:
             advice = near_match(part, parts) or f"there {'is' if len(parts) == 1 else 'are'} {listed(parts)}"
-            problems.append(Problem(place, f"there is no {_NAMES[measure]} {part!r}; {advice}", bound))
+            problems.append(Problem(place, f"there is no {noun} {part!r}; {advice}", bound))
             continue
         unit = unit_of_measure(mechanism, measure, part)
         wanted = NumberField(unit, _EXAMPLES[unit], Range.NOT_NEGATIVE)
@@ -147,7 +173,25 @@ def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Proble
             yield Target(key, measure, part, number, unit)
 
 
-_NAMES = {Measure.STROKE: "output", Measure.RMS_ACCELERATION: "body", Measure.IMPACT_SPEED: "play or stop"}
+_NAMES = {Measure.STROKE: "output", Measure.RMS_ACCELERATION: "body"}
+_SWITCHES = (
+    "a force follows a profile, with which nothing repeats; of a machine that switches, bound "
+    "closing_time_at_most, bounce_time_at_most, impact_speed_at_most or stroke_at_least"
+)
+_REPEATS = (
+    "the machine is driven and its contacts close again and again; this is for one that switches: give a "
+    "force a profile, or leave frequency out"
+)
+
+
+def is_switched(mechanism: Mechanism, measures: Iterable[Measure]) -> bool:
+    """Say whether what is measured is taken from the start until all rests, and not once it has settled."""
+    return has_profile(mechanism) or any(each in OF_CLOSING for each in measures)
+
+
+def has_profile(mechanism: Mechanism) -> bool:
+    """Say whether a force switches over time, so that nothing repeats."""
+    return any(force.profile for force in mechanism.forces.values())
 
 
 def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:

@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.design.targets import Measure, Target, unit_of_measure
+from trimmer.design.targets import (
+    OF_CLOSING,
+    OF_REPEATING,
+    Measure,
+    Target,
+    has_profile,
+    is_switched,
+    unit_of_measure,
+)
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
@@ -16,14 +26,18 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
+from trimmer.response.closings import Closing
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
+from trimmer.response.switching import switching
 
-_COLUMNS = {
-    Measure.STROKE: ("outputs", "peak_to_peak"),
-    Measure.RMS_ACCELERATION: ("bodies", "rms_acceleration"),
-    Measure.IMPACT_SPEED: ("contacts", "impact_speed"),
-    Measure.WEAR_POWER: ("frictions", "wear_power"),
+_SECTIONS = {
+    Measure.STROKE: "outputs",
+    Measure.RMS_ACCELERATION: "bodies",
+    Measure.IMPACT_SPEED: "contacts",
+    Measure.WEAR_POWER: "frictions",
+    Measure.CLOSING_TIME: "closings",
+    Measure.BOUNCE_TIME: "closings",
 }
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
@@ -44,8 +58,7 @@ class MeasureOfPart:
     @property
     def column(self) -> str:
         """What heads it in a table, as in that of a map."""
-        section, name = _COLUMNS[self.measure]
-        return f"{section}.{self.part}.{name}"
+        return f"{_SECTIONS[self.measure]}.{self.part}.{self.measure.key}"
 
     def unit(self, flow: Flow) -> str:
         """Return its unit for what moves; empty for a number."""
@@ -60,7 +73,7 @@ class MeasureOfPart:
             case Measure.WEAR_POWER:
                 return units.power
             case _:
-                return str(self.measure.value)
+                return self.measure.unit
 
 
 @dataclass(frozen=True)
@@ -109,7 +122,10 @@ class TrialWork:
     def __call__(self, values: tuple[float, ...]) -> Trial:
         """Return what the mechanism or loop does with these values."""
         try:
-            flow = flow_of(varied(self.subject, self.places, values))
+            subject = varied(self.subject, self.places, values)
+            if isinstance(subject, Mechanism) and is_switched(subject, (each.measure for each in self.asked)):
+                return self._switched(values, subject)
+            flow = flow_of(subject)
             settled = settle(flow, flow.rest(), self.most_periods)
             return self._measured(values, flow, settled)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
@@ -117,6 +133,13 @@ class TrialWork:
 
     def _failed(self, values: tuple[float, ...]) -> Trial:
         return Trial(values, None, None, tuple((each, float("nan")) for each in self.asked))
+
+    def _switched(self, values: tuple[float, ...], mechanism: Mechanism) -> Trial:
+        found = switching(mechanism)
+        measures = Measures(found.motion.course, found.motion.flow, 1, 1)
+        kind = MotionKind.UNDECIDED if found.rest is None else MotionKind.REST
+        every = tuple((each, _of_switching(found.closings, measures, each)) for each in self.asked)
+        return Trial(values, kind, None, every)
 
     def _measured(self, values: tuple[float, ...], flow: Flow, settled: Settled) -> Trial:
         if settled.ending is not Ending.REACHED_END:
@@ -135,8 +158,16 @@ class TrialWork:
         return Trial(values, settled.kind, count, found)
 
 
+def _of_switching(closings: Mapping[str, Closing], measures: Measures, asked: MeasureOfPart) -> float:
+    """Return a measure from start to rest; times of a contact that does not close are infinite."""
+    if asked.measure is Measure.STROKE:
+        return measures.peak_to_peak[asked.part]
+    never = 0.0 if asked.measure is Measure.IMPACT_SPEED else math.inf
+    return getattr(closings[asked.part], asked.measure.key) if asked.part in closings else never
+
+
 def measured(measures: Measures, asked: MeasureOfPart, period_count: int | None) -> float:
-    """Return a measure of a motion; infinite for the period of one that does not repeat."""
+    """Return a measure of a motion that has settled; infinite for the period of one that does not repeat."""
     match asked.measure:
         case Measure.STROKE:
             return measures.peak_to_peak[asked.part]
@@ -148,13 +179,22 @@ def measured(measures: Measures, asked: MeasureOfPart, period_count: int | None)
             return measures.frictions[asked.part].power if asked.part in measures.frictions else 0.0
         case Measure.PERIOD:
             return float(period_count) if period_count else float("inf")
+        case _:
+            raise ValueError(f"{asked.measure.key} is measured of a machine that switches")
 
 
-def all_measures(subject: Subject) -> tuple[MeasureOfPart, ...]:
-    """Return all measures that a mechanism or a loop has."""
+def all_measures(subject: Subject, *, switched: bool = False) -> tuple[MeasureOfPart, ...]:
+    """Return all measures that a mechanism or a loop has, of one that switches those from start to rest."""
     if not isinstance(subject, Mechanism):
         return _of_loop(flow_of(subject))
-    mechanism = subject
+    if not (switched or has_profile(subject)):
+        return _of_repeating(subject)
+    kept = (each for each in _of_repeating(subject) if each.measure not in OF_REPEATING)
+    contacts = (*subject.plays, *subject.stops, *subject.walls)
+    return (*kept, *(MeasureOfPart(each, name) for name in contacts for each in OF_CLOSING))
+
+
+def _of_repeating(mechanism: Mechanism) -> tuple[MeasureOfPart, ...]:
     return (
         *(MeasureOfPart(Measure.STROKE, name) for name in mechanism.outputs),
         *(MeasureOfPart(Measure.RMS_ACCELERATION, name) for name in shaken_ends(mechanism)),

@@ -99,13 +99,19 @@ def rest_of(orbit: Orbit) -> Rest | None:
     return Rest(orbit.flow, motion.limit, motion.free) if motion is not None and motion.still else None
 
 
-def rest_after(flow: Flow, course: Course) -> Rest | None:
-    """Return the rest in which a motion ends; None if something moves then, or will."""
+def rest_after(flow: Flow, course: Course, gone: float = GONE) -> Rest | None:
+    """Return the rest in which a motion ends; None if something moves then, or will.
+
+    Args:
+        flow: What moves.
+        course: Its motion.
+        gone: Share of the sizes of the motion at which what decays is gone; infinite to wait for no decay.
+    """
     motion = lasting_motion(flow, course.end)
     if motion is None or not motion.still:
         return None
     left = abs(motion.parts).sum(axis=0) / sizes_of(course)
-    return Rest(flow, motion.limit, motion.free) if left.max(initial=0.0) <= GONE else None
+    return Rest(flow, motion.limit, motion.free) if left.max(initial=0.0) <= gone else None
 
 
 def _repeats(flow: Flow, frequencies: Reals) -> tuple[int, float]:

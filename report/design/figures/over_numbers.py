@@ -191,7 +191,7 @@ def _target_map(axes: Axes, drawn: DesignMap, target: Target) -> None:
         draw_cells(axes, across, up, (result.period_count == 1).astype(np.int64), MET)
         return
     values = result.chosen[MeasureOfPart(target.measure, target.part).column]
-    unit = scale_for([*values[np.isfinite(values)], target.bound], target.unit or target.measure.value)
+    unit = scale_for([*values[np.isfinite(values)], target.bound], target.unit or target.measure.unit)
     shown = values / unit.factor
     mesh = axes.pcolormesh(edges(across), edges(up), shown, cmap="viridis", rasterized=True)
     figure = axes.get_figure(root=True)
