@@ -177,7 +177,7 @@ TEXTBOOK = {
     "dead zone": (control.tf([4], [1, 2, 1, 0]), DeadZone(0.1)),
     "preload": (control.tf([1.5], [1, 2, 1, 0]), Preload(0.3, 1.0)),
     "a sum": (control.tf([4], [1, 2, 1, 0]), Saturation(0.3) + 0.5 * DeadZone(0.5)),
-    "conditionally stable": (control.tf([108, 86.4, 17.28], [6, 7, 2, 0, 0, 0]), Saturation(1.0)),
+    "conditionally stable": (control.tf([2, 4, 2], [0.0025, 0.1, 1, 0, 0, 0]), Saturation(1.0)),
     "backlash servo": (control.tf([3.01], [1, 3, 2, 0]), FrictionBacklash(1.0)),
     "load with inertia": (control.tf([8], [1, 3, 2, 0]), ViscousBacklash(0.2, 0.5)),
 }
