@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Places, Reals
+from trimmer.contact.controllers.limits import add_controls, functions_of_controls
 from trimmer.contact.curves import add_curves, functions_of_curves
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.machine import Machine, free_springs, relaxing_springs
@@ -56,7 +57,7 @@ def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -
             hold[z, -1] -= offset(machine, contact, statuses[contact])
         elif statuses[contact] == FREE:
             hold[z] = 0.0
-    functions = list(_of_contacts(machine, statuses))
+    functions = [*functions_of_controls(machine, statuses), *_of_contacts(machine, statuses)]
     rubbing, resting = (
         machine.of_frictions(statuses),
         np.array(machine.of_walls(statuses), dtype=int) == RESTS,
@@ -128,6 +129,7 @@ def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Pl
             resisted = machine.kinetic[friction] * (1.0 if status == FORWARD else -1.0)
             flow[bodies : 2 * bodies, -1] -= resisted * machine.friction_push[friction]
     add_curves(machine, statuses, flow)
+    add_controls(machine, statuses, flow)
     return flow
 
 

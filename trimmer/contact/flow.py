@@ -11,6 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.assembly import force_of
+from trimmer.contact.controllers.limits import limits_at
 from trimmer.contact.curves import add_least_curves, segments_at
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.impacts import grazed_walls, impact_at
@@ -25,6 +26,7 @@ from trimmer.contact.readouts import (
     parts_of,
     wall_measures,
 )
+from trimmer.contact.references import references_in
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
@@ -55,6 +57,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.references import SineReference
 from trimmer.mechanism.structures.ends import modes_in
 from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
@@ -105,7 +108,13 @@ class MechanismFlow(Flow):
     def names(self) -> tuple[str, ...]:
         """What the states are, such as ``motor``, ``motor'`` and ``bridge``."""
         layout = self.modes.system.layout
-        return (*layout.coordinates, *(f"{body}'" for body in layout.coordinates), *layout.relaxing)
+        controls = (" ".join(each) for each in layout.controls)
+        return (
+            *layout.coordinates,
+            *(f"{body}'" for body in layout.coordinates),
+            *layout.relaxing,
+            *controls,
+        )
 
     def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
         """Return the instant t = 0 at which bodies have given displacements, m, and velocities, m/s.
@@ -177,7 +186,8 @@ class MechanismFlow(Flow):
         reached = abs(distances) <= NEARLY * (abs(machine.wall_distance) @ largest)
         resting = reached & (abs(rates) <= AT_REST * (abs(machine.wall_rate) @ largest))
         walls = (LOOSE for _ in machine.restitution)
-        statuses = (*contacts, *frictions, *segments_at(machine, extended), *walls)
+        limits = limits_at(machine, extended)
+        statuses = (*contacts, *frictions, *segments_at(machine, extended), *limits, *walls)
         at_rest = np.flatnonzero([*slow, *resting])
         if len(at_rest):
             statuses = decide(machine, statuses, extended, at_rest)
@@ -326,7 +336,8 @@ class MechanismFlow(Flow):
 
     def units_of_part(self, part: str) -> Units:
         """Return the units of a part between two ends by its name."""
-        section = next(each for each in COUPLINGS if part in getattr(self.mechanism, each))
+        sections = (*COUPLINGS, "controllers")
+        section = next(each for each in sections if part in getattr(self.mechanism, each))
         return Units(self.mechanism.kind_of(section, part).unit("m"))
 
     @cached_property
@@ -355,7 +366,7 @@ class MechanismFlow(Flow):
         found = layout.lengths * sizes
         for kind in (found[displacements], found[velocities]):
             kind[kind <= NO_MORE * kind.max()] = 0.0
-        stretches = found[velocities.stop :]
+        stretches = found[velocities.stop : layout.first_control]
         np.maximum(stretches, STRETCHED * found[displacements].max(), out=stretches)
         return np.asarray(found / layout.lengths)
 
@@ -437,8 +448,10 @@ class MechanismFlow(Flow):
         pushed = any(mean_of(force) != 0 for force in mechanism.forces.values()) or not all(
             link.is_odd for link in mechanism.links.values()
         )
+        constant = any(not isinstance(each, SineReference) for each in references_in(mechanism))
         return (
-            bool(mechanism.frequency)
+            bool(self.period)
+            and not constant
             and odd
             and centred
             and not pushed
@@ -453,7 +466,7 @@ class MechanismFlow(Flow):
         Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion
         to the speed. So the energy falls wherever it is large, unless a pin goes on for ever.
         """
-        if any(pin.velocity for pin in self.mechanism.pins.values()):
+        if any(pin.velocity for pin in self.mechanism.pins.values()) or self.mechanism.controllers:
             return False
         # Relative to the mass: of L⁻¹ K L⁻ᵀ with M = L Lᵀ.
         factor = np.linalg.cholesky(inertia_of(self.mechanism).matrix)
@@ -472,6 +485,8 @@ class MechanismFlow(Flow):
         The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of
         m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is 0.
         """
+        if self.mechanism.controllers:
+            return np.where(abs(rates.real) <= margins, 0.0, rates.real)
         mass = inertia_of(self.mechanism).matrix
         velocities = slice(len(mass), 2 * len(mass))
         moved = states[velocities]  # Velocities of a free part are λ times its displacements.

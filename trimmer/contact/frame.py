@@ -13,7 +13,7 @@ a velocity that is known beforehand.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,7 +22,8 @@ from trimmer.arrays import Integers, Reals
 from trimmer.mechanism.coordinates import rows_of_structures, weights_of_ends
 from trimmer.mechanism.elimination import solutions
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Link, Play, Stop, Wall
+from trimmer.mechanism.parts import ContactLaw, Link, OutputKind, Play, Stop, Wall
+from trimmer.mechanism.references import RampReference
 
 SAME = 1e-12
 """Difference of two velocities, as a share of the largest one, that is taken for rounding."""
@@ -87,10 +88,10 @@ def frame_of(mechanism: Mechanism, *, without_stops: bool = False) -> Frame:
     drifts = {name: pins[name].velocity if name in pins else 0.0 for name in weights}
     shifts = [weights[end] - weights[start] for start, end in between]
     drifting = [drifts[start] - drifts[end] for start, end in between]
-    strains = list(_strains(mechanism))
+    strains, measured = list(_strains(mechanism)), list(_measured(mechanism, weights))
     found = solutions(
-        np.array([*shifts, *strains]).reshape(-1, len(mechanism.coordinates)),
-        np.array([*drifting, *(0.0 for _ in strains)]),
+        np.array([*shifts, *strains, *(row for row, _ in measured)]).reshape(-1, len(mechanism.coordinates)),
+        np.array([*drifting, *(0.0 for _ in strains), *(drift for _, drift in measured)]),
     )
     carried = found.particular if found.consistent else np.zeros_like(found.particular)
     return Frame(found.free, found.directions, carried, follows=True, pulled=not found.consistent)
@@ -111,6 +112,21 @@ def _strains(mechanism: Mechanism) -> Iterator[Reals]:
             row = np.zeros(len(mechanism.coordinates))
             row[rows] = strain
             yield row
+
+
+def _measured(mechanism: Mechanism, weights: Mapping[str, Reals]) -> Iterator[tuple[Reals, float]]:
+    """Yield the displacements that controllers feel as sums of coordinates, and how fast these are to go on."""
+    for controller in mechanism.controllers.values():
+        for name in (controller.measure, controller.speed):
+            output = mechanism.outputs.get(name) if name is not None else None
+            if output is None or output.kind is not OutputKind.DISPLACEMENT:
+                continue
+            carried = {of: mechanism.pins[of].velocity for of in output.weights if of in mechanism.pins}
+            drift = -sum(output.weights[of] * velocity for of, velocity in carried.items())
+            reference = mechanism.references.get(controller.reference or "")
+            if name == controller.measure and isinstance(reference, RampReference):
+                drift += reference.ramp
+            yield np.asarray(sum(each * weights[of] for of, each in output.weights.items())), drift
 
 
 def leans(part: Link | Play | Stop | Wall) -> bool:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.curves import first_curve
+from trimmer.contact.controllers.limits import first_control
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -17,8 +17,8 @@ NEARLY = 2.0**-44
 
 
 def first_wall(machine: Machine) -> int:
-    """Return the place of the status of the first wall: behind those of contacts, frictions and curves."""
-    return first_curve(machine) + len(machine.curve_over)
+    """Return the place of the status of the first wall: behind those of all others."""
+    return first_control(machine) + len(machine.control_limit)
 
 
 def impulse_of(machine: Machine, wall: int, restitution: float) -> Reals:

@@ -8,28 +8,36 @@ Displacements are those in a frame, which may move.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
+from trimmer.contact.controllers.arrays import laws_of
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
+from trimmer.contact.profiles import SOON, Profile
+from trimmer.contact.references import profile_of, references_in
 from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
-from trimmer.mechanism.drives import Drives, drives_of, waves_in
+from trimmer.mechanism.drives import (
+    Drives,
+    drive_frequency,
+    drives_of,
+    sines_in,
+    waves_in,
+    waves_of_sine,
+)
 from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Row, Stop
+from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
+from trimmer.mechanism.references import RampReference, SineReference, StepReference
 from trimmer.mechanism.waves import mean_of
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
 STILL = 1e-1
 """Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
-
-SOON = 1e-12
-"""Share of the last time of a profile up to which two times are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,10 +51,11 @@ class Layout:
         curves: Section and name of the parts with a curve.
         walls: Names of the walls.
         relaxing: Names of those contacts whose z is a state.
+        controllers: Names of the controllers.
+        controls: Name of the controller and of the state, of each state of controllers.
         orders: Multiples of the drive's frequency that occur; not whole where other drives give them.
         drives: What drives it beside that.
-        profiles: Points of the profiles that occur, time, s, and force, N; entries are the force of each and
-            its rate.
+        profiles: Profiles of forces and references that occur; entries are the value of each and its rate.
         ramp: Whether the time is an entry.
         omega: Angular frequency of the drive, rad/s; 0 without one.
         ends: Names of the ends.
@@ -66,9 +75,11 @@ class Layout:
     curves: tuple[tuple[str, str], ...]
     walls: tuple[str, ...]
     relaxing: tuple[str, ...]
+    controllers: tuple[str, ...]
+    controls: tuple[tuple[str, str], ...]
     orders: tuple[float, ...]
     drives: Drives
-    profiles: tuple[tuple[Row, ...], ...]
+    profiles: tuple[Profile, ...]
     ramp: bool
     omega: float
     ends: tuple[str, ...]
@@ -80,7 +91,12 @@ class Layout:
 
     @cached_property
     def state_count(self) -> int:
-        """Number of states: displacements, velocities, relaxing springs."""
+        """Number of states: displacements, velocities, relaxing springs, those of controllers."""
+        return self.first_control + len(self.controls)
+
+    @cached_property
+    def first_control(self) -> int:
+        """Place of the first state of a controller."""
         return 2 * len(self.coordinates) + len(self.relaxing)
 
     @cached_property
@@ -141,11 +157,12 @@ class Layout:
     @cached_property
     def breaks(self) -> tuple[float, ...]:
         """Times of all points of profiles, s, rising."""
-        return tuple(sorted({float(time) for profile in self.profiles for time, _ in profile}))
+        return tuple(sorted({time for profile in self.profiles for time in profile.times}))
 
     def changes_after(self, time: float) -> bool:
         """Say whether something else than waves forces the states differently after a time, s."""
-        return self.ramp or any(each > time + SOON * abs(self.breaks[-1]) for each in self.breaks)
+        slopes = any(profile.slope for profile in self.profiles)
+        return self.ramp or slopes or any(each > time + SOON * abs(self.breaks[-1]) for each in self.breaks)
 
     @cached_property
     def steady(self) -> Reals:
@@ -153,12 +170,12 @@ class Layout:
         values = np.zeros(self.forcing)
         values[-1] = 1.0
         for profile in self.profiles:
-            values[self.profile(profile) - self.state_count] = profile[-1][1]
+            values[self.profile(profile) - self.state_count] = profile.points[-1][1]
         return values
 
-    def profile(self, points: tuple[Row, ...]) -> int:
-        """Return the place of the force of a profile; its rate follows."""
-        return self.state_count + 2 * len(self.orders) + 2 * self.profiles.index(points)
+    def profile(self, profile: Profile) -> int:
+        """Return the place of the value of a profile; its rate follows."""
+        return self.state_count + 2 * len(self.orders) + 2 * self.profiles.index(profile)
 
     @cached_property
     def phasors(self) -> Complexes:
@@ -230,23 +247,10 @@ class Layout:
             values[2 * place : 2 * place + 2] = np.sin(angle), np.cos(angle)
         for profile in self.profiles:
             place = self.profile(profile) - self.state_count
-            values[place : place + 2] = _along(profile, before + time)
+            values[place : place + 2] = profile.along(before + time)
         if self.ramp:
             values[-2] = before + time
         return values
-
-
-def _along(profile: tuple[Row, ...], time: float) -> tuple[float, float]:
-    """Return force, N, and its rate, N/s, of a profile at a time, s: just after it, at a point."""
-    points = np.array(profile)
-    after = int(np.searchsorted(points[:, 0], time + SOON * abs(points[:, 0]).max(), side="right"))
-    if after == 0:
-        return 0.0, 0.0
-    begin, force = points[after - 1]
-    if after == len(points):
-        return float(force), 0.0
-    slope = (points[after, 1] - force) / (points[after, 0] - begin)
-    return float(force + slope * (time - begin)), float(slope)
 
 
 def layout_of(
@@ -264,9 +268,11 @@ def layout_of(
         frame: In which displacements are; that of the ground if not given.
     """
     frame = frame_of(mechanism).fixed() if frame is None else frame
-    omega = 2 * np.pi * (mechanism.frequency or 0.0)
+    omega = 2 * np.pi * (drive_frequency(mechanism) or 0.0)
     moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
-    orders = sorted({wave.order for part in moved for wave in waves_in(mechanism, part)})
+    waves = [wave for part in moved for wave in waves_in(mechanism, part)]
+    waves += [wave for name in sines_in(mechanism) for wave in waves_of_sine(mechanism, name)]
+    orders = sorted({wave.order for wave in waves})
     speeds = {name: float(each @ frame.velocities) for name, each in weights_of_ends(mechanism).items()}
     for name, pin in mechanism.pins.items():
         speeds[name] += pin.velocity
@@ -285,9 +291,11 @@ def layout_of(
         curves_of(mechanism),
         tuple(mechanism.walls),
         relaxing,
+        tuple(mechanism.controllers),
+        tuple((name, state) for name, law in laws_of(mechanism).items() for state in law.names),
         tuple(orders),
         drives_of(mechanism),
-        tuple(dict.fromkeys(force.profile for force in mechanism.forces.values() if force.profile)),
+        tuple(dict.fromkeys(_profiles(mechanism, frame))),
         ramp,
         omega,
         tuple(speeds),
@@ -295,8 +303,9 @@ def layout_of(
         shaken_ends(mechanism),
         frame,
         dict.fromkeys(speeds, 0.0) if ramp else speeds,
-        _lengths(mechanism, contacts, relaxing),
+        np.array([]),
     )
+    layout = replace(layout, lengths=_lengths(mechanism, contacts, layout))
     rows = Rows(mechanism, layout)
     return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
 
@@ -307,12 +316,18 @@ def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:
     return tuple((section, name) for section, parts in found for name, part in parts.items() if part.curve)
 
 
-def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], relaxing: tuple[str, ...]) -> Reals:
+def _profiles(mechanism: Mechanism, frame: Frame) -> Iterator[Profile]:
+    """Yield what forces the states by times."""
+    yield from (Profile(force.profile) for force in mechanism.forces.values() if force.profile)
+    yield from (found for each in references_in(mechanism) if (found := profile_of(each, frame)) is not None)
+
+
+def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], layout: Layout) -> Reals:
     radius, kinds = radius_of(mechanism), mechanism.kinds
     of = {kind: radius if kind is Kind.ROTATION else 1.0 for kind in Kind}
     coordinates = [of[kinds[name]] for name in mechanism.coordinates]
-    springs = [of[kind_of_part(kinds, "plays", name, contacts[name])] for name in relaxing]
-    return np.array([*coordinates, *coordinates, *springs])
+    springs = [of[kind_of_part(kinds, "plays", name, contacts[name])] for name in layout.relaxing]
+    return np.array([*coordinates, *coordinates, *springs, *(1.0 for _ in layout.controls)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -378,8 +393,28 @@ class Rows:
         for wave in waves_in(self.mechanism, force):
             self._add_wave(row, *wave)
         if force.profile:
-            row[self.layout.profile(force.profile)] += 1.0
+            row[self.layout.profile(Profile(force.profile))] += 1.0
         return row
+
+    def reference(self, name: str | None) -> tuple[Reals, Reals]:
+        """Return the value of a reference and its rate, (N,) each; 0 without one."""
+        row, rate = np.zeros(self.layout.size), np.zeros(self.layout.size)
+        reference = self.mechanism.references[name] if name is not None else None
+        profile = None if reference is None else profile_of(reference, self.layout.frame)
+        if profile is not None:
+            place = self.layout.profile(profile)
+            row[place] = rate[place + 1] = 1.0
+        elif isinstance(reference, SineReference):
+            for order, amplitude, phase in waves_of_sine(self.mechanism, str(name)):
+                self._add_wave(row, order, amplitude, phase)
+                self._add_wave(rate, order, order * self.layout.omega * amplitude, phase + np.pi / 2)
+        elif isinstance(reference, RampReference):
+            row[-1], rate[-1] = -reference.ramp * reference.at, reference.ramp
+            if self.layout.ramp:
+                row[-2] = reference.ramp
+        elif isinstance(reference, StepReference):
+            row[-1] = reference.step
+        return row, rate
 
     def push(self, start: str, end: str) -> Reals:
         """Return the accelerations by 1 N that pushes the end, and its opposite on the start, (n,)."""

@@ -8,12 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
+from trimmer.contact.controllers.arrays import control_arrays
 from trimmer.contact.curve_arrays import curve_arrays
 from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
-from trimmer.mechanism.control_checks import require_uncontrolled
 from trimmer.mechanism.coordinates import elastic_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
@@ -46,6 +46,12 @@ class Machine(NamedTuple):
         wall_distance, wall_rate: end - start of w walls less the gap, and its rate, as functionals, (w, N).
         wall_push: Accelerations by a force of 1 N on the end, (w, n).
         restitution: Of the walls, (w,).
+        control_demand: What k controllers demand before their limits, as functionals, (k, N).
+        control_effect: Rates of the states by what is left of that, in N, (k, N).
+        control_tracking: Rates of the states by what the limit takes away, (k, N).
+        control_rest: What acts beside the share of what is left, as functionals, (k, N).
+        control_limit: Of the controllers, N, infinite for none, (k,).
+        control_through: That share, (k,).
     """
 
     base: Reals
@@ -72,6 +78,12 @@ class Machine(NamedTuple):
     wall_rate: Reals
     wall_push: Reals
     restitution: Reals
+    control_demand: Reals
+    control_effect: Reals
+    control_tracking: Reals
+    control_rest: Reals
+    control_limit: Reals
+    control_through: Reals
 
     def of_frictions(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
         """Return the statuses of the frictions out of those of all parts."""
@@ -86,7 +98,7 @@ class Machine(NamedTuple):
     def holds(self) -> Places:
         """Numbers among all parts of what may hold two ends together: frictions, then walls."""
         contacts, frictions, walls = len(self.stiffness), len(self.kinetic), len(self.restitution)
-        first = contacts + frictions + len(self.curve_over)
+        first = contacts + frictions + len(self.curve_over) + len(self.control_limit)
         return np.concatenate([contacts + np.arange(frictions), first + np.arange(walls)])
 
     @property
@@ -107,18 +119,19 @@ class Machine(NamedTuple):
 
 def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
     """Return the arrays of a mechanism, in the frame of the ground or a given one, and their rows' names."""
-    require_uncontrolled(mechanism.controllers, "exact motion")
     parts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
     contacts = {name: part for name, part in parts.items() if part.stiffness > 0 or part.damping > 0}
     frictions = {name: part for name, part in mechanism.frictions.items() if part.static_force > 0}
     layout = layout_of(mechanism, contacts, tuple(frictions), frame)
     rows = Rows(mechanism, layout)
+    base = _base(mechanism, layout, rows)
     machine = Machine(
-        base=_base(mechanism, layout, rows),
+        base=base,
         **_contacts(contacts, layout, rows),
         **_frictions(mechanism, frictions, layout, rows),
         **curve_arrays(mechanism, rows),
         **_walls(mechanism, layout, rows),
+        **control_arrays(mechanism, rows, base),
     )
     return machine, layout
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, force_of
+from trimmer.contact.controllers.readouts import control_signal
 from trimmer.contact.curve_forces import force_signal as curve_signal
 from trimmer.contact.friction_forces import hold_forces, rows_in_mode
 from trimmer.contact.layout import Rows
@@ -51,6 +52,8 @@ def _speed(layout: Layout, output: Output) -> float:
 
 def _signal(mechanism: Mechanism, modes: Modes[MechanismSystem], output: Output) -> Signal:
     layout, weights = modes.system.layout, output.weights.items()
+    if output.kind is OutputKind.CONTROL:
+        return control_signal(modes, str(output.part))
     if output.part is not None:
         return force_signal(mechanism, modes, output.part)
     if output.kind is OutputKind.DISPLACEMENT:
@@ -142,11 +145,13 @@ class HoldForce(OwnValues):
 
 
 def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:
-    """Return the force of each link, play, stop, wall and friction, N, at times, s, that do not decrease."""
+    """Return the force of each link, play, stop, wall, friction and controller, N, at times, s, in order."""
     states = course.states(times)
     rows = np.searchsorted(course.log.start, times, side="right") - 1
     parts = (*mechanism.links, *mechanism.plays, *mechanism.stops, *mechanism.walls, *mechanism.frictions)
-    return {name: along(course, force_signal(mechanism, course.modes, name), rows, states) for name in parts}
+    signals = {name: force_signal(mechanism, course.modes, name) for name in parts}
+    signals |= {name: control_signal(course.modes, name) for name in mechanism.controllers}
+    return {name: along(course, signal, rows, states) for name, signal in signals.items()}
 
 
 def _between(rows: Rows, ends: tuple[str, str], stiffness: float, damping: float) -> Reals:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING
+from trimmer.contact.controllers.readouts import parts_of_controls
 from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.curves import mirror_of
 from trimmer.contact.friction_forces import hold_forces
@@ -46,7 +47,7 @@ _OTHER_WAY = {FORWARD: BACKWARD, BACKWARD: FORWARD}
 
 
 def parts_of(system: MechanismSystem) -> tuple[Part, ...]:
-    """Return the contacts, then the frictions, the curves and the walls."""
+    """Return the contacts, then the frictions, the curves, the controllers and the walls."""
     layout = system.layout
     contacts = (Part(name, _SIDES, _OTHER_SIDE) for name in layout.contacts)
     frictions = (Part(name, {STICK: Phase.STICK}, _OTHER_WAY) for name in layout.frictions)
@@ -54,7 +55,7 @@ def parts_of(system: MechanismSystem) -> tuple[Part, ...]:
         Part(name, {}, mirror_of(system.machine, number)) for number, (_, name) in enumerate(layout.curves)
     )
     walls = (Part(name, {RESTS: Phase.UPPER}) for name in layout.walls)
-    return (*contacts, *frictions, *curves, *walls)
+    return (*contacts, *frictions, *curves, *parts_of_controls(layout.controllers), *walls)
 
 
 def acceleration(modes: Modes[MechanismSystem], end: str) -> Signal:

@@ -15,11 +15,17 @@ FORWARD, BACKWARD, STICK = range(3)
 RELAXES, TRUNCATES, PULLS = range(3)
 """The contact laws. Without damping they are one, which is held as the last."""
 
-ACTIONS = OWN_ACTIONS + 7
+WITHIN, AT_UPPER, AT_LOWER = range(3)
+"""A controller: what it demands is within its limits; the upper or the lower one acts."""
+
+ACTIONS = OWN_ACTIONS + 9
 """Number of actions of event functions."""
-MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT, ABOVE_KNOT, BELOW_KNOT = range(OWN_ACTIONS, ACTIONS)
+MADE_PLUS, MADE_MINUS, BROKEN, RETURNED, LEFT, ABOVE_KNOT, BELOW_KNOT, ABOVE_LIMIT, BELOW_LIMIT = range(
+    OWN_ACTIONS, ACTIONS
+)
 """Event functions of contacts: contact made on either side, broken; the force of a contact that was released
-is a push again, or it left the range of contact. Of curves: a knot is reached from below, from above."""
+is a push again, or it left the range of contact. Of curves: a knot is reached from below, from above. Of
+controllers: the same of a limit."""
 KIND_COUNT = OWN_KINDS + 5
 """Number of kinds of events."""
 CONTACT_MADE, CONTACT_BROKEN, IMPACT, COMPLETED, TOGETHER = range(OWN_KINDS, KIND_COUNT)

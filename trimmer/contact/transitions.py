@@ -6,12 +6,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.contact.controllers.limits import beyond_limit
 from trimmer.contact.curves import beyond_knot
 from trimmer.contact.impulses import first_wall, impulse_of
 from trimmer.contact.statuses import (
     ABOVE_KNOT,
+    ABOVE_LIMIT,
     BACKWARD,
     BELOW_KNOT,
+    BELOW_LIMIT,
     BROKEN,
     CONTACT_BROKEN,
     CONTACT_MADE,
@@ -65,6 +68,8 @@ def transition(
     """
     if function.action in (ABOVE_KNOT, BELOW_KNOT):
         return beyond_knot(statuses, function)
+    if function.action in (ABOVE_LIMIT, BELOW_LIMIT):
+        return beyond_limit(statuses, function, jumped)
     if function.action == STRUCK:
         return _of_impact(machine, statuses, function, jumped)
     if function.action not in (ARRIVED, AT_LIMIT):

@@ -14,6 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Places, Reals
 from trimmer.contact.assembly import assemble, stopped_at_walls
+from trimmer.contact.controllers.limits import first_control, limits_at
 from trimmer.contact.curves import first_curve, segments_at
 from trimmer.contact.impulses import NEARLY, at_gap, first_wall, impulse_of
 from trimmer.contact.joint import decide
@@ -155,6 +156,8 @@ class _Strike:
         for curve, segment in enumerate(segments_at(machine, state)):
             if machine.curve_by_speed[curve]:
                 statuses[first_curve(machine) + curve] = segment
+        first = first_control(machine)
+        statuses[first : self.first] = limits_at(machine, state)
         at_rest = np.array([*sliding.tolist(), *resting], dtype=np.intp)
         if not len(at_rest):
             return tuple(statuses), at_rest

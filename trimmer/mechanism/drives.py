@@ -9,12 +9,27 @@ import numpy as np
 
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Force, Pin
+from trimmer.mechanism.references import SineReference
 from trimmer.mechanism.waves import Wave, is_driven, waves_of
 
 RETURNS = 64
 """Periods of the frequency after which all drives return together at most."""
 A_TURN = 1e-9
 """Share of a turn by which a phase may miss its return."""
+
+
+def drive_frequency(mechanism: Mechanism) -> float | None:
+    """Return the frequency of the drive, Hz: its own, or else that of the first sine that is followed."""
+    if mechanism.frequency is not None:
+        return mechanism.frequency
+    return next((each.frequency for each in sines_in(mechanism).values()), None)
+
+
+def sines_in(mechanism: Mechanism) -> dict[str, SineReference]:
+    """Return the sines that controllers follow, by name."""
+    names = (each.reference for each in mechanism.controllers.values())
+    followed = {name: mechanism.references[name] for name in names if name is not None}
+    return {name: each for name, each in followed.items() if isinstance(each, SineReference)}
 
 
 class Drives(NamedTuple):
@@ -33,9 +48,14 @@ def drives_of(mechanism: Mechanism) -> Drives:
     """Return what drives a mechanism beside its frequency."""
     parts: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
     used = dict.fromkeys(part.drive for part in parts if part.drive is not None and is_driven(part))
-    if not used or mechanism.frequency is None:
+    frequency = drive_frequency(mechanism)
+    if frequency is None:
         return Drives(1, {})
-    ratios = {name: mechanism.drives[name] / mechanism.frequency for name in used if name is not None}
+    ratios = {name: mechanism.drives[name] / frequency for name in used if name is not None}
+    sines = {_of_sine(name): each.frequency for name, each in sines_in(mechanism).items()}
+    ratios |= {name: each / frequency for name, each in sines.items() if each != frequency}
+    if not ratios:
+        return Drives(1, {})
     for periods in range(1, RETURNS + 1):
         turns = {name: round(periods * ratio) for name, ratio in ratios.items()}
         if all(turns[name] and abs(periods * each - turns[name]) <= A_TURN for name, each in ratios.items()):
@@ -43,9 +63,21 @@ def drives_of(mechanism: Mechanism) -> Drives:
     return Drives(0, ratios)
 
 
+def waves_of_sine(mechanism: Mechanism, name: str) -> tuple[Wave, ...]:
+    """Return the wave of a sine that is followed, in orders of the drive's frequency."""
+    sine = sines_in(mechanism)[name]
+    order = drives_of(mechanism).ratios.get(_of_sine(name), 1.0)
+    return (Wave(int(order) if float(order).is_integer() else order, sine.sine, sine.phase),)
+
+
+def _of_sine(name: str) -> str:
+    """Return the name of a sine among drives."""
+    return f"references.{name}"
+
+
 def waves_in(mechanism: Mechanism, part: Pin | Force) -> tuple[Wave, ...]:
-    """Return the waves of a pin, m, or of a force, N, in orders of the frequency of the mechanism."""
-    omega = 2 * np.pi * (mechanism.frequency or 0.0)
+    """Return the waves of a pin, m, or of a force, N, in orders of the frequency of the drive."""
+    omega = 2 * np.pi * (drive_frequency(mechanism) or 0.0)
     if part.drive is None or not is_driven(part):
         return waves_of(part, omega)
     ratio = drives_of(mechanism).ratios[part.drive]

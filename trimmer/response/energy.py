@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, offset
+from trimmer.contact.controllers.readouts import control_signal
 from trimmer.contact.curve_forces import force_signal, stored_energy
 from trimmer.contact.friction_forces import hold_forces, undetermined
 from trimmer.contact.impacts import losses_at_walls, work_at_walls
@@ -48,6 +49,7 @@ class MechanismEnergy(Tabular):
         walls: Lost at each wall.
         frictions: Lost in each friction, with its viscous part.
         structures: Lost in each structure.
+        controllers: Work of each controller.
         undetermined: Frictions on pins whose force in stick the motion leaves open at some time. The works of
             these pins rest on how they share it (``trimmer.contact.friction_forces``); no other number does.
         residual: What does not close, as a share of the largest term.
@@ -63,12 +65,13 @@ class MechanismEnergy(Tabular):
     walls: Mapping[str, float]
     undetermined: tuple[str, ...] = ()
     structures: Mapping[str, float] = field(default_factory=dict)
+    controllers: Mapping[str, float] = field(default_factory=dict)
     residual: float = field(init=False)
 
     def __post_init__(self) -> None:
         terms = [
             *(self.kinetic[1], -self.kinetic[0], self.stored[1], -self.stored[0]),
-            *(-work for works in (self.pins, self.forces) for work in works.values()),
+            *(-work for works in (self.pins, self.forces, self.controllers) for work in works.values()),
             *(loss for losses in self._losses for loss in losses.values()),
         ]
         largest = max(map(abs, terms))
@@ -76,8 +79,8 @@ class MechanismEnergy(Tabular):
 
     @property
     def work(self) -> float:
-        """Work of pins and forces together."""
-        return sum(self.pins.values()) + sum(self.forces.values())
+        """Work of pins, forces and controllers together."""
+        return sum(sum(each.values()) for each in (self.pins, self.forces, self.controllers))
 
     @property
     def loss(self) -> float:
@@ -93,7 +96,7 @@ class MechanismEnergy(Tabular):
         return f"work {self.work:.6g} J, loss {self.loss:.6g} J; {closing}"
 
     def _table(self) -> Table:
-        names = ("pins", "forces", "dampers", "contacts", "frictions", "walls", "structures")
+        names = ("pins", "forces", "controllers", "dampers", "contacts", "frictions", "walls", "structures")
         parts = [
             (f"{section}.{name}", each) for section in names for name, each in getattr(self, section).items()
         ]
@@ -133,6 +136,7 @@ class _Balance:
                 if self.mechanism.pins.keys() & set(self.between(name))
             ),
             dict(self.of_structures()),
+            {name: self.of_controller(name) for name in self.mechanism.controllers},
         )  # fmt: skip
 
     def between(self, name: str) -> tuple[str, str]:
@@ -293,6 +297,10 @@ class _Balance:
                 tension = tension + self.dry[name]
             found.append((friction.between, tension))
         return found
+
+    def of_controller(self, name: str) -> float:
+        acts = self.of(control_signal(self.course.modes, name))
+        return self.integral(acts * self.rate(*self.mechanism.controllers[name].acts))
 
     def of_force(self, name: str) -> float:
         force, layout = self.mechanism.forces[name], self.course.modes.system.layout

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.references import ProfileReference, StepReference
 
 if TYPE_CHECKING:
+    from trimmer.mechanism.references import Reference
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
 
@@ -20,7 +23,7 @@ def flow_of(subject: Subject) -> Flow:
         from trimmer.contact.flow import MechanismFlow
 
         require_no_profile(subject)
-        return MechanismFlow.returning(subject)
+        return MechanismFlow.returning(settled_references(subject))
     from trimmer.loops.flow import LoopFlow
     from trimmer.loops.loops import Loop
 
@@ -45,6 +48,18 @@ def require_no_profile(mechanism: Mechanism) -> None:
                 f"{place_text(('forces', name, 'profile'))}: the force follows times, with which nothing "
                 "repeats; 'trimmer simulate' follows it, or leave it out"
             )
+
+
+def settled_references(mechanism: Mechanism) -> Mechanism:
+    """Return a mechanism whose references that change by times have their last values from the start."""
+    last: dict[str, Reference] = {}
+    for name, reference in mechanism.references.items():
+        match reference:
+            case StepReference(step, at) if at > 0:
+                last[name] = StepReference(step)
+            case ProfileReference(points):
+                last[name] = StepReference(points[-1][1])
+    return replace(mechanism, references={**mechanism.references, **last}) if last else mechanism
 
 
 def called(subject: Subject) -> str:

@@ -57,6 +57,7 @@ def as_json(motion: MechanismMotion) -> str:
             "stored": list(energy.stored),
             "pins": dict(energy.pins),
             "forces": dict(energy.forces),
+            **({"controllers": dict(energy.controllers)} if energy.controllers else {}),
             "dampers": dict(energy.dampers),
             "contacts": dict(energy.contacts),
             "frictions": dict(energy.frictions),
@@ -109,7 +110,8 @@ def _ranges(motion: MechanismMotion) -> dict[str, float]:
 
 
 def _energy_text(energy: MechanismEnergy) -> list[str]:
-    works = [(f"work of {name}", value) for name, value in {**energy.pins, **energy.forces}.items()]
+    given = (energy.pins, energy.forces, energy.controllers)
+    works = [(f"work of {name}", value) for works in given for name, value in works.items()]
     losses = [
         *((f"lost in damper {name}", value) for name, value in energy.dampers.items()),
         *((f"lost in contact {name}", value) for name, value in energy.contacts.items()),

@@ -1,0 +1,106 @@
+"""The arrays of controllers: what they demand and what that does, as functionals of the extended state."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.contact.controllers.laws import Law, law_of
+from trimmer.errors import MechanismError
+from trimmer.mechanism.parts import OutputKind
+from trimmer.mechanism.place_text import place_text
+
+if TYPE_CHECKING:
+    from trimmer.contact.layout import Rows
+    from trimmer.mechanism.controllers import Controller
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.parts import Output
+
+
+def laws_of(mechanism: Mechanism) -> dict[str, Law]:
+    """Return the law of each controller, by name.
+
+    Raises:
+        MechanismError: if one is sampled.
+    """
+    for name, controller in mechanism.controllers.items():
+        if controller.sample is not None:
+            place = place_text(("controllers", name, "sample"))
+            raise MechanismError(f"{place}: sampled controllers are not computed yet; leave the sample out")
+    return {name: law_of(controller) for name, controller in mechanism.controllers.items()}
+
+
+def control_arrays(mechanism: Mechanism, rows: Rows, base: Reals) -> dict[str, Any]:
+    """Return the arrays of a machine for its controllers; the laws of their states go into a base, (N, N)."""
+    size, count, numbers = len(base), len(mechanism.coordinates), len(mechanism.controllers)
+    place = rows.layout.first_control
+    found: dict[str, Any] = {
+        f"control_{name}": np.zeros((numbers, size)) for name in ("demand", "effect", "tracking", "rest")
+    }
+    found |= {"control_limit": np.full(numbers, np.inf), "control_through": np.ones(numbers)}
+    for number, (name, law) in enumerate(laws_of(mechanism).items()):
+        controller = mechanism.controllers[name]
+        states, delayed = _places(place, law)
+        place = delayed.stop
+        given = np.array(inputs_of(mechanism, controller, rows))
+        base[states] += law.demand.given @ given
+        base[states, states] += law.demand.state
+        demand = law.demand.through @ given
+        demand[states] += law.demand.read
+        base[delayed, delayed] += law.acting.state
+        rest = np.zeros(size)
+        rest[delayed] = law.acting.read
+        push, through = rows.push(*controller.acts), float(law.acting.through[0])
+        base[count : 2 * count] += np.outer(push, rest)
+        found["control_demand"][number], found["control_rest"][number] = demand, rest
+        found["control_effect"][number, count : 2 * count] = through * push
+        found["control_effect"][number, delayed] = law.acting.given[:, 0]
+        found["control_tracking"][number, states] = law.tracking
+        found["control_through"][number] = through
+        if controller.limit is not None:
+            found["control_limit"][number] = controller.limit
+    return found
+
+
+def _places(first: int, law: Law) -> tuple[slice, slice]:
+    """Return the places of the states of the law, and of those of its delay."""
+    own = first + len(law.demand.names)
+    return slice(first, own), slice(own, own + len(law.acting.names))
+
+
+def inputs_of(mechanism: Mechanism, controller: Controller, rows: Rows) -> tuple[Reals, Reals, Reals]:
+    """Return error, speed and rate of the reference of a controller as functionals, (N,) each."""
+    measured = measured_row(mechanism, mechanism.outputs[controller.measure], rows)
+    value, rate = rows.reference(controller.reference)
+    return value - measured, _speed(mechanism, controller, rows), rate
+
+
+def _speed(mechanism: Mechanism, controller: Controller, rows: Rows) -> Reals:
+    if controller.speed is not None:
+        return measured_row(mechanism, mechanism.outputs[controller.speed], rows)
+    output = mechanism.outputs[controller.measure]
+    if output.kind is not OutputKind.DISPLACEMENT:
+        return np.zeros(rows.layout.size)
+    return np.asarray(sum(weight * rows.velocity(of) for of, weight in output.weights.items()))
+
+
+def measured_row(mechanism: Mechanism, output: Output, rows: Rows) -> Reals:
+    """Return a displacement, a velocity, or the force of a link as a functional, (N,).
+
+    Raises:
+        MechanismError: if the link has a curve.
+    """
+    if output.kind is OutputKind.FORCE:
+        link = mechanism.links[str(output.part)]
+        if link.curve:
+            place = place_text(("links", str(output.part), "curve"))
+            raise MechanismError(f"{place}: a controller that measures the force of a curve is not computed")
+        start, end = link.between
+        stretch = rows.displacement(end) - rows.displacement(start)
+        return np.asarray(
+            link.stiffness * stretch + link.damping * (rows.velocity(end) - rows.velocity(start))
+        )
+    of_end = rows.displacement if output.kind is OutputKind.DISPLACEMENT else rows.velocity
+    return np.asarray(sum(weight * of_end(of) for of, weight in output.weights.items()))

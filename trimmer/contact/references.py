@@ -1,0 +1,32 @@
+"""References of controllers over time: which of them force the states by times, and which as the waves do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from trimmer.contact.profiles import Profile
+from trimmer.mechanism.references import ProfileReference, RampReference, StepReference
+
+if TYPE_CHECKING:
+    from trimmer.contact.frame import Frame
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism.references import Reference
+
+
+def references_in(mechanism: Mechanism) -> Iterator[Reference]:
+    """Yield the references that controllers follow."""
+    names = (each.reference for each in mechanism.controllers.values())
+    return (mechanism.references[name] for name in dict.fromkeys(names) if name is not None)
+
+
+def profile_of(reference: Reference, frame: Frame) -> Profile | None:
+    """Return a reference that changes at times; None for a constant, a wave, or a ramp of a frame."""
+    match reference:
+        case StepReference(step, at) if at > 0:
+            return Profile(((at, step),))
+        case RampReference(ramp, at) if not (frame.follows or frame.velocities.any()):
+            return Profile(((at, 0.0),), slope=ramp)
+        case ProfileReference(points):
+            return Profile(points, before=points[0][1])
+    return None
