@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.controllers.limits import add_controls, functions_of_controls
+from trimmer.contact.control_limits import add_controls, functions_of_controls
 from trimmer.contact.curves import add_curves, functions_of_curves
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.machine import Machine, free_springs, relaxing_springs

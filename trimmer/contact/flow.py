@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.assembly import force_of
-from trimmer.contact.controllers.limits import limits_at
+from trimmer.contact.control_limits import limits_at
 from trimmer.contact.curves import add_least_curves, segments_at
 from trimmer.contact.frame import Frame, frame_of
 from trimmer.contact.impacts import grazed_walls, impact_at

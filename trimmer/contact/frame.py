@@ -115,7 +115,7 @@ def _strains(mechanism: Mechanism) -> Iterator[Reals]:
 
 
 def _measured(mechanism: Mechanism, weights: Mapping[str, Reals]) -> Iterator[tuple[Reals, float]]:
-    """Yield the displacements that controllers feel as sums of coordinates, and how fast these are to go on."""
+    """Yield the displacements that controllers feel as sums of coordinates, and how fast these go on."""
     for controller in mechanism.controllers.values():
         for name in (controller.measure, controller.speed):
             output = mechanism.outputs.get(name) if name is not None else None

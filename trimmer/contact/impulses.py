@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.controllers.limits import first_control
+from trimmer.contact.control_limits import first_control
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals

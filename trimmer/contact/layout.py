@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
-from trimmer.contact.controllers.arrays import laws_of
+from trimmer.contact.controllers.laws import laws_of
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.contact.profiles import SOON, Profile
 from trimmer.contact.references import profile_of, references_in

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
-from trimmer.contact.controllers.arrays import control_arrays
+from trimmer.contact.control_arrays import control_arrays
 from trimmer.contact.curve_arrays import curve_arrays
 from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of

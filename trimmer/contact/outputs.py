@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, force_of
-from trimmer.contact.controllers.readouts import control_signal
+from trimmer.contact.control_readouts import control_signal
 from trimmer.contact.curve_forces import force_signal as curve_signal
 from trimmer.contact.friction_forces import hold_forces, rows_in_mode
 from trimmer.contact.layout import Rows

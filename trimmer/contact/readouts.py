@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING
-from trimmer.contact.controllers.readouts import parts_of_controls
+from trimmer.contact.control_readouts import parts_of_controls
 from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.curves import mirror_of
 from trimmer.contact.friction_forces import hold_forces

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.controllers.limits import beyond_limit
+from trimmer.contact.control_limits import beyond_limit
 from trimmer.contact.curves import beyond_knot
 from trimmer.contact.impulses import first_wall, impulse_of
 from trimmer.contact.statuses import (

@@ -14,7 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Places, Reals
 from trimmer.contact.assembly import assemble, stopped_at_walls
-from trimmer.contact.controllers.limits import first_control, limits_at
+from trimmer.contact.control_limits import first_control, limits_at
 from trimmer.contact.curves import first_curve, segments_at
 from trimmer.contact.impulses import NEARLY, at_gap, first_wall, impulse_of
 from trimmer.contact.joint import decide

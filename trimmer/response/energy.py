@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING, offset
-from trimmer.contact.controllers.readouts import control_signal
+from trimmer.contact.control_readouts import control_signal
 from trimmer.contact.curve_forces import force_signal, stored_energy
 from trimmer.contact.friction_forces import hold_forces, undetermined
 from trimmer.contact.impacts import losses_at_walls, work_at_walls

@@ -9,9 +9,10 @@ from trimmer.arguments import require_instance
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.references import ProfileReference, StepReference
+from trimmer.mechanism.references import ProfileReference, RampReference, StepReference
 
 if TYPE_CHECKING:
+    from trimmer.contact.flow import MechanismFlow
     from trimmer.mechanism.references import Reference
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
@@ -23,7 +24,9 @@ def flow_of(subject: Subject) -> Flow:
         from trimmer.contact.flow import MechanismFlow
 
         require_no_profile(subject)
-        return MechanismFlow.returning(settled_references(subject))
+        flow = MechanismFlow.returning(settled_references(subject))
+        _require_carried(subject, flow)
+        return flow
     from trimmer.loops.flow import LoopFlow
     from trimmer.loops.loops import Loop
 
@@ -47,6 +50,22 @@ def require_no_profile(mechanism: Mechanism) -> None:
             raise UnsupportedMotionError(
                 f"{place_text(('forces', name, 'profile'))}: the force follows times, with which nothing "
                 "repeats; 'trimmer simulate' follows it, or leave it out"
+            )
+
+
+def _require_carried(mechanism: Mechanism, flow: MechanismFlow) -> None:
+    """Check that what follows a ramp can go on with it.
+
+    Raises:
+        UnsupportedMotionError: if something else holds it.
+    """
+    for name, controller in mechanism.controllers.items():
+        reference = mechanism.references.get(controller.reference or "")
+        if isinstance(reference, RampReference) and reference.ramp and flow.modes.system.layout.frame.pulled:
+            raise UnsupportedMotionError(
+                f"{place_text(('controllers', name, 'reference'))}: what is measured cannot go on with the "
+                f"ramp {controller.reference!r}, since shifting it changes another force; "
+                "'trimmer simulate' follows it"
             )
 
 

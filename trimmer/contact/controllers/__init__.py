@@ -1,1 +1,1 @@
-"""Controllers in exact motion: their laws, what they add to a mode, and their limits."""
+"""The laws of controllers, as exact motion needs them."""

@@ -16,7 +16,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.errors import MechanismError
 from trimmer.mechanism.controllers import Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.place_text import place_text
 
 ERROR, SPEED, RATE = range(3)
 """What goes into a law."""
@@ -59,6 +62,19 @@ class Law:
     def names(self) -> tuple[str, ...]:
         """What its states are."""
         return (*self.demand.names, *self.acting.names)
+
+
+def laws_of(mechanism: Mechanism) -> dict[str, Law]:
+    """Return the law of each controller, by name.
+
+    Raises:
+        MechanismError: if one is sampled.
+    """
+    for name, controller in mechanism.controllers.items():
+        if controller.sample is not None:
+            place = place_text(("controllers", name, "sample"))
+            raise MechanismError(f"{place}: sampled controllers are not computed yet; leave the sample out")
+    return {name: law_of(controller) for name, controller in mechanism.controllers.items()}
 
 
 def law_of(controller: Controller) -> Law:

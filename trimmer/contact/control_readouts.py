@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trimmer.contact.controllers.limits import first_control, limited
+from trimmer.contact.control_limits import first_control, limited
 from trimmer.contact.statuses import AT_LOWER, AT_UPPER
 from trimmer.motion.part import Part
 from trimmer.motion.signals import Steady

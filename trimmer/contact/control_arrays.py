@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.controllers.laws import Law, law_of
+from trimmer.contact.controllers.laws import Law, laws_of
 from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.place_text import place_text
@@ -17,19 +17,6 @@ if TYPE_CHECKING:
     from trimmer.mechanism.controllers import Controller
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Output
-
-
-def laws_of(mechanism: Mechanism) -> dict[str, Law]:
-    """Return the law of each controller, by name.
-
-    Raises:
-        MechanismError: if one is sampled.
-    """
-    for name, controller in mechanism.controllers.items():
-        if controller.sample is not None:
-            place = place_text(("controllers", name, "sample"))
-            raise MechanismError(f"{place}: sampled controllers are not computed yet; leave the sample out")
-    return {name: law_of(controller) for name, controller in mechanism.controllers.items()}
 
 
 def control_arrays(mechanism: Mechanism, rows: Rows, base: Reals) -> dict[str, Any]:
