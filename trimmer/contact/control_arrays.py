@@ -21,13 +21,14 @@ if TYPE_CHECKING:
 
 def control_arrays(mechanism: Mechanism, rows: Rows, base: Reals) -> dict[str, Any]:
     """Return the arrays of a machine for its controllers; the laws of their states go into a base, (N, N)."""
-    size, count, numbers = len(base), len(mechanism.coordinates), len(mechanism.controllers)
+    laws = laws_of(mechanism)
+    size, count, numbers = len(base), len(mechanism.coordinates), len(laws)
     place = rows.layout.first_control
     found: dict[str, Any] = {
         f"control_{name}": np.zeros((numbers, size)) for name in ("demand", "effect", "tracking", "rest")
     }
     found |= {"control_limit": np.full(numbers, np.inf), "control_through": np.ones(numbers)}
-    for number, (name, law) in enumerate(laws_of(mechanism).items()):
+    for number, (name, law) in enumerate(laws.items()):
         controller = mechanism.controllers[name]
         states, delayed = _places(place, law)
         place = delayed.stop
@@ -48,6 +49,8 @@ def control_arrays(mechanism: Mechanism, rows: Rows, base: Reals) -> dict[str, A
         found["control_through"][number] = through
         if controller.limit is not None:
             found["control_limit"][number] = controller.limit
+    for name in rows.layout.held:
+        base[count : 2 * count] += np.outer(rows.push(*mechanism.controllers[name].acts), rows.held(name))
     return found
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trimmer.contact.control_limits import first_control, limited
 from trimmer.contact.statuses import AT_LOWER, AT_UPPER
 from trimmer.motion.part import Part
@@ -19,7 +21,10 @@ if TYPE_CHECKING:
 
 
 def control_signal(modes: Modes[MechanismSystem], name: str) -> Signal:
-    """Return what a controller acts with, N, after limit and delay."""
+    """Return what a controller acts with, N, after limit, hold and delay."""
+    layout = modes.system.layout
+    if name in layout.held:
+        return Steady(np.eye(1, layout.size, layout.held[name].acting)[0])
     control = modes.system.layout.controllers.index(name)
 
     def row(mode: int) -> Reals:

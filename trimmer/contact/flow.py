@@ -27,6 +27,7 @@ from trimmer.contact.readouts import (
     wall_measures,
 )
 from trimmer.contact.references import references_in
+from trimmer.contact.sampled import SampledControllers
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
@@ -102,13 +103,23 @@ class MechanismFlow(Flow):
     @cached_property
     def modes(self) -> Modes[MechanismSystem]:
         """The modes that were met so far, with their ``system``."""
-        return Modes(MechanismSystem(*machine_of(self.mechanism, self.frame)))
+        machine, layout = machine_of(self.mechanism, self.frame)
+        sampled = SampledControllers(self.mechanism, layout) if layout.held else None
+        return Modes(MechanismSystem(machine, layout, sampled))
+
+    @property
+    def sampled(self) -> SampledControllers | None:
+        """The sampled controllers; None without any."""
+        clockwork = self.modes.system.clockwork
+        return clockwork if isinstance(clockwork, SampledControllers) else None
 
     @cached_property
     def names(self) -> tuple[str, ...]:
         """What the states are, such as ``motor``, ``motor'`` and ``bridge``."""
         layout = self.modes.system.layout
-        controls = (" ".join(each) for each in layout.controls)
+        controls = [" ".join(each) for each in layout.controls]
+        if self.sampled is not None:
+            controls += [each for name in layout.held for each in self.sampled.names_of(name)]
         return (
             *layout.coordinates,
             *(f"{body}'" for body in layout.coordinates),
@@ -123,7 +134,18 @@ class MechanismFlow(Flow):
         """
         state = self._state_of(start)
         self._require_within_walls(state)
-        return self.at(state, stretched=False)
+        return self._measured(self.at(state, stretched=False))
+
+    def _measured(self, instant: Instant) -> Instant:
+        """Return an instant at which what is measured is what was measured at the last sample."""
+        sampled, layout = self.sampled, self.modes.system.layout
+        if sampled is None:
+            return instant
+        mode, state = self.modes.number(instant.statuses), instant.state.copy()
+        extended = np.concatenate([state, layout.forcing_at(0.0)])
+        for place, signal in sampled.remembered(self.modes):
+            state[place] = signal(mode) @ extended
+        return replace(instant, state=state)
 
     def _state_of(self, start: Mapping[str, tuple[float, ...]] | None) -> Reals:
         layout = self.modes.system.layout
@@ -289,7 +311,11 @@ class MechanismFlow(Flow):
         """Return what gives the equations of a mechanism with a number between; see ``Flow.between``."""
         layout, *others = (each.modes.system.layout for each in (self, middle, last))
         arrays = [each.modes.system.machine for each in (self, middle, last)]
-        if not all(layout.is_alike(each) for each in others) or not all(map(is_straight, *arrays)):
+        if (
+            layout.held
+            or not all(layout.is_alike(each) for each in others)
+            or not all(map(is_straight, *arrays))
+        ):
             return None
         machine = arrays[0]
         changes = {

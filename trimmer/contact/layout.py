@@ -15,6 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
+from trimmer.contact.controllers.held import Held, held_by
 from trimmer.contact.controllers.laws import laws_of
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.contact.profiles import SOON, Profile
@@ -51,8 +52,9 @@ class Layout:
         curves: Section and name of the parts with a curve.
         walls: Names of the walls.
         relaxing: Names of those contacts whose z is a state.
-        controllers: Names of the controllers.
+        controllers: Names of the continuous controllers.
         controls: Name of the controller and of the state, of each state of controllers.
+        held: What each sampled controller holds, by name.
         orders: Multiples of the drive's frequency that occur; not whole where other drives give them.
         drives: What drives it beside that.
         profiles: Profiles of forces and references that occur; entries are the value of each and its rate.
@@ -77,6 +79,7 @@ class Layout:
     relaxing: tuple[str, ...]
     controllers: tuple[str, ...]
     controls: tuple[tuple[str, str], ...]
+    held: Mapping[str, Held]
     orders: tuple[float, ...]
     drives: Drives
     profiles: tuple[Profile, ...]
@@ -92,7 +95,12 @@ class Layout:
     @cached_property
     def state_count(self) -> int:
         """Number of states: displacements, velocities, relaxing springs, those of controllers."""
-        return self.first_control + len(self.controls)
+        return max((each.end for each in self.held.values()), default=self.first_control + len(self.controls))
+
+    @property
+    def holding(self) -> slice:
+        """The states that sampled controllers hold."""
+        return slice(self.first_control + len(self.controls), self.state_count)
 
     @cached_property
     def first_control(self) -> int:
@@ -215,6 +223,8 @@ class Layout:
         scale = np.full(len(sizes), longest)
         scale[velocities] = fastest
         sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
+        held = abs(states[:, self.holding]).max(axis=0)  # In units of their own.
+        sizes[self.holding] = np.maximum(held, SMALLEST_SHARE * held.max(initial=0.0))
         sizes[sizes == 0.0] = 1.0
         return sizes / self.lengths
 
@@ -284,6 +294,7 @@ def layout_of(
     relaxing = tuple(
         name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
     )
+    laws = laws_of(mechanism)
     layout = Layout(
         mechanism.coordinates,
         tuple(contacts),
@@ -291,8 +302,9 @@ def layout_of(
         curves_of(mechanism),
         tuple(mechanism.walls),
         relaxing,
-        tuple(mechanism.controllers),
-        tuple((name, state) for name, law in laws_of(mechanism).items() for state in law.names),
+        tuple(laws),
+        tuple((name, state) for name, law in laws.items() for state in law.names),
+        {},
         tuple(orders),
         drives_of(mechanism),
         tuple(dict.fromkeys(_profiles(mechanism, frame))),
@@ -305,6 +317,7 @@ def layout_of(
         dict.fromkeys(speeds, 0.0) if ramp else speeds,
         np.array([]),
     )
+    layout = replace(layout, held=held_by(mechanism.controllers, layout.state_count))
     layout = replace(layout, lengths=_lengths(mechanism, contacts, layout))
     rows = Rows(mechanism, layout)
     return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
@@ -327,7 +340,14 @@ def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], layout: 
     of = {kind: radius if kind is Kind.ROTATION else 1.0 for kind in Kind}
     coordinates = [of[kinds[name]] for name in mechanism.coordinates]
     springs = [of[kind_of_part(kinds, "plays", name, contacts[name])] for name in layout.relaxing]
-    return np.array([*coordinates, *coordinates, *springs, *(1.0 for _ in layout.controls)])
+    return np.array(
+        [
+            *coordinates,
+            *coordinates,
+            *springs,
+            *(1.0 for _ in range(layout.first_control, layout.state_count)),
+        ]
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -415,6 +435,12 @@ class Rows:
         elif isinstance(reference, StepReference):
             row[-1] = reference.step
         return row, rate
+
+    def held(self, name: str) -> Reals:
+        """Return what a sampled controller acts with, N or N m, (N,)."""
+        row = np.zeros(self.layout.size)
+        row[self.layout.held[name].acting] = 1.0
+        return row
 
     def push(self, start: str, end: str) -> Reals:
         """Return the accelerations by 1 N that pushes the end, and its opposite on the start, (n,)."""

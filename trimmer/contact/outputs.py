@@ -36,21 +36,23 @@ def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str,
     """
     return {
         name: Readout(
-            _signal(mechanism, modes, each),
+            signal_of(mechanism, modes, each),
             mechanism.output_units[name],
-            _speed(modes.system.layout, each),
+            speed_beyond(modes.system.layout, each),
         )
         for name, each in mechanism.outputs.items()
     }
 
 
-def _speed(layout: Layout, output: Output) -> float:
+def speed_beyond(layout: Layout, output: Output) -> float:
+    """Return how fast an output moves on beyond what its functional says, in its unit per s."""
     if output.kind is not OutputKind.DISPLACEMENT:
         return 0.0
     return sum(weight * layout.speeds[of] for of, weight in output.weights.items())
 
 
-def _signal(mechanism: Mechanism, modes: Modes[MechanismSystem], output: Output) -> Signal:
+def signal_of(mechanism: Mechanism, modes: Modes[MechanismSystem], output: Output) -> Signal:
+    """Return what an output is as a functional of the state in each mode, in SI units."""
     layout, weights = modes.system.layout, output.weights.items()
     if output.kind is OutputKind.CONTROL:
         return control_signal(modes, str(output.part))

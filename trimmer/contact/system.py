@@ -16,7 +16,7 @@ from trimmer.contact.machine import Machine
 from trimmer.contact.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
 from trimmer.contact.transitions import transition
 from trimmer.contact.walls import strike
-from trimmer.hybrid.system import STRUCK, Decision, EventFunction, Mode, Transition
+from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, Mode, Transition
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,10 +26,12 @@ class MechanismSystem:
     Attributes:
         machine: Its arrays.
         layout: Names and places of its extended state.
+        clockwork: What samples it; None for nothing.
     """
 
     machine: Machine
     layout: Layout
+    clockwork: Clockwork | None = None
 
     @property
     def contact_count(self) -> int:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from trimmer.choices import Choice
+from trimmer.hybrid.clock import DUE, TICKED, instants
 from trimmer.hybrid.integration import (
     CYCLING,
     DIVERGED,
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
     from tqdm import tqdm
 
     from trimmer.arrays import Integers, Places, Reals
+    from trimmer.hybrid.clock import Clock, Instants
     from trimmer.hybrid.tables import Tables
     from trimmer.hybrid.work import Work
 
@@ -228,7 +231,9 @@ class _Integration:
         try:
             while True:
                 now = min(left, AT_ONCE)
-                reason, place = integrate(*self._tables(), self.log, place._replace(steps_left=now), task)
+                tables, work = self._tables()
+                clock = self._clock()
+                reason, place = integrate(tables, clock, work, self.log, place._replace(steps_left=now), task)
                 self.mode, left = place.mode, left - (now - place.steps_left)
                 if reason == STEP_LIMIT and left > 0:
                     watch.update(place.time)
@@ -262,6 +267,17 @@ class _Integration:
             )
         return tables, self.work
 
+    def _clock(self) -> Clock | None:
+        """Return what is due in each period at known times, None for nothing."""
+        samplings = self.modes.samplings
+        return None if samplings is None else samplings.clock()._replace(**self.instants._asdict())
+
+    @cached_property
+    def instants(self) -> Instants:
+        """When something is due in each period; those of a period that is forced as others are the same."""
+        clockwork, instant, layout = self.modes.system.clockwork, self.instant, self.modes.system.layout
+        return instants(clockwork.samplers, layout.clock(instant.periods, instant.phase), self.length)
+
     def _ending(self, reason: int, place: Place, most_events: int) -> Ending | None:
         """Return why the motion ends, None if it goes on."""
         if reason in _ENDINGS:
@@ -284,6 +300,8 @@ class _Integration:
         """Tabulate what follows an event, or do it where several parts at rest have a say."""
         if place.row >= len(self.log.start):
             self.log = self.log.longer(most_events + 1)
+        if place.fired == DUE:
+            return place
         mode, event = self.modes[self.mode], (self.mode, place.fired, int(place.jumped))
         function = mode.functions[place.fired]
         at_rest, alone = None, function.action not in (ARRIVED, AT_LIMIT)
@@ -325,7 +343,7 @@ class _Integration:
         """
         log, changed, last = self.log, set[int](), place.row
         for row in range(place.row - 1, 0, -1):
-            if log.start[row] != place.time:
+            if log.start[row] != place.time or log.function[row] <= TICKED:
                 break
             number = int(log.function[row])
             function = self.modes[int(log.mode[row - 1])].functions[number] if number >= 0 else None

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from trimmer.arrays import Integers, Reals
+from trimmer.hybrid.clock import DUE, Clock
 from trimmer.hybrid.compilation import compiled, inlined, kept, sources
 from trimmer.hybrid.linear_combination import copy
 from trimmer.hybrid.segment import OUT_OF_BOUNDS, OUT_OF_STEPS, follow, rounding
@@ -14,6 +15,7 @@ from trimmer.hybrid.step_event import NO_EVENT
 from trimmer.hybrid.system import HOLD_BEGUN, NOTHING
 from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.tabulated_change import change, is_tabulated
+from trimmer.hybrid.ticking import due, struck, time_left
 from trimmer.hybrid.work import Log, Work
 
 REACHED_END, LOG_FULL, TO_DECIDE, CYCLING, DIVERGED, STEP_LIMIT, GOES_ON = range(7)
@@ -59,8 +61,9 @@ class Place(NamedTuple):
         time: Time in the period, s.
         steps_left: Number of steps that may still be taken.
         fired: The event function that has just fallen to zero, if what follows it is still to be done;
-            ``OUT_OF_STEPS`` within a segment.
+            ``OUT_OF_STEPS`` within a segment, ``DUE`` at an instant of the clock.
         jumped: Whether it was negative at once.
+        ticks: Instants of the clock that the period has had.
     """
 
     done: int
@@ -70,9 +73,10 @@ class Place(NamedTuple):
     steps_left: int
     fired: int = NO_EVENT
     jumped: bool = False
+    ticks: int = 0
 
 
-_Reached = tuple[int, int, int, float, int, int, bool]
+_Reached = tuple[int, int, int, float, int, int, bool, int]
 """A ``Place`` without its name."""
 
 
@@ -138,14 +142,20 @@ def _note(reached: Reals, done: int, row: int, mode: int, time: float, late: flo
     reached[0], reached[1], reached[2], reached[3], reached[4] = done, row, mode, time, late
 
 
-def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
+def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:  # noqa: C901, PLR0915
     # One function and not two within each other: of those that are compiled into another each is copied.
-    def entry(
-        tables: Tables, rows: Rows | None, work: Work, log: Log, place: Place, task: Task
+    def entry(  # noqa: C901, PLR0915
+        tables: Tables,
+        rows: Rows | None,
+        clock: Clock | None,
+        work: Work,
+        log: Log,
+        place: Place,
+        task: Task,
     ) -> tuple[int, _Reached]:
         sources  # noqa: B018
-        done, row, mode, time, steps_left, fired, jumped = place
-        cascade, recent, begun = 0, NOBODY, fired != NO_EVENT
+        done, row, mode, time, steps_left, fired, jumped, ticks = place
+        cascade, recent, begun, slack = 0, NOBODY, fired != NO_EVENT, 0.0
         late = task.reached[4]  # The exact time is by so much later than the rounded one.
         fired = NO_EVENT if fired == OUT_OF_STEPS else fired
         reason = LOG_FULL
@@ -156,16 +166,26 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
                 _begin(log, row, time, mode, work.state)
                 row, cascade, recent, begun = row + 1, 0, NOBODY, True
             if fired == NO_EVENT:
+                left = time_left(clock, ticks, slack, task.length, time, late)
                 fired, jumped, elapsed, lost, steps, touches = follow(
-                    tables, rows, work, mode, recent, (task.length - time) - late, steps_left
+                    tables, rows, work, mode, recent, left, steps_left
                 )
                 log.touches[row - 1] += touches
                 before, steps_left = time, steps_left - steps
                 time, late = _later(before, elapsed, lost + late, task.exact)
                 cascade = 0 if time > before else cascade + 1
                 _forget(elapsed, work.zeros)
+                at = (fired, ticks, slack)
+                fired, slack, time, late = due(tables, rows, clock, work, mode, at, (time, late))
+                if slack > 0.0:
+                    continue
+            if fired == DUE and row < log.start.size:
+                _begin(log, row, time, mode, work.state)
+                row = struck(tables, clock, work, log, (row, ticks), task.keeps)
+                ticks, fired, cascade, recent = ticks + 1, NO_EVENT, 0, NOBODY
+                continue
             if fired == NO_EVENT:
-                done += 1
+                done, ticks = done + 1, 0
                 copy(work.state, work.state.size - task.forcing.size, task.states[done])
                 if done == task.counts.shape[0]:
                     reason = REACHED_END
@@ -185,7 +205,7 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
                 row = 1
         _note(task.reached, done, row, mode, time, late)
         # A plain tuple: making a named one runs Python, in which an interrupt would find nobody to take it.
-        return reason, (done, row, mode, time, steps_left, fired, jumped)
+        return reason, (done, row, mode, time, steps_left, fired, jumped, ticks)
 
     return kept(entry)
 
@@ -193,11 +213,14 @@ def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:
 _compiled_entry = _entry(sources())
 
 
-def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) -> tuple[int, Place]:
+def integrate(
+    tables: Tables, clock: Clock | None, work: Work, log: Log, place: Place, task: Task
+) -> tuple[int, Place]:
     """Integrate the motion over periods of one length, and log its segments.
 
     Args:
         tables: The modes.
+        clock: What is due in each period at known times; None for nothing.
         work: The state and what is known to be zero, which become those at the end.
         log: Where segments are written.
         place: Where to begin.
@@ -207,5 +230,5 @@ def integrate(tables: Tables, work: Work, log: Log, place: Place, task: Task) ->
         Why it stopped, and where. After ``TO_DECIDE`` it goes on from there once the tables say what follows
         the event and the log has room, or from a place without event once somebody else has done it.
     """
-    reason, reached = _compiled_entry(tables, tables.rows, work, log, place, task)
+    reason, reached = _compiled_entry(tables, tables.rows, clock, work, log, place, task)
     return reason, Place(*reached)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
+from trimmer.hybrid.clock import TICKED, Clock, carry, instant_of
 from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
 from trimmer.hybrid.system import STRUCK
@@ -274,10 +275,22 @@ def is_decided(tables: Tables, log: Log, first: int, last: int, reset: int) -> b
     return found
 
 
+@compiled
+def _sampled(
+    tables: Tables, clock: Clock | None, log: Log, rows: tuple[int, int], distances: Reals, room: Room
+) -> None:
+    """Do with distances what the clock does: neighbours meet it, and what follows, at the same time."""
+    row, last = rows
+    if clock is not None:
+        carry(clock, TICKED - log.function[row], log.mode[row], distances, room.distances)
+        _fit(tables, log.mode[last], distances, room.distances)
+
+
 def _entry(sources: bytes) -> Callable[..., int]:
-    def entry(
+    def entry(  # noqa: PLR0913
         tables: Tables,
         resets: Reals | None,
+        clock: Clock | None,
         log: Log,
         end: float,
         row: int,
@@ -290,12 +303,10 @@ def _entry(sources: bytes) -> Callable[..., int]:
         if row == 0:
             _fit(tables, log.mode[0], distances, room.distances)
         while row < rows:
-            following, fired = row, -1
-            while following < rows and log.start[following] == log.start[row]:
-                if fired < 0:
-                    fired = log.function[following]
-                following += 1
+            following, fired = instant_of(log.start, log.function, row)
             last = following - 1  # Of the segments at one instant, the last one is that which goes on.
+            if fired <= TICKED:
+                _sampled(tables, clock, log, (row, last), distances, room)
             if row > 0 and fired >= 0 and not jumped:
                 reset = NO_RESET
                 if resets is not None:
@@ -317,11 +328,14 @@ def _entry(sources: bytes) -> Callable[..., int]:
 _compiled_entry = _entry(sources())
 
 
-def propagate(tables: Tables, log: Log, end: float, row: int, distances: Reals, room: Room) -> int:
+def propagate(
+    tables: Tables, clock: Clock | None, log: Log, end: float, row: int, distances: Reals, room: Room
+) -> int:
     """Carry distances (n, columns), in place, to the end of a motion, or to what is not decided here.
 
     Args:
         tables: The modes.
+        clock: What samplers do; None for nothing.
         log: The segments of the motion.
         end: Time at which it ends, s.
         row: The first row; at a later one than the first, the distances have jumped already.
@@ -333,4 +347,4 @@ def propagate(tables: Tables, log: Log, end: float, row: int, distances: Reals, 
         end.
     """
     resets = tables.resets if len(tables.resets) else None
-    return int(_compiled_entry(tables, resets, log, end, row, distances, room))
+    return int(_compiled_entry(tables, resets, clock, log, end, row, distances, room))

@@ -9,7 +9,7 @@ relay that slides; what several parts do that are at rest at one instant they de
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Integers, Places, Reals
@@ -130,6 +130,41 @@ class Decision:
     known: tuple[tuple[int, int, int], ...] = ()
 
 
+@dataclass(frozen=True)
+class Sampler:
+    """What reads the state at known times and writes places of it that nothing else moves.
+
+    Attributes:
+        sample: Time between samples, s; the first one is at t = 0.
+        delay: Time after a sample at which what it demanded acts, s; 0 for what acts at samples.
+        limit: Largest modulus of its demand.
+        places: Where it writes the state.
+        acting: Where stands what is to act, and where what acts; twice the same if it acts at once.
+    """
+
+    sample: float
+    delay: float
+    limit: float
+    places: tuple[int, ...]
+    acting: tuple[int, int]
+
+
+class Clockwork(Protocol):
+    """What samples a motion."""
+
+    @property
+    def samplers(self) -> tuple[Sampler, ...]:
+        """The samplers, c, which write up to h places each."""
+
+    def sampling(self, modes: Any, number: int) -> tuple[Reals, Reals]:
+        """Return what samplers do in a mode, by its number in ``trimmer.hybrid.tables.Modes``.
+
+        Returns:
+            Their demands as functionals, (c, N), and what they write within the limit and beyond it on
+            either side, (c, 3, h, N), both of the state just before.
+        """
+
+
 class Layout(Protocol):
     """Where in the extended state what is."""
 
@@ -140,6 +175,10 @@ class Layout(Protocol):
     @property
     def state_count(self) -> int:
         """Number n of states, which come first."""
+
+    @property
+    def holding(self) -> slice:
+        """The states that samplers write, and that nothing else moves."""
 
     @property
     def forcing(self) -> int:
@@ -230,6 +269,10 @@ class System(Protocol):
     @property
     def layout(self) -> Layout:
         """Where in the extended state what is."""
+
+    @property
+    def clockwork(self) -> Clockwork | None:
+        """What samples the motion at known times; None for nothing."""
 
     @property
     def part_count(self) -> int:

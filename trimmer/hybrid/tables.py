@@ -15,6 +15,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.errors import UnsupportedMotionError
+from trimmer.hybrid.clock import Samplings
 from trimmer.hybrid.series import ModeTables, tabulate
 from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import Mode, System
@@ -174,6 +175,12 @@ class Modes(Generic[_System]):
         capacity = max(min(fitting, CAPACITY), 1)
         return _empty(self.system, capacity, 2 * self.system.part_count, is_sparse)
 
+    @cached_property
+    def samplings(self) -> Samplings | None:
+        """What samples the motion does in the modes so far; None for nothing."""
+        clockwork = self.system.clockwork
+        return None if clockwork is None else Samplings(clockwork)
+
     @property
     def statuses(self) -> Sequence[tuple[int, ...]]:
         """Statuses of all parts in the modes so far, by their numbers."""
@@ -184,6 +191,9 @@ class Modes(Generic[_System]):
         modes = type(self)(system)
         modes._statuses, modes._numbers = self._statuses.copy(), self._numbers.copy()
         vars(modes)["tables"] = tables
+        if modes.samplings is not None:
+            for number in range(len(self._statuses)):
+                modes.samplings.add(modes, number)
         return modes
 
     def __getitem__(self, number: int) -> Mode:
@@ -214,6 +224,8 @@ class Modes(Generic[_System]):
         self._statuses.append(statuses)
         self._keep(number, mode)
         self._tabulate(number, mode)
+        if self.samplings is not None:
+            self.samplings.add(self, number)
         self.tables.settled[number] = number if settled is None else settled
         return number
 

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.hybrid.clock import TICKED, carried
 from trimmer.hybrid.propagation import propagate, room_for
 from trimmer.hybrid.sparse import carry
 from trimmer.hybrid.system import STRUCK, EventFunction, Mode
@@ -40,13 +41,20 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     if modes.tables.rows is not None:
         return _by_rows(modes, log, end, distances)
     room, rows = room_for(len(distances), distances.shape[1], log.state.shape[1]), len(log.start)
-    row = propagate(modes.tables, log, end, 0, distances, room)
+    clock = None if modes.samplings is None else modes.samplings.clock()
+    row = propagate(modes.tables, clock, log, end, 0, distances, room)
     while row < rows:
         # Of the segments at one instant, the last one is that which goes on.
-        last = int(np.searchsorted(log.start, log.start[row], side="right")) - 1
-        _jump(modes, log, row, last, distances)
-        row = propagate(modes.tables, log, end, row, distances, room)
+        _jump(modes, log, row, end_of_instant(log, row) - 1, distances)
+        row = propagate(modes.tables, clock, log, end, row, distances, room)
     return distances
+
+
+def end_of_instant(log: Log, row: int) -> int:
+    """Return the row after those of the same instant; what the clock does begins one of its own."""
+    end = int(np.searchsorted(log.start, log.start[row], side="right"))
+    ticks = np.flatnonzero(log.function[row + 1 : end] <= TICKED)
+    return row + 1 + int(ticks[0]) if len(ticks) else end
 
 
 def _by_rows(modes: Modes[Any], log: Log, end: float, distances: Reals) -> Reals:
@@ -54,9 +62,13 @@ def _by_rows(modes: Modes[Any], log: Log, end: float, distances: Reals) -> Reals
     distances = _fitted(modes, int(log.mode[0]), distances)
     rows, row = len(log.start), 0
     while row < rows:
-        following = int(np.searchsorted(log.start, log.start[row], side="right"))
+        following = end_of_instant(log, row)
         last = following - 1
-        if row > 0:
+        if log.function[row] <= TICKED and modes.samplings is not None:
+            clock, code = modes.samplings.clock(), TICKED - int(log.function[row])
+            jumped = carried(clock, code, int(log.mode[row]), distances)
+            distances[:] = _fitted(modes, int(log.mode[last]), jumped)
+        elif row > 0:
             _jump(modes, log, row, last, distances)
         until = float(log.start[following] if following < rows else end)
         _go_on(modes, int(log.mode[last]), until - log.start[last], distances)

@@ -211,6 +211,11 @@ class Layout:
         """All drives return together after one period, if at all."""
         return 1
 
+    @property
+    def holding(self) -> slice:
+        """Nothing samples a loop."""
+        return slice(0, 0)
+
     def clock(self, periods: int, phase: float) -> float:
         """Return the time that the drives count, s, at a phase, s, after some periods."""
         return phase

@@ -53,6 +53,10 @@ class LoopSystem:
     interconnection: Interconnection
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
 
+    @property
+    def clockwork(self) -> None:
+        """Nothing samples a loop."""
+
     @cached_property
     def layout(self) -> Layout:
         """Positions of plant, components and drive in the extended state."""

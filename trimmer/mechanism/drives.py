@@ -19,10 +19,20 @@ A_TURN = 1e-9
 
 
 def drive_frequency(mechanism: Mechanism) -> float | None:
-    """Return the frequency of the drive, Hz: its own, or else that of the first sine that is followed."""
+    """Return the frequency of the drive, Hz; None where nothing drives.
+
+    It is its own, or else that of the first sine that is followed, or else that of the slowest samples.
+    """
     if mechanism.frequency is not None:
         return mechanism.frequency
-    return next((each.frequency for each in sines_in(mechanism).values()), None)
+    slowest = min(clocks_in(mechanism).values(), default=None)
+    return next((each.frequency for each in sines_in(mechanism).values()), slowest)
+
+
+def clocks_in(mechanism: Mechanism) -> dict[str, float]:
+    """Return the frequencies at which controllers sample, Hz, by name."""
+    samples = {name: each.sample for name, each in mechanism.controllers.items()}
+    return {name: 1.0 / sample for name, sample in samples.items() if sample is not None}
 
 
 def sines_in(mechanism: Mechanism) -> dict[str, SineReference]:
@@ -53,7 +63,8 @@ def drives_of(mechanism: Mechanism) -> Drives:
         return Drives(1, {})
     ratios = {name: mechanism.drives[name] / frequency for name in used if name is not None}
     sines = {_of_sine(name): each.frequency for name, each in sines_in(mechanism).items()}
-    ratios |= {name: each / frequency for name, each in sines.items() if each != frequency}
+    clocks = {f"controllers.{name}": each for name, each in clocks_in(mechanism).items()}
+    ratios |= {name: each / frequency for name, each in (sines | clocks).items() if each != frequency}
     if not ratios:
         return Drives(1, {})
     for periods in range(1, RETURNS + 1):

@@ -106,6 +106,8 @@ class Course:
         """Extended states at the end of each segment, just before what ends it, (rows, N)."""
         log, impulse = self.log, self.modes.system.impulse
         ends = np.vstack([log.state[1:], self.states(np.array([self.duration]))])
+        held = self.modes.system.layout.holding
+        ends[:, held] = log.state[:, held]  # Between samples nothing moves it.
         for row in (np.flatnonzero(log.kind[1:] >= OWN_KINDS) + 1).tolist():
             if log.start[row] > log.start[row - 1] and impulse(int(log.part[row]), int(log.kind[row])):
                 ends[row - 1] = self.before(row)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
+from trimmer.hybrid.clock import TICKED
 from trimmer.hybrid.system import Mode, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.work import Log
@@ -20,6 +22,8 @@ from trimmer.motion.signals import Readout, Signal, Steady
 from trimmer.motion.subject import Subject
 from trimmer.motion.units import Units
 
+ROUNDING = 8 * float(np.finfo(float).eps)
+"""Share of a time that is lost where it is the sum of several."""
 BLOCK = 100_000
 """Steps that periods followed in one call of the compiled code may take: no interrupt ends it."""
 
@@ -277,7 +281,21 @@ class Flow(ABC):
             begin = until
             if ending is not Ending.REACHED_END:
                 break
-        return self._joined(instant, end, ending, logs, duration)
+        course = self._joined(instant, end, ending, logs, duration)
+        return course if len(logs) == 1 else self._on_the_clock(course)
+
+    def _on_the_clock(self, course: Course) -> Course:
+        """Return a motion from t = 0 whose samples have their times to the last digit, also behind breaks."""
+        clockwork, log = self.modes.system.clockwork, course.log
+        if clockwork is None or course.begin.periods or course.begin.phase:
+            return course
+        times, places = np.unique(log.start, return_inverse=True)
+        ticks = np.isin(times, log.start[log.function <= TICKED])
+        for each in clockwork.samplers:
+            for delay in (0.0, each.delay):
+                exact = np.round((times - delay) / each.sample) * each.sample + delay
+                times = np.where(ticks & (abs(exact - times) <= ROUNDING * times), exact, times)
+        return replace(course, log=log._replace(start=times[places]))
 
     def _breaks(self, instant: Instant, duration: float) -> list[float]:
         """Return the times from an instant on, s, at which what forces the states changes its course."""
@@ -287,7 +305,8 @@ class Flow(ABC):
 
     def _until(self, instant: Instant, duration: float, most_steps: int) -> tuple[list[Log], Instant, Ending]:
         """Go on for a duration, s, in which what forces the states keeps its course."""
-        if not self.period:
+        system = self.modes.system
+        if not self.period or (system.clockwork is not None and not len(system.layout.orders)):
             stretch = advance(self.modes, instant, 1, duration, True, most_steps)
             return [stretch.log], stretch.end, stretch.ending
         whole = int(duration / self.period)

@@ -167,7 +167,7 @@ def linear_motion(flow: Flow, instant: Instant) -> LinearMotion | None:
         flow: The motion of the mechanism.
         instant: Where it is.
     """
-    if flow.modes.system.layout.changes_after(_now(flow, instant)):
+    if flow.modes.system.layout.changes_after(_now(flow, instant)) or flow.modes.system.clockwork is not None:
         return None
     mode = _mode(flow, instant)
     held = _Held.of(flow, mode)
@@ -192,7 +192,8 @@ def grows_for_ever(flow: Flow, instant: Instant) -> bool:
     damps.
     """
     mode = _mode(flow, instant)
-    if flow.modes.system.layout.changes_after(_now(flow, instant)) or mode.functions:
+    goes_on = flow.modes.system.layout.changes_after(_now(flow, instant))
+    if goes_on or mode.functions or flow.modes.system.clockwork is not None:
         return False
     held = _Held.of(flow, mode)
     modal = _modal(flow, mode, held)

@@ -24,7 +24,7 @@ from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
 from trimmer.response.self_excited import SelfExcited, self_excited, time_scale
-from trimmer.response.settling import Settling
+from trimmer.response.settling import Settling, pace_of
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import Start, instant_of
@@ -104,6 +104,10 @@ class _Search:
     most_periods: int
     known: list[Orbit]
 
+    @property
+    def _most_periods(self) -> int:
+        return self.most_periods * pace_of(self.flow)
+
     def motion(self, instant: Instant) -> SettledMotion:
         """Return what a start settles to."""
         if self.flow.period:
@@ -129,16 +133,17 @@ class _Search:
         return replace(rest, flow=ground, instant=limit, family=family)
 
     def _driven(self, instant: Instant) -> SettledMotion:
-        settling = Settling(self.flow, instant, self.known)
-        orbit, seen = settling.until_settled(self.most_periods), None
+        settling, most_periods = Settling(self.flow, instant, self.known), self._most_periods
+        longer = most_periods if pace_of(self.flow) > 1 else MORE * most_periods
+        orbit, seen = settling.until_settled(most_periods), None
         if orbit is None and settling.can_go_on and settling.approaches:
-            orbit = settling.until_settled(MORE * self.most_periods)
+            orbit = settling.until_settled(longer)
         if orbit is None and settling.can_go_on:
             seen = look_closely(self.flow, settling.instant)
             if seen is not None and seen.grows(settling.periods):
                 return grown(seen, settling.periods)
             if seen is not None and seen.contracts and self.flow.modes.system.layout.recurrence:
-                orbit = settling.until_settled(MORE * self.most_periods)
+                orbit = settling.until_settled(longer)
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
         if settling.solved is not None:
             return replace(settled_at_last(settling.solved, settling.periods), neighbour_agrees=agrees)
@@ -176,7 +181,7 @@ class _Search:
         state = instant.state.copy()
         state[:moving] += NEIGHBOUR * sizes_of(self.flow.course(instant, 1))[:moving]
         settling = Settling(self.flow, self.flow.at(state, like=instant), self.known)
-        other = settling.until_settled(max(periods + LONG, self.most_periods))
+        other = settling.until_settled(max(periods + LONG, self._most_periods))
         if orbit is None or other is None:
             return orbit is other
         return same_orbit(orbit, other)

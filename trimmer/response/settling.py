@@ -20,6 +20,8 @@ from trimmer.response.solved import Solved, solved
 
 FIRST, LONGEST = 8, 128
 """Drive periods before the first look at a motion, and at most between two looks."""
+SAMPLES = 16
+"""Samples in which a sampled machine does as much as another one in a period of its drive."""
 KEPT = 256
 """Drive periods that are kept for a look."""
 LONG_LOOK = 2048
@@ -28,6 +30,12 @@ MOST_REPEATS = 24
 """The largest number of drive periods after which a motion is taken to repeat."""
 PATIENCE = Patience(iterations=12, halvings=4, followed=0)
 """With which an orbit is looked for on the way."""
+
+
+def pace_of(flow: Flow) -> int:
+    """Return in how many drive periods as much happens as in one: many, if they are samples alone."""
+    system = flow.modes.system
+    return SAMPLES if system.clockwork is not None and not len(system.layout.orders) else 1
 
 
 @dataclass(eq=False)
@@ -77,13 +85,14 @@ class Settling:
 
         Where it meets no event any more, ``solved`` is set, and the motion is not followed further.
         """
+        longest = LONGEST * pace_of(self.flow)
         block, look = FIRST, FIRST
         while self.periods < most_periods:
             if not self.follow(min(block, most_periods - self.periods)):
                 return None
             orbit = self._accepted(self.known)
             if orbit is None and self.periods >= look:
-                orbit, look = self._looked_for(), self.periods + min(self.periods, LONGEST)
+                orbit, look = self._looked_for(), self.periods + min(self.periods, longest)
             if orbit is None and self._quiet:
                 self.solved = solved(self.flow, self.instant)
                 if self.solved is not None:
@@ -93,7 +102,7 @@ class Settling:
                     return None
             if orbit is not None:
                 return orbit
-            block = FIRST if self._is_near() else min(look - self.periods, LONGEST)
+            block = FIRST if self._is_near() else min(look - self.periods, longest)
         return None
 
     @property

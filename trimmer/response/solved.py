@@ -17,6 +17,7 @@ from trimmer.response.linear_motion import LinearMotion, lasting_motion, linear_
 from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.rest import Rest
+from trimmer.response.sampled_rest import sampled_rest
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.window import watch
 
@@ -95,6 +96,8 @@ def rest_of(orbit: Orbit) -> Rest | None:
     """Return the rest that an orbit is in which nothing moves; None for others."""
     if orbit.course.events:
         return None
+    if orbit.flow.modes.system.clockwork is not None:
+        return sampled_rest(orbit.flow, orbit.instant, orbit.sizes)
     motion = linear_motion(orbit.flow, orbit.instant)
     return Rest(orbit.flow, motion.limit, motion.free) if motion is not None and motion.still else None
 
@@ -107,6 +110,8 @@ def rest_after(flow: Flow, course: Course, gone: float = GONE) -> Rest | None:
         course: Its motion.
         gone: Share of the sizes of the motion at which what decays is gone; infinite to wait for no decay.
     """
+    if flow.modes.system.clockwork is not None:
+        return sampled_rest(flow, course.end, sizes_of(course), gone)
     motion = lasting_motion(flow, course.end)
     if motion is None or not motion.still:
         return None

@@ -11,6 +11,7 @@ from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.response.growth import OLDER, grows
 from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.settling import pace_of
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
 
@@ -80,13 +81,14 @@ def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
 
 def look_closely(flow: Flow, instant: Instant) -> Seen | None:
     """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
-    window = watch(flow, instant, WINDOW)
+    periods = WINDOW * min(pace_of(flow), MOST_WINDOWS)
+    window = watch(flow, instant, periods)
     if window is None:
         return None
     seen = Seen(flow, window, _neighbour_leaves(flow, window))
     for _ in range(MOST_WINDOWS - 1):
         decided = seen.kind is not MotionKind.UNDECIDED or seen.contracts
-        more = None if decided else watch(seen.window.flow, seen.window.end, WINDOW)
+        more = None if decided else watch(seen.window.flow, seen.window.end, periods)
         if more is None:
             break
         seen = replace(seen, window=joined(seen.window, more))

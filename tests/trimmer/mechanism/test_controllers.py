@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import control
 import pytest
 
-from trimmer import Mechanism, MechanismError, simulate
+from trimmer import Mechanism, MechanismError
 from trimmer.mechanism import (
     Body,
     Cascade,
@@ -197,9 +196,3 @@ def test_controllers_in_python() -> None:
     assert Mechanism.from_toml_text(mechanism.to_toml()) == mechanism
     with pytest.raises(MechanismError, match=r"controllers\.lead = .*: give one of the controllers"):
         Mechanism(**parts, controllers={"lead": {"kind": "pid"}})
-    sampled = {"pid": replace(pid, sample=1e-3)}
-    alone = Mechanism(
-        parts["bodies"], links=parts["links"], outputs={"way": Output({"slide": 1})}, controllers=sampled
-    )
-    with pytest.raises(MechanismError, match=r"pid\.sample: sampled controllers are not computed yet"):
-        simulate(alone, 1.0)

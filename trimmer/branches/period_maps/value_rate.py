@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
+from trimmer.hybrid.clock import TICKED, Clock, carried, instant_of
 from trimmer.hybrid.compilation import compiled, kept, sources
 from trimmer.hybrid.linear_combination import combine, copy
 from trimmer.hybrid.propagation import (
@@ -32,7 +33,7 @@ from trimmer.hybrid.propagation import (
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import Jump, identity, jumps
+from trimmer.hybrid.variation import Jump, end_of_instant, identity, jumps
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course
 
@@ -153,12 +154,10 @@ def _entry(sources: bytes) -> Callable[..., int]:
         if row == 0:
             _held(tables, slopes, log.mode[0], log.state[0], both[1], room)
         while row < rows:
-            following, fired = row, -1
-            while following < rows and log.start[following] == log.start[row]:
-                if fired < 0:
-                    fired = log.function[following]
-                following += 1
+            following, fired = instant_of(log.start, log.function, row)
             last = following - 1
+            if fired <= TICKED and not jumped:
+                break
             if row > 0 and fired >= 0 and not jumped:
                 reset = reset_at(tables, log, row, last)
                 if is_decided(tables, log, row, last, reset):
@@ -234,8 +233,11 @@ class ValueChange:
         rows, end = len(log.start), self.course.duration
         row = _compiled_entry(tables, slopes, log, end, 0, both, room, terms)
         while row < rows:
-            last = int(np.searchsorted(log.start, log.start[row], side="right")) - 1
-            both[1] = self._jumped(row, last, both[1])
+            last = end_of_instant(log, row) - 1
+            if log.function[row] <= TICKED:
+                both[1] = self._sampled(row, last, both[1])
+            else:
+                both[1] = self._jumped(row, last, both[1])
             row = _compiled_entry(tables, slopes, log, end, row, both, room, terms)
         flow = tables.flow[int(log.mode[-1])]
         return np.asarray((both[1] + flow @ both[0] * self.longer)[: own.state_count])
@@ -280,9 +282,37 @@ class ValueChange:
                 slopes[reset] = (0.0 if change is None else change.T) - modes.tables.resets[reset]
                 slopes[reset] /= self.step
 
+    def _sampled(self, first: int, last: int, tangent: Reals) -> Reals:
+        """Return the derivative after what the clock does, at a time that stays, and what follows from it."""
+        log, modes = self.course.log, self.course.modes
+        code, mode = TICKED - int(log.function[first]), int(log.mode[first])
+        assert modes.samplings is not None
+        here, clock = self.course.before(first)[:, None], modes.samplings.clock()
+        after = carried(clock, code, mode, tangent[:, None])[:, 0]
+        for sign, each in ((-1.0, clock), (1.0, self._other_clock)):
+            after += sign / self.step * carried(each, code, mode, here)[:, 0]
+        return self._fitted(int(log.mode[last]), after, log.state[last])
+
+    @cached_property
+    def _other_clock(self) -> Clock:
+        """What samplers do at the other value, in modes of the same numbers."""
+        other = Modes(self.other)
+        for statuses in self.course.modes.statuses:
+            other.number(statuses)
+        assert other.samplings is not None
+        return other.samplings.clock()
+
+    def _fitted(self, mode: int, tangent: Reals, state: Reals) -> Reals:
+        """Return a derivative that fits what a mode holds."""
+        modes = self.course.modes
+        held: Reals = modes[mode].hold @ tangent + state @ self.slopes.hold[mode]
+        for z, _ in modes[mode].decayed:
+            held[z] = tangent[z]
+        return held
+
     def _jumped(self, first: int, last: int, tangent: Reals) -> Reals:
         """Return the derivative after several events at one instant, one after the other."""
-        log, modes, slopes = self.course.log, self.course.modes, self.slopes
+        log, modes = self.course.log, self.course.modes
         for jump in jumps(modes, log, first, last):
             row_rate, other = self._changed(jump, int(log.mode[first - 1]))
             later: float = 0.0
@@ -295,10 +325,7 @@ class ValueChange:
             tangent = tangent - jump.change * later
             if jump.after is None:
                 continue
-            held: Reals = modes[jump.after].hold @ tangent + jump.there @ slopes.hold[jump.after]
-            for z, _ in modes[jump.after].decayed:
-                held[z] = tangent[z]
-            tangent = held
+            tangent = self._fitted(jump.after, tangent, jump.there)
         return tangent
 
     def _changed(self, jump: Jump, first: int) -> tuple[Reals, Reals | None]:

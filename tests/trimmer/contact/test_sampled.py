@@ -1,0 +1,182 @@
+"""Sampled controllers: exact discretisation, public digits, the order at one instant, other integrators."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise, product
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
+from trimmer import Mechanism, respond, simulate
+from trimmer.contact.flow import MechanismFlow
+from trimmer.mechanism import Body, Cascade, Link, Output, Pid, StepReference, TransferController, Wall
+from trimmer.mechanism.controllers import Controller
+from trimmer.response.response import MotionKind
+
+INERTIA = np.array([2e-4, 5e-4])
+STIFF, DAMPED, DRAG = 80.0, 0.02, 0.001
+
+
+def two_masses(controller: Controller, at: float = 0.0) -> Mechanism:
+    return Mechanism(
+        {"motor": Body(inertia=INERTIA[0]), "load": Body(inertia=INERTIA[1])},
+        links={
+            "shaft": Link(("motor", "load"), STIFF, DAMPED),
+            "bearing": Link(("ground", "motor"), damping=DRAG),
+        },
+        outputs={
+            "angle": Output({"load": 1.0}),
+            "rate": Output({"motor": 1.0}, kind="velocity"),
+            "torque": Output(kind="control", part="axis"),
+        },
+        controllers={"axis": controller},
+        references={"path": StepReference(0.5, at)},
+    )
+
+
+def by_expm(controller: Controller, at: float, end: float) -> tuple[np.ndarray, list[float]]:
+    """The state at the end and all that acted, from the exponential of each hold interval."""
+    matrix = np.zeros((5, 5))
+    matrix[:2, 2:4] = np.eye(2)
+    spring, damper = STIFF * np.array([[1, -1], [-1, 1]]), DAMPED * np.array([[1, -1], [-1, 1]])
+    matrix[2:4, :2] = -spring / INERTIA[:, None]
+    matrix[2:4, 2:4] = -(damper + np.diag([DRAG, 0.0])) / INERTIA[:, None]
+    matrix[2, 4] = 1 / INERTIA[0]
+    state, acted, control = np.zeros(5), list[float](), SampledControl(controller)
+    times = [*instants([control], end), (end, [False])]
+    for (time, (samples,)), (following, _) in pairwise(times):
+        if samples:
+            given = (0.5 if time >= at * (1 - 1e-12) else 0.0, 0.0)
+            control.sample(time, state[1], given, state[2])
+        control.act(time)
+        acted.append(control.acting)
+        state[4] = control.acting
+        state = expm(matrix * (following - time)) @ state
+    return state[:4], acted
+
+
+AXIS = {"measure": "angle", "acts": ("ground", "motor"), "reference": "path", "sample": 1e-3}
+LAWS = {
+    "pid": Pid(kp=1.5, ki=10.0, kd=0.04, filter_time=2e-3, **AXIS),
+    "limited": Pid(kp=1.5, ki=10.0, limit=0.4, **AXIS),
+    "cascade": Cascade(kp=20, kv=0.02, ti=0.05, speed="rate", limit=0.2, **AXIS),
+    "difference": Cascade(kp=20, kv=0.02, speed="difference", **AXIS),
+    "transfer": TransferController(numerator=(2e-5, 0.03, 1.0), denominator=(2e-6, 3e-3, 1.0), **AXIS),
+}
+
+
+@pytest.mark.parametrize(("law", "delay"), list(product(LAWS, [0.0, 0.4e-3, 1e-3, 2.3e-3])))
+def test_a_linear_machine_by_exact_discretisation(law: str, delay: float) -> None:
+    controller, end = replace(LAWS[law], delay=delay), 0.0507
+    motion = simulate(two_masses(controller, at=4.2e-3), end)
+    state, acted = by_expm(controller, 4.2e-3, end)
+    found = np.array([motion.final["motor"], motion.final["load"]]).T.ravel()
+    np.testing.assert_allclose(found, state, rtol=0, atol=1e-11 * abs(state).max())
+    times = [time for time, _ in instants([SampledControl(controller)], end)]
+    torque = motion.signal("torque", np.array(times))
+    np.testing.assert_allclose(torque, acted, rtol=0, atol=1e-11 * max(map(abs, acted)))
+    assert max(map(abs, acted)) > 0.1
+    assert motion.energy.residual < 1e-11
+    assert not motion.events
+
+
+SERVO = """
+[bodies]
+motor = { inertia = 0.0002 }
+load = { inertia = 0.0005 }
+[plays]
+shaft = { between = ["motor", "load"], stiffness = 80.0, damping = 0.02, gap = 0.006 }
+[frictions]
+bearing = { between = ["ground", "motor"], force = 0.03, static = 0.04 }
+guide = { between = ["ground", "load"], force = 0.04, static = 0.06 }
+[outputs]
+angle = { motor = 1 }
+[controllers.axis]
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kind = "pid"
+kp = 3.0
+ki = 10.0
+kd = 0.06
+filter_time = 1e-3
+limit = 1.0
+sample = 5e-4
+delay = 1.15e-3
+[references]
+path = { step = 0.4, at = 0.0103 }
+"""
+
+
+def test_a_servo_with_play_friction_and_a_long_delay() -> None:
+    """Digits of the public case sampled_pid_gap_friction_long_delay, and another integrator."""
+    mechanism = Mechanism.from_toml_text(SERVO)
+    motion = simulate(mechanism, 0.3)
+    np.testing.assert_allclose(motion.final["motor"], (0.40169590186756193, 0.0), rtol=1e-12, atol=1e-15)
+    np.testing.assert_allclose(motion.final["load"], (0.4032940949834411, 0.0), rtol=1e-12, atol=1e-15)
+    assert len(motion.events) == 19
+    times = [0.01165, 0.012762255996640097, 0.012762255996640097, 0.019627941905472637, 0.020963314333558084]
+    np.testing.assert_allclose([each.time for each in motion.events[:5]], times, rtol=1e-12)
+    assert motion.energy.residual < 1e-11
+    assert motion.rest is None  # The integral goes on until something breaks away.
+
+    def given(time: float) -> tuple[float, float]:
+        return (0.4 if time >= 0.0103 else 0.0), 0.0
+
+    brute = by_brute_force(mechanism, {"axis": given}, 0.03)
+    found = simulate(mechanism, 0.03)
+    state = np.array([found.final["motor"], found.final["load"]]).T.ravel()
+    np.testing.assert_allclose(state, brute.final[:4], rtol=0, atol=1e-9 * abs(brute.final[:4]).max())
+    told = [(each.part, each.kind.word.replace("-", " ")) for each in found.events]
+    assert told == [(each.part, each.kind.value) for each in brute.events]
+
+
+def test_multipliers_over_a_sample() -> None:
+    """Digits of the public case sampled_pid_linear_delay_half, whose guide has a damper too."""
+    machine = two_masses(replace(LAWS["pid"], delay=5e-4))
+    links = {**machine.links, "guide": Link(("ground", "load"), damping=DRAG)}
+    machine = replace(machine, links=links, outputs={**machine.outputs, "angle": Output({"motor": 1.0})})
+    flow = MechanismFlow(machine)
+    values = np.sort(abs(np.linalg.eigvals(flow.course(flow.rest(), 1).monodromy)))[::-1]
+    np.testing.assert_allclose(values[:3], [0.9916677824881331, *[0.9677660177869152] * 2], rtol=1e-12)
+    response = respond(machine)
+    assert response.kind is MotionKind.REST
+    assert response.motions[0].rest is not None
+    assert not response.motions[0].rest.family
+    assert response.motions[0].rest.positions["load"] == pytest.approx(0.5, rel=1e-9)
+
+
+def bouncer(**controllers: Controller) -> Mechanism:
+    """A ball that hits a wall at 1 m/s at t = 0.01, with samples at that instant."""
+    return Mechanism(
+        {"ball": Body(2.0), "other": Body(1.0)},
+        walls={"floor": Wall(("ground", "ball"), restitution=0.5, gap=0.01)},
+        outputs={
+            "speed": Output({"ball": 1.0}, kind="velocity"),
+            "first": Output(kind="control", part="first"),
+            "push": Output(kind="acceleration", weights={"other": 1.0}),
+        },
+        controllers=controllers,
+        start={"ball": (0.0, 1.0)},
+    )
+
+
+def test_the_order_at_one_instant() -> None:
+    """An impact comes before the sample; no controller sees what another demands at the same instant."""
+    first = Pid(measure="speed", acts=("ground", "other"), kp=2.0, sample=0.01)
+    second = Pid(measure="first", acts=("ground", "other"), kp=1.0, sample=0.005, delay=0.0025)
+    third = Pid(measure="push", acts=("ground", "other"), kp=1.0, sample=0.01, delay=0.01)
+    motion = simulate(bouncer(first=first, second=second, third=third), 0.0161)
+    (impact,) = motion.events
+    assert impact.time == pytest.approx(0.01, rel=1e-14)
+    times = np.array([0.0, 0.0025, 0.0075, 0.01, 0.0125, 0.016])
+    # u = -2 v: -2 at first, 1 after the rebound with -0.5 m/s.
+    np.testing.assert_allclose(motion.signal("first", times), [-2, -2, -2, 1, 1, 1], rtol=1e-12)
+    # The second one saw 0 at 0, -2 at 5 ms and still at 10 ms, 1 at 15 ms.
+    acted = motion.signal("push", times) - motion.signal("first", times)
+    # The third one saw 0 at 0, and the acceleration -2 + 2 before 10 ms; it has not acted yet.
+    np.testing.assert_allclose(acted, [0, 0, 2, 2, 2, 2], atol=1e-12)
+    assert motion.energy.residual < 1e-12

@@ -1,0 +1,126 @@
+"""Sampled controllers as samplers of the core: what they read of a motion, and what they write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trimmer.contact.controllers.sampled_laws import BEFORE, Law, law_of
+from trimmer.contact.layout import Rows
+from trimmer.contact.outputs import signal_of, speed_beyond
+from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
+from trimmer.hybrid.system import Sampler
+from trimmer.mechanism.controllers import DIFFERENCE
+from trimmer.mechanism.parts import OutputKind
+from trimmer.motion.signals import Steady
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from trimmer.arrays import Reals
+    from trimmer.contact.layout import Layout
+    from trimmer.hybrid.tables import Modes
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.signals import Signal
+
+
+@dataclass(frozen=True, eq=False)
+class SampledControllers:
+    """The sampled controllers of a mechanism.
+
+    Attributes:
+        mechanism: The mechanism.
+        layout: Names and places of its extended state.
+    """
+
+    mechanism: Mechanism
+    layout: Layout
+
+    @cached_property
+    def laws(self) -> dict[str, Law]:
+        """The law of each, by name."""
+        return {name: law_of(self.mechanism.controllers[name]) for name in self.layout.held}
+
+    @cached_property
+    def samplers(self) -> tuple[Sampler, ...]:
+        """When each samples and acts, and where it writes."""
+        limits = {name: self.mechanism.controllers[name].limit for name in self.layout.held}
+        return tuple(
+            Sampler(
+                held.sample,
+                held.delay,
+                np.inf if limits[name] is None else float(limits[name] or 0.0),
+                (*held.states, *held.waiting),
+                (held.waiting[0], held.acting),
+            )
+            for name, held in self.layout.held.items()
+        )
+
+    def sampling(self, modes: Modes[Any], number: int) -> tuple[Reals, Reals]:
+        """Return what each demands in a mode, (c, N), and what it writes, (c, 3, h, N)."""
+        names, size = list(self.layout.held), self.layout.size
+        height = max(len(each.places) for each in self.samplers)
+        demands, updates = np.zeros((len(names), size)), np.zeros((len(names), 3, height, size))
+        for place, name in enumerate(names):
+            terms, law, held = self._terms(name, modes, number), self.laws[name], self.layout.held[name]
+            demand, limit = law.demand @ terms, self.samplers[place].limit
+            moved = np.eye(size)[list(held.waiting[1:])]
+            demands[place] = demand
+            for where, side in ((WITHIN, 0.0), (ABOVE, 1.0), (BELOW, -1.0)):
+                acts = demand
+                if side and np.isfinite(limit):
+                    acts = side * limit * np.eye(size)[-1]
+                kept = law.keep @ terms + np.outer(law.follow, acts - demand)
+                updates[place, where, : len(self.samplers[place].places)] = np.concatenate(
+                    [kept, moved, [acts]]
+                )
+        return demands, updates
+
+    def _terms(self, name: str, modes: Modes[Any], number: int) -> Reals:
+        """Return the states of a law and its inputs as functionals, (s + 4, N)."""
+        controller, held = self.mechanism.controllers[name], self.layout.held[name]
+        rows, size = Rows(self.mechanism, self.layout), self.layout.size
+        reference, rate = rows.reference(controller.reference)
+        return np.array(
+            [
+                *np.eye(size)[list(held.states)],
+                self.measured(name, modes)(number),
+                reference,
+                rate,
+                self._speed(name, modes)(number),
+            ]
+        )
+
+    def measured(self, name: str, modes: Modes[Any]) -> Signal:
+        """Return what a controller measures."""
+        output = self.mechanism.outputs[self.mechanism.controllers[name].measure]
+        return signal_of(self.mechanism, modes, output)
+
+    def _speed(self, name: str, modes: Modes[Any]) -> Signal:
+        """Return the speed v; of a difference the share of the frame, in which a displacement is."""
+        controller, outputs = self.mechanism.controllers[name], self.mechanism.outputs
+        measured = outputs[controller.measure]
+        if controller.speed == DIFFERENCE:
+            return Steady(
+                speed_beyond(self.layout, measured) * np.eye(1, self.layout.size, self.layout.size - 1)[0]
+            )
+        if controller.speed is not None:
+            return signal_of(self.mechanism, modes, outputs[controller.speed])
+        if measured.kind is not OutputKind.DISPLACEMENT:
+            return Steady(np.zeros(self.layout.size))
+        return signal_of(self.mechanism, modes, replace(measured, kind=OutputKind.VELOCITY))
+
+    def names_of(self, name: str) -> tuple[str, ...]:
+        """Return what the states are that a controller holds."""
+        held = self.layout.held[name]
+        others = [f"u{number}" for number in range(1, len(held.places) - len(held.states) + 1)]
+        return tuple(f"{name} {each}" for each in (*self.laws[name].states, *others))
+
+    def remembered(self, modes: Modes[Any]) -> Iterator[tuple[int, Signal]]:
+        """Yield the places of what was measured at the last sample, and what it is."""
+        for name, law in self.laws.items():
+            if BEFORE in law.states:
+                yield self.layout.held[name].states[law.states.index(BEFORE)], self.measured(name, modes)

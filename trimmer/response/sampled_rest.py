@@ -1,0 +1,58 @@
+"""Whether a machine under samples is at rest: nothing moves, and controllers hold the same at each sample.
+
+Between samples a motion is linear, and so is what samples make of it, as long as no event comes. So where it
+comes to rest is solved for from one period and its derivative, and not waited for.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.motion.flow import Flow
+from trimmer.response.rest import Rest
+
+GONE = 1e-9
+"""Share of the sizes of a motion up to which what is left of it is none."""
+SINGULAR = 1e-9
+"""Share of the largest singular value up to which one is zero: any place in its direction is one of rest."""
+DRIFT = 1e-13
+"""Share of the sizes up to which it is rounding that something goes on in such a direction in a period."""
+
+
+def sampled_rest(flow: Flow, instant: Instant, sizes: Reals, gone: float = GONE) -> Rest | None:
+    """Return the rest that a sampled motion is in, None if something moves, or changes from sample to sample.
+
+    Args:
+        flow: What moves.
+        instant: Where it is, at the start of a period.
+        sizes: Of the states in the motion before, (n,).
+        gone: Share of them at which what decays is gone.
+    """
+    layout = flow.modes.system.layout
+    if layout.changes_after(instant.periods * layout.period + instant.phase):
+        return None
+    course = flow.course(instant, layout.recurrence or 1)
+    if (
+        course.events
+        or course.ending is not Ending.REACHED_END
+        or not _is_still(course.nodes.states, sizes, gone)
+    ):
+        return None
+    left = (course.end.state - instant.state) / sizes
+    away = np.eye(len(sizes)) - course.monodromy * sizes / sizes[:, None]
+    outer, values, inner = np.linalg.svd(away)
+    moves = values > SINGULAR * values.max(initial=0.0)
+    shares = outer.T @ left
+    further = inner[moves].T @ (shares[moves] / values[moves])
+    if abs(shares[~moves]).max(initial=0.0) > DRIFT or abs(further).max(initial=0.0) > gone:
+        return None
+    limit = flow.at(instant.state + sizes * further, instant.phase, like=instant)
+    return Rest(flow, limit, bool((~moves).any()))
+
+
+def _is_still(states: Reals, sizes: Reals, gone: float) -> bool:
+    """Say whether states, (count, N), are all the same beside their sizes."""
+    found = states[:, : len(sizes)]
+    return bool((np.ptp(found, axis=0) <= gone * sizes).all())
