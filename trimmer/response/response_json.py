@@ -73,6 +73,7 @@ def rest_json(rest: Rest) -> dict[str, Any]:
         "forces": dict(rest.forces),
         "forces_change": rest.forces_change,
         "family": rest.family,
+        "asymptotic": rest.asymptotic,
     }
 
 

@@ -28,11 +28,13 @@ class Rest:
         instant: Where it rests.
         family: Whether it is one of many places side by side, as where friction or a gap lets a body stay
             wherever it stopped: the digits then belong to the start.
+        asymptotic: Whether it is the limit of slips that become smaller for ever, and is never reached.
     """
 
     flow: Flow
     instant: Instant
     family: bool
+    asymptotic: bool = False
 
     @cached_property
     def course(self) -> Course:

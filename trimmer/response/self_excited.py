@@ -17,6 +17,7 @@ from trimmer.hybrid.system import NOTHING
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.one_orbit import SAME
+from trimmer.response.asymptotic import asymptotic_rest, runs_on
 from trimmer.response.growth import grew, state_sizes
 from trimmer.response.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.orbit import Orbit, orbit_of
@@ -139,8 +140,9 @@ def self_excited(flow: Flow, instant: Instant) -> SelfExcited:
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         waited += course.duration
         reached.append((waited, state_sizes(flow, flow.reduced(course.end.state[None]))))
-        if at_rest(course, unit):
-            return SelfExcited(waited, rest=_rest(flow, course.end))
+        rest = _rest_after(flow, course, unit)
+        if rest is not None:
+            return SelfExcited(waited, rest=rest)
         orbits = _recurring(flow, course)
         orbit = next((each for each in orbits if each.stable or each.neutral), None)
         if orbit is not None:
@@ -152,6 +154,20 @@ def self_excited(flow: Flow, instant: Instant) -> SelfExcited:
             f"it diverges: until {waited:.6g} s it grew in proportion to the time, and nothing held it"
         )
     return SelfExcited(waited, passed=unstable)
+
+
+def _rest_after(flow: Flow, course: Course, unit: float) -> Rest | None:
+    """Return the rest that a motion has come to, or to which its slips lead; None if there is none.
+
+    Raises:
+        DivergingMotionError: if all stands still, but for an integral that cannot change it.
+    """
+    if runs_on(flow, course.end):
+        raise DivergingMotionError(
+            "it diverges: an integral of a controller runs on for ever, and what it could move sticks"
+        )
+    limit = asymptotic_rest(flow, course, unit)
+    return _rest(flow, course.end) if limit is None and at_rest(course, unit) else limit
 
 
 def _repeating(found: Solved) -> Orbit | None:
@@ -239,7 +255,10 @@ def _once(flow: Flow, shot: Shot) -> Shot:
 def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:
     """Return pairs of rows of the log at which the same event left nearly the same state, late ones first."""
     log, count = course.log, len(sizes)
-    alike = (log.kind != NOTHING) & np.append(np.diff(log.start) > 0, False)
+    happened = log.kind != NOTHING
+    if not happened.any():  # A limit of a controller, or a knot of a curve, does not count.
+        happened = log.part >= 0
+    alike = happened & np.append(np.diff(log.start) > 0, False)
     found = []
     for last in np.flatnonzero(alike)[::-1]:
         same = alike & (log.mode == log.mode[last]) & (log.part == log.part[last])

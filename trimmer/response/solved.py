@@ -145,6 +145,9 @@ def at_rest(rest: Rest, before: float) -> SettledMotion:
     period = rest.flow.period
     within = f"{before:g} drive periods" if period else f"{before:.6g} s"
     told = f"It comes to rest within {within}, and nothing sets it in motion{_of_rest(rest)}."
+    if rest.asymptotic:
+        seen = f"where that leads to was seen within {within}"
+        told = f"It slips for ever, less each time; {seen}{_of_rest(rest)}."
     periods = int(before) if period else 0
     return SettledMotion(MotionKind.REST, None, None, periods, None, 1, 1.0, False, told, rest)
 

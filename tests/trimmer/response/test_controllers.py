@@ -1,0 +1,109 @@
+"""What controlled machines settle to: rest, hunting, what follows a sine or a ramp, and slips without end."""
+
+from __future__ import annotations
+
+import control
+import numpy as np
+import pytest
+
+from trimmer import Mechanism, MotionKind, UnsupportedMotionError, respond, simulate
+
+ONE = """\
+[bodies]
+motor = {{ inertia = 0.0002 }}
+[frictions]
+bearing = {{ between = ["ground", "motor"], force = 0.05, static = {static} }}
+[outputs]
+angle = {{ motor = 1 }}
+torque = {{ control = "axis" }}
+[controllers.axis]
+kind = "pid"
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kp = 6.0
+ki = {ki}
+kd = 0.05
+filter_time = 1e-3
+limit = {limit}
+{more}
+[references]
+path = {path}
+"""
+
+
+def one(
+    static: float = 0.08, ki: float = 120.0, limit: float = 2.0, path: str = "{ step = 0.5, at = 0.01 }",
+    more: str = "",
+) -> Mechanism:  # fmt: skip
+    return Mechanism.from_toml_text(ONE.format(static=static, ki=ki, limit=limit, path=path, more=more))
+
+
+def test_an_integral_hunts_with_stiction_as_found_elsewhere() -> None:
+    # shared/cases/servo.json: Newton on the return map of another exact engine, and one period by DOP853.
+    (motion,) = respond(one()).motions
+    orbit = motion.orbit
+    assert motion.kind is MotionKind.PERIODIC and orbit is not None and orbit.stable
+    assert orbit.period == pytest.approx(0.893388965805779, rel=2e-12)
+    angle, torque = (orbit.measures.outputs[name] for name in ("angle", "torque"))
+    assert 0.5 * (angle.largest - angle.smallest) == pytest.approx(0.0025134134275286435, rel=2e-12)
+    assert torque.largest == pytest.approx(0.08000547288165727, rel=1e-10)
+    assert len(orbit.course.events) == 4
+    assert sorted(abs(orbit.multipliers))[-2] == pytest.approx(0.5596135347, rel=1e-6)
+
+
+def test_a_step_or_a_profile_counts_with_its_last_value() -> None:
+    (late,), (points,) = (
+        respond(one(path=path)).motions
+        for path in ("{ step = 0.5, at = 7.0 }", "{ profile = [[0, 0], [1, 3], [2, 0.5]] }")
+    )
+    assert late.orbit is not None and points.orbit is not None
+    assert late.orbit.period == points.orbit.period
+
+
+@pytest.mark.parametrize("ki", [20.0, 120.0, 400.0])
+def test_slips_without_a_drop_become_smaller_for_ever(ki: float) -> None:
+    (motion,) = respond(one(static=0.05, ki=ki)).motions
+    assert motion.kind is MotionKind.REST and motion.rest is not None and motion.rest.asymptotic
+    assert motion.rest.positions["motor"] == pytest.approx(0.5, abs=1e-13)
+    assert "slips for ever, less each time" in motion.message
+    # Far along the motion is on its way there, each slip being the same share of the one before.
+    events = [each.time for each in simulate(one(static=0.05, ki=ki), 150.0).events]
+    assert len(events) < 40
+
+
+def test_what_never_moves_rests_unless_its_integral_runs_on() -> None:
+    (held,) = respond(one(limit=0.04)).motions
+    assert held.rest is not None and held.rest.family and not held.rest.asymptotic
+    assert held.rest.forces["axis"] == pytest.approx(0.04, abs=1e-15)
+    (runs,) = respond(one(limit=0.04, more="tracking = inf")).motions
+    assert runs.kind is MotionKind.DIVERGING and "integral of a controller runs on" in runs.message
+
+
+def test_a_sine_drives_and_a_linear_loop_answers_it_as_its_frequency_response_says() -> None:
+    loop = one(path="{ sine = 0.3, frequency = 7.0, phase = 0.4 }", limit=1e9)
+    linear = Mechanism(
+        loop.bodies, forces={}, outputs=loop.outputs, controllers=loop.controllers, references=loop.references
+    )
+    (motion,) = respond(linear).motions
+    s = 2j * np.pi * 7.0
+    law = control.tf([0.05, 0], [1e-3, 1]) + 6.0 + control.tf([120.0], [1, 0])
+    closed = complex((law * control.tf([1], [2e-4, 0, 0]))(s))
+    expected = 0.3 * abs(closed / (1 + closed))
+    assert motion.kind is MotionKind.PERIODIC and motion.orbit is not None
+    assert motion.orbit.period == pytest.approx(1 / 7.0, rel=1e-15)
+    assert motion.harmonics["angle"][0] == pytest.approx(expected, rel=1e-11)
+
+
+def test_a_ramp_is_followed_in_slips_or_evenly() -> None:
+    (slow,), (fast,) = (respond(one(path=f"{{ ramp = {rate} }}")).motions for rate in (0.005, 0.5))
+    assert slow.orbit is not None and fast.orbit is not None
+    assert slow.advance["angle"] == pytest.approx(0.005 * slow.orbit.period, rel=1e-9)
+    assert len(slow.orbit.course.events) == 2
+    assert fast.advance["angle"] == pytest.approx(0.5 * fast.orbit.period, rel=1e-12)
+    held = ONE.replace(
+        "[outputs]", '[links]\nspring = {{ between = ["ground", "motor"], stiffness = 1.0 }}\n[outputs]'
+    )
+    text = held.format(static=0.08, ki=120.0, limit=2.0, path="{ ramp = 0.5 }", more="")
+    with pytest.raises(UnsupportedMotionError, match="reference: what is measured cannot go on"):
+        respond(Mechanism.from_toml_text(text))
