@@ -12,6 +12,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending, Instant
+from trimmer.maps.by_itself import begins_alike, came_to, measured
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, chosen, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
@@ -27,6 +28,7 @@ from trimmer.response.linear_lines import LinearLines
 from trimmer.response.linear_motion import LinearMotion
 from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind
+from trimmer.response.self_excited import time_scale
 from trimmer.response.shooting import CLOSED, sizes_of
 
 FIRST_SCALE = 2.0
@@ -58,7 +60,7 @@ class CellMotion:
     Attributes:
         kind: Kind of motion.
         period_count: Drive periods after which it repeats; 0 if it does not.
-        periods: Drive periods that were waited.
+        periods: Drive periods that were waited; 0 without a drive.
         largest_multiplier: Largest modulus of the Floquet multipliers; None where there is no exact orbit.
         lyapunov: Growth of small distances per drive period, as a logarithm; None where it was not measured.
         states: At the start of each period of the orbit, (period_count, n) as tuples; of a motion that does
@@ -127,8 +129,32 @@ class CellWork:
         for states in cell.orbits:
             _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings), keys))
         for start in starts:
+            if not flow.period:
+                _add(motions, _by_itself(flow, start, keys))
+                continue
             _add(motions, _motion(flow, partial(_settled, flow, start, self.settings), keys))
         return CellResult(cell.number, tuple(motions))
+
+
+def _by_itself(flow: Flow, start: Instant, keys: tuple[str, ...]) -> CellMotion:
+    try:
+        kind, course, orbit, neutral = came_to(flow, start)
+        if course is None:
+            return CellMotion(kind)
+        rests = orbit is None
+        return CellMotion(
+            kind,
+            0 if rests else 1,
+            largest_multiplier=None
+            if orbit is None
+            else float(abs(orbit.nontrivial_multipliers).max(initial=0.0)),
+            states=_tuples((course.begin.state if rests else begins_alike(flow, course))[None]),
+            measures=measured(flow, course, keys),
+            neutral=neutral,
+            holding=course.begin.statuses if rests else (),
+        )
+    except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
+        return _failed(error)
 
 
 def _settled(flow: Flow, start: Instant, settings: Settings) -> Settled:
@@ -178,7 +204,7 @@ def start_scales(flow: Flow) -> Reals:
     ]
     scales = (max(lengths, default=0.0) or 1e-3) / layout.lengths
     bodies = len(mechanism.coordinates)
-    scales[bodies : 2 * bodies] *= layout.omega
+    scales[bodies : 2 * bodies] *= layout.omega or 2 * np.pi / time_scale(flow, flow.rest())
     return np.asarray(scales)
 
 

@@ -53,7 +53,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     file as it is after the last whole cell.
 
     Args:
-        mechanism: The mechanism or loop; it has a drive.
+        mechanism: The mechanism or loop; it has a drive, or it is a mechanism with controllers.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
         most_periods: Drive periods to wait at most in each cell.
         starts: Starts of each cell; those after the first are random.

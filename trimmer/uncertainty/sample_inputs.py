@@ -83,7 +83,7 @@ def inputs_at(
         WrongTypeError: if it is neither a mechanism nor a loop.
     """
     require_subject(subject)
-    if subject.frequency is None:
+    if subject.frequency is None and not (isinstance(subject, Mechanism) and subject.controllers):
         what = "mechanism has no frequency" if isinstance(subject, Mechanism) else "loop has no drive"
         raise UncertaintyError(f"the {what}, and samples are of driven motions: give it one")
     for place in uncertainty.places:

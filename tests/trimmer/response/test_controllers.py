@@ -6,7 +6,16 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import Mechanism, MotionKind, UnsupportedMotionError, respond, simulate
+from trimmer import (
+    Mechanism,
+    MotionKind,
+    SerialRunner,
+    UnsupportedMotionError,
+    follow,
+    motion_map,
+    respond,
+    simulate,
+)
 
 ONE = """\
 [bodies]
@@ -107,3 +116,23 @@ def test_a_ramp_is_followed_in_slips_or_evenly() -> None:
     text = held.format(static=0.08, ki=120.0, limit=2.0, path="{ ramp = 0.5 }", more="")
     with pytest.raises(UnsupportedMotionError, match="reference: what is measured cannot go on"):
         respond(Mechanism.from_toml_text(text))
+
+
+def test_a_map_over_gains_needs_no_drive_and_agrees_with_each_cell() -> None:
+    places = {"controllers.axis.ki": [0.0, 60.0], "frictions.bearing.static": [0.05, 0.08]}
+    cells = motion_map(one(), places, starts=2, runner=SerialRunner()).cells
+    kinds = [motion.kind for cell in cells for motion in cell.motions]
+    assert kinds == [MotionKind.REST, MotionKind.REST, MotionKind.REST, MotionKind.PERIODIC]
+    (alone,) = respond(one(ki=60.0)).motions
+    (hunting,) = cells[-1].motions
+    assert hunting.measures is not None
+    assert hunting.measures.peak_to_peak["angle"] == pytest.approx(alone.peak_to_peak["angle"], rel=1e-10)
+
+
+def test_hunting_is_followed_while_its_period_grows() -> None:
+    branch = follow(one(), "controllers.axis.ki", 120.0, 25.0)
+    last = branch.points[-1]
+    assert last.value == 25.0 and last.stable
+    (alone,) = respond(one(ki=25.0)).motions
+    assert alone.orbit is not None
+    assert last.period == pytest.approx(alone.orbit.period, rel=1e-9)

@@ -25,6 +25,8 @@ from trimmer.response.flows import flow_of
 
 LONGEST = 4.0
 """Factor by which the period may differ from that of the plane; beyond it the motion is lost."""
+NEAR = 2.0
+"""Factor by which the period may differ before another plane is taken."""
 ACROSS = 0.7
 """Least cosine of the angle between the motion and the normal of the plane, else it is turned."""
 SAMPLES = 256
@@ -212,7 +214,9 @@ class SelfExcitedPassage(DrivenPassage):
         time, map = self.better_start, self.map
         assert isinstance(map, SelfExcitedMap)
         if time == 0.0 and map.section is not None and self.slant >= ACROSS:
-            return None
+            longer = self.start[-1] / map.section.period
+            if 1.0 / NEAR < longer < NEAR:
+                return None
         section = section_at(self.course, time, map.periods)
         # Neither period nor value depend on where an orbit begins.
         ahead = np.append(np.zeros(len(section.point)), tangent[-2:])
