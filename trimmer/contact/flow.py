@@ -26,7 +26,7 @@ from trimmer.contact.readouts import (
     parts_of,
     wall_measures,
 )
-from trimmer.contact.references import references_in
+from trimmer.contact.references import references_in, settled_references
 from trimmer.contact.sampled import SampledControllers
 from trimmer.contact.statuses import (
     ALWAYS,
@@ -98,6 +98,7 @@ class MechanismFlow(Flow):
     @classmethod
     def returning(cls, mechanism: Mechanism) -> MechanismFlow:
         """Return the motion in the frame in which it repeats, if it does: see ``trimmer.contact.frame``."""
+        mechanism = settled_references(mechanism)
         return cls(mechanism, frame_of(mechanism))
 
     @cached_property
@@ -333,7 +334,7 @@ class MechanismFlow(Flow):
     def with_modes(self, subject: Subject, modes: Modes[Any]) -> MechanismFlow:
         """Return the motion of another mechanism, in the same frame, whose modes are known."""
         assert isinstance(subject, Mechanism)
-        flow = MechanismFlow(subject, self.frame)
+        flow = MechanismFlow(settled_references(subject), self.frame)
         vars(flow)["modes"] = modes
         return flow
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from trimmer.contact.profiles import Profile
@@ -30,3 +31,15 @@ def profile_of(reference: Reference, frame: Frame) -> Profile | None:
         case ProfileReference(points):
             return Profile(points, before=points[0][1])
     return None
+
+
+def settled_references(mechanism: Mechanism) -> Mechanism:
+    """Return a mechanism whose references that change by times have their last values from the start."""
+    last: dict[str, Reference] = {}
+    for name, reference in mechanism.references.items():
+        match reference:
+            case StepReference(step, at) if at > 0:
+                last[name] = StepReference(step)
+            case ProfileReference(points):
+                last[name] = StepReference(points[-1][1])
+    return replace(mechanism, references={**mechanism.references, **last}) if last else mechanism

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.references import ProfileReference, RampReference, StepReference
+from trimmer.mechanism.references import RampReference
 
 if TYPE_CHECKING:
     from trimmer.contact.flow import MechanismFlow
-    from trimmer.mechanism.references import Reference
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
 
@@ -24,7 +22,7 @@ def flow_of(subject: Subject) -> Flow:
         from trimmer.contact.flow import MechanismFlow
 
         require_no_profile(subject)
-        flow = MechanismFlow.returning(settled_references(subject))
+        flow = MechanismFlow.returning(subject)
         _require_carried(subject, flow)
         return flow
     from trimmer.loops.flow import LoopFlow
@@ -67,18 +65,6 @@ def _require_carried(mechanism: Mechanism, flow: MechanismFlow) -> None:
                 f"ramp {controller.reference!r}, since shifting it changes another force; "
                 "'trimmer simulate' follows it"
             )
-
-
-def settled_references(mechanism: Mechanism) -> Mechanism:
-    """Return a mechanism whose references that change by times have their last values from the start."""
-    last: dict[str, Reference] = {}
-    for name, reference in mechanism.references.items():
-        match reference:
-            case StepReference(step, at) if at > 0:
-                last[name] = StepReference(step)
-            case ProfileReference(points):
-                last[name] = StepReference(points[-1][1])
-    return replace(mechanism, references={**mechanism.references, **last}) if last else mechanism
 
 
 def called(subject: Subject) -> str:
