@@ -57,7 +57,7 @@ def as_json(motion: MechanismMotion) -> str:
             "stored": list(energy.stored),
             "pins": dict(energy.pins),
             "forces": dict(energy.forces),
-            **({"controllers": dict(energy.controllers)} if energy.controllers else {}),
+            "controllers": dict(energy.controllers),
             "dampers": dict(energy.dampers),
             "contacts": dict(energy.contacts),
             "frictions": dict(energy.frictions),
