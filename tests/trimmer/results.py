@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import control
 import numpy as np
@@ -14,6 +15,7 @@ from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.response import MechanismOrbit
 from trimmer.runners.runner import SerialRunner
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 GAP = 4e-5
 PLAY = trimmer.FrictionBacklash(GAP)
 
@@ -138,6 +140,12 @@ def motion_map() -> trimmer.MotionMap:
 @cache
 def swept() -> trimmer.maps.Sweep:
     return trimmer.maps.sweep(impact_oscillator(), "frequency", 1.1, 1.3, steps=2, periods=20, quiet=True)
+
+
+@cache
+def stepped() -> trimmer.response.StepResponse:
+    motor = trimmer.Mechanism.from_toml(EXAMPLES / "stiction-pid.toml")
+    return trimmer.response.step_response(motor, "path", duration=0.1)
 
 
 @cache

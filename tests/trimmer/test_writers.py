@@ -86,6 +86,7 @@ COMMANDS = {
     "respond": f"respond {TWIN} --starts 500",
     "follow": f"follow {TWIN} --vary frequency --from 100 --to 200",
     "map": f"map {TWIN} {LINE} --vary plays.bridge.gap=0:1e-4:40",
+    "step": f"step {EXAMPLES / 'stiction-pid.toml'} --reference path",
     "sweep": f"sweep {TWIN} --vary frequency --from 100 --to 200",
     "sample": f"sample {SCATTER}",
     "fit": f"fit {TWIN} record.csv",
@@ -100,7 +101,7 @@ COMMANDS = {
 WRITTEN = {
     "--plot": (
         *("linear", "limit-cycles", "identify", "orbits", "simulate", "spectrum", "overlay", "respond"),
-        *("follow", "map", "sweep", "sample", "fit"),
+        *("follow", "map", "sweep", "sample", "fit", "step"),
     ),
     "--csv": ("simulate", "spectrum"),
     "--wav": ("simulate", "spectrum"),

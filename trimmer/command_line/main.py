@@ -19,7 +19,7 @@ from trimmer.command_line import completion, derive, linear, parameters, simulat
 from trimmer.command_line.command import Command
 from trimmer.command_line.help_text import EXIT_CODES, HelpText, epilog
 from trimmer.command_line.loops import identify, limit_cycles, orbits
-from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample, sweep
+from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample, step, sweep
 from trimmer.command_line.output_options import add_quiet_option
 from trimmer.command_line.parser import INTERRUPTED, WRONG_USE, Parser, drop, tell
 from trimmer.command_line.signals import fit, overlay, spectrum
@@ -34,8 +34,8 @@ ENTRY_POINT_GROUP = "trimmer.commands"
 _OWN = (
     *(linear.COMMAND, limit_cycles.COMMAND, identify.COMMAND),
     *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
-    *(init.COMMAND, respond.COMMAND, follow.COMMAND, sweep.COMMAND, motion_maps.COMMAND, sample.COMMAND),
-    fit.COMMAND,
+    *(init.COMMAND, respond.COMMAND, step.COMMAND, follow.COMMAND, sweep.COMMAND),
+    *(motion_maps.COMMAND, sample.COMMAND, fit.COMMAND),
     *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
 )
 """Commands of this package, which are found without a look at what else is installed."""

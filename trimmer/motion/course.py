@@ -108,8 +108,10 @@ class Course:
         ends = np.vstack([log.state[1:], self.states(np.array([self.duration]))])
         held = self.modes.system.layout.holding
         ends[:, held] = log.state[:, held]  # Between samples nothing moves it.
-        for row in (np.flatnonzero(log.kind[1:] >= OWN_KINDS) + 1).tolist():
-            if log.start[row] > log.start[row - 1] and impulse(int(log.part[row]), int(log.kind[row])):
+        jumps = (log.kind >= OWN_KINDS) | ((log.kind == NOTHING) & (log.function == -1))
+        for row in (np.flatnonzero(jumps[1:] & (np.diff(log.start) > 0)) + 1).tolist():
+            # Where no event begins it, a profile or a reference may have jumped.
+            if log.kind[row] == NOTHING or impulse(int(log.part[row]), int(log.kind[row])):
                 ends[row - 1] = self.before(row)
         return ends
 

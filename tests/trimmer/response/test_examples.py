@@ -31,6 +31,7 @@ REPEATING = {
     "cam-drive": 2,
     "bouncing-ball": 1,
     "brake-squeal": 2,
+    "stiction-pid": 4,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
 OTHERS = {"second-play", "thrown-body", "contactor"}

@@ -41,6 +41,11 @@ def as_text(motion: MechanismMotion) -> str:
 
 def as_json(motion: MechanismMotion) -> str:
     """Return a motion as JSON: outcome, every event, outputs at the end, energy; SI units."""
+    return document(motion_json(motion))
+
+
+def motion_json(motion: MechanismMotion) -> dict[str, Any]:
+    """Return a motion as a dictionary that JSON can hold."""
     energy = motion.energy
     content: dict[str, Any] = {
         "duration": motion.duration,
@@ -71,7 +76,7 @@ def as_json(motion: MechanismMotion) -> str:
     }
     if shares := waveforms_left_out(motion.mechanism):
         content["waveforms_left_out"] = shares
-    return document(content)
+    return content
 
 
 def _event(event: MechanismEvent) -> dict[str, Any]:

@@ -1,0 +1,150 @@
+"""How controlled machines follow a step: public digits, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+import pytest
+
+from trimmer import Mechanism, MotionKind
+from trimmer.errors import MechanismError
+from trimmer.response.step import step_response
+
+TWO_MASSES = """
+[bodies]
+motor = { inertia = 0.0002 }
+load = { inertia = 0.0005 }
+[plays]
+shaft = { between = ["motor", "load"], stiffness = 80.0, damping = 0.02, gap = 0.01 }
+[frictions]
+bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
+guide = { between = ["ground", "load"], force = 0.08, static = 0.12, viscous = 0.001 }
+[outputs]
+angle = { motor = 1 }
+[controllers.axis]
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kind = "pid"
+kp = 6.0
+kd = 0.09
+filter_time = 1e-3
+limit = 2.0
+[references]
+path = { step = 0.5, at = 0.01 }
+"""
+WINDUP = """
+[bodies]
+motor = { inertia = 0.001 }
+[links]
+bearing = { between = ["ground", "motor"], damping = 0.002 }
+[outputs]
+angle = { motor = 1 }
+[controllers.axis]
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kind = "pid"
+kp = 1.0
+ki = 8.0
+kd = 0.05
+filter_time = 2e-3
+limit = 0.2
+[references]
+path = { step = 1.0, at = 0.0 }
+"""
+STICTION = """
+[bodies]
+motor = { inertia = 0.0002 }
+[frictions]
+bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
+[outputs]
+angle = { motor = 1 }
+[controllers.axis]
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kind = "pid"
+kp = 6.0
+ki = 120.0
+kd = 0.05
+filter_time = 1e-3
+limit = 2.0
+[references]
+path = { step = 0.5, at = 0.01 }
+"""
+EXAMPLE = "[references] path = { step = 0.01 }"
+WRITTEN = 'write reference = "path" into one of [controllers]'
+
+
+def test_a_servo_with_backlash_follows_as_a_second_program_says() -> None:
+    """servo.json, servo_pd_rest_motor_encoder: expm with Newton on the guards, and DOP853."""
+    expected = {
+        "rise_time": 0.02595193483943595,
+        "overshoot": 0.0,
+        "settling_time": 0.03934686419788285,
+        "final_error": 0.005083840413415253,
+        "largest_control": 2.0,
+        "largest_demand": 48.0,
+    }
+    mechanism = Mechanism.from_toml_text(TWO_MASSES)
+    found = step_response(mechanism, "path", duration=0.4)
+    assert asdict(found.measures) == pytest.approx(expected, rel=1e-12, abs=2e-14)
+    assert found.motion.final["load"] == pytest.approx((0.500061247866714, 0.0), rel=1e-12, abs=1e-12)
+    assert (found.settles_to.kind, found.settles_to.motion.rest.family) == (MotionKind.REST, True)
+    alone = step_response(mechanism, "path", controller="axis")
+    assert asdict(alone.measures) == pytest.approx(expected, rel=1e-12, abs=2e-14)
+    assert alone.motion.rest is not None
+
+
+def test_the_integral_follows_the_limit_as_a_second_program_says() -> None:
+    """servo.json, windup_back_calculation_default."""
+    expected = {
+        "rise_time": 0.09110191036850442,
+        "overshoot": 10.060827350674684,
+        "settling_time": 0.3566083256810007,
+        "final_error": 0.0,
+        "largest_control": 0.2,
+        "largest_demand": 26.0,
+    }
+    found = step_response(Mechanism.from_toml_text(WINDUP), "path", duration=5.0)
+    assert asdict(found.measures) == pytest.approx(expected, rel=1e-11, abs=1e-12)
+
+
+def test_what_hunts_has_the_error_of_its_mean() -> None:
+    """servo.json, hunting_one_mass_static_friction; by symmetry the mean is the reference."""
+    found = step_response(Mechanism.from_toml_text(STICTION), "path")
+    orbit = found.settles_to.motion.orbit
+    assert orbit.period == pytest.approx(0.893388965805779, rel=1e-10)
+    assert 0.5 * found.settles_to.motion.peak_to_peak["angle"] == pytest.approx(
+        0.0025134134275286435, rel=1e-9
+    )
+    assert found.measures.final_error == pytest.approx(0.0, abs=1e-12)
+    assert abs(found.motion.final["motor"][0] - 0.5) > 1e-4
+    assert found.motion.duration > orbit.period
+    assert (found.measures.largest_control, found.measures.largest_demand) == pytest.approx((2.0, 28.0))
+
+
+@pytest.mark.parametrize(
+    ("changed", "asked", "message"),
+    [
+        ("", {"reference": "pth"}, "there is no reference 'pth'; did you mean path?"),
+        ("step = 0.5, at = 0.01", {}, f"references.path is a ramp and no step; {EXAMPLE} is one"),
+        ("step = 0.5", {}, "references.path.step is 0, so that there is nothing to follow; give its size"),
+        ("", {"controller": "axes"}, "no controller 'axes' follows 'path'; did you mean axis?"),
+        ("", {"duration": 0.01}, "a motion of 0.01 s ends before 'path' steps; give more than 0.01 s"),
+        ('reference = "path"', {}, f"no controller follows 'path'; {WRITTEN}"),
+        ("[references]", {}, "axis and other follow 'path'; choose one (--controller)"),
+    ],
+)  # fmt: skip
+def test_what_is_no_step_to_follow_is_refused(changed: str, asked: dict[str, object], message: str) -> None:
+    another = STICTION[STICTION.index("[controllers.axis]") : STICTION.index("[references]")]
+    to = {
+        "step = 0.5, at = 0.01": "ramp = 0.5",
+        "step = 0.5": "step = 0.0",
+        "[references]": another.replace("axis", "other") + "[references]",
+    }.get(changed, "")
+    mechanism = Mechanism.from_toml_text(STICTION.replace(changed, to) if changed else STICTION)
+    with pytest.raises(MechanismError) as refused:
+        step_response(mechanism, **{"reference": "path", **asked})
+    assert str(refused.value) == message

@@ -1,0 +1,77 @@
+"""``trimmer step``: how a controlled mechanism follows a step of its reference."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.mechanisms.simulation import check_periods
+from trimmer.command_line.number_options import positive
+from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.parser import ENDED_EARLY, tell
+from trimmer.command_line.patience import patience
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_mechanism_options(parser)
+    parser.add_argument(
+        "--reference", required=True, metavar="NAME", help="the step, a name under [references], such as path"
+    )
+    parser.add_argument(
+        "--controller",
+        metavar="NAME",
+        help="whose output is measured (default: that of the only one which follows the reference)",
+    )
+    parser.add_argument(
+        "--duration",
+        type=positive("s"),
+        metavar="S",
+        help="length of the motion, s (default: until what it settles to is known)",
+    )
+    add_json_option(parser)
+    add_plot_option(parser, "reference, output and control over time, with contact and stick marked,")
+    add_overwrite_option(parser)
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.command_line.mechanisms.step_text import as_json, as_text
+    from trimmer.response.step import step_response
+
+    check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
+    mechanism = chosen_mechanism(arguments)
+    if arguments.duration is not None:
+        check_periods(arguments.duration, mechanism.frequency)
+    with patience():
+        response = step_response(
+            mechanism, arguments.reference, controller=arguments.controller, duration=arguments.duration
+        )
+    if arguments.plot is not None:
+        from trimmer.drawing.mechanisms.step import step_figure
+
+        write_picture(arguments, step_figure(response))
+    show((as_json if arguments.json else as_text)(response), arguments.plot)
+    if response.motion.success:
+        return 0
+    tell(response.motion.message)
+    return ENDED_EARLY
+
+
+COMMAND = Command(
+    "step",
+    "how a controlled mechanism follows a step: rise, overshoot, settling, error, hunting",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer step examples/stiction-pid.toml --reference path --duration 2 --plot step.svg",
+            "how a motor with stiction follows a step under a PID, and that it hunts; and a picture of it",
+        ),
+        Example(
+            "trimmer step examples/stiction-pid.toml --reference path --set controllers.axis.ki=0",
+            "the same without an integral: it comes to rest, with an error",
+        ),
+    ),
+)
+"""The subcommand ``trimmer step``."""
