@@ -17,7 +17,6 @@ from trimmer.command_line.mechanism_options import add_set_option, chosen_mechan
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError, as_option
 from trimmer.command_line.system_options import SOURCES, refuse_loop_options
-from trimmer.mechanism.control_checks import require_uncontrolled
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -71,13 +70,12 @@ def _of_mechanism(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.linear_text import as_json, as_text, chosen_states
 
     mechanism = chosen_mechanism(arguments)
-    require_uncontrolled(mechanism.controllers, "this command")
     states = chosen_states(mechanism, arguments.contacts)
     if arguments.plot is not None:
         from trimmer.drawing.mechanisms.linear import linear_figure
 
         write_picture(arguments, linear_figure(mechanism, states))
-    show(as_json(states) if arguments.json else as_text(mechanism, states), arguments.plot)
+    show(as_json(mechanism, states) if arguments.json else as_text(mechanism, states), arguments.plot)
     return 0
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.parser import note
 from trimmer.mechanism.mechanism import Mechanism
 
 
@@ -40,7 +41,13 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
     Raises:
         MechanismError: if the file or a number cannot be used.
     """
-    return mechanism_with(arguments.file, arguments.set)
+    mechanism = mechanism_with(arguments.file, arguments.set)
+    if mechanism.controllers:
+        from trimmer.contact.control_loops import instability_told
+
+        if told := instability_told(mechanism):
+            note(f"{arguments.file}: {told}")
+    return mechanism
 
 
 def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:

@@ -16,6 +16,7 @@ from trimmer.motion.units import with_unit
 from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
+    from trimmer.contact.control_loops import ControlLoops
     from trimmer.design.linear import LinearState, TransferFunction
     from trimmer.mechanism.mechanism import Mechanism
 
@@ -55,13 +56,13 @@ def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearSta
 
 def as_text(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
     """Return tables of the modes and of the frequency responses in each state of the contacts."""
-    parts = (_state(mechanism, state) for state in states)
+    parts = ([*_state(mechanism, state), *_loops(mechanism, state)] for state in states)
     left_out = [("Dry friction is", mechanism.frictions), ("Rigid walls are", mechanism.walls)]
     friction = [f"{what} left out." for what, there in left_out if there]
     return "\n".join(["\n\n".join("\n".join(lines) for lines in parts), *friction])
 
 
-def as_json(states: Sequence[LinearState]) -> str:
+def as_json(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
     """Return the same as JSON: full precision, SI units, complex numbers as [real, imaginary]."""
     return document(
         {
@@ -81,6 +82,7 @@ def as_json(states: Sequence[LinearState]) -> str:
                     "rigid": state.rigid,
                     "decaying": state.decaying,
                     "responses": [_response(each) for each in state.transfer],
+                    "loops": _loops_json(mechanism, state),
                 }
                 for state in states
             ],
@@ -108,7 +110,9 @@ def _contacts(mechanism: Mechanism, state: LinearState) -> str:
 
 
 def _state(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
-    others = [counted(number, kind) for number, kind in _others(state) if number]
+    others = [
+        f"{number} motion{'s' if number > 1 else ''} that {told}" for number, told in _others(state) if number
+    ]
     yield f"{_contacts(mechanism, state)}: {counted(len(state.modes), 'mode')}" + "".join(
         f", {each}" for each in others
     )
@@ -123,8 +127,72 @@ def _state(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
         yield from table(heads, [_peak(each, mixed) for each in state.transfer])
 
 
+def _found_loops(mechanism: Mechanism, state: LinearState) -> ControlLoops | None:
+    """Return the loops of continuous controllers; None if there are none."""
+    if all(each.sample is not None for each in mechanism.controllers.values()):
+        return None
+    from trimmer.contact.control_loops import control_loops
+
+    return control_loops(mechanism, state.open)
+
+
+def _loops(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
+    sampled = [name for name, each in mechanism.controllers.items() if each.sample is not None]
+    found = _found_loops(mechanism, state)
+    if found is not None:
+        beside = (
+            f", while {listed(map(repr, sampled))} hold{'s' if len(sampled) == 1 else ''}" if sampled else ""
+        )
+        grows = f"unstable: it grows by e in {1.0 / found.grows:.4g} s" if found.grows else "stable"
+        yield f"With controllers{beside}: {grows}"
+        heads = ("loop of", "gain margin", "at Hz", "phase margin", "at Hz", "modulus margin", "at Hz")
+        rows = [
+            (
+                *(each.controller, _margin(each.gain_margin), _hertz(each.phase_crossing)),
+                *(_degrees(each.phase_margin), _hertz(each.gain_crossing)),
+                *(_margin(each.modulus_margin), _hertz(each.nearest)),
+            )
+            for each in found.loops
+        ]
+        yield from table(heads, rows)
+    elif sampled:
+        yield f"Sampled controllers ({listed(map(repr, sampled))}) are left out."
+
+
+def _margin(value: float) -> str:
+    return f"{value:.5g}" if math.isfinite(value) else "none"
+
+
+def _degrees(value: float) -> str:
+    return f"{math.degrees(value):.5g}°" if math.isfinite(value) else "none"
+
+
+def _hertz(omega: float) -> str:
+    return f"{omega / math.tau:.5g}" if math.isfinite(omega) else ""
+
+
+def _loops_json(mechanism: Mechanism, state: LinearState) -> list[dict[str, Any]]:
+    found = _found_loops(mechanism, state)
+    if found is None:
+        return []
+    return [
+        {
+            "controller": each.controller,
+            "stable": found.grows == 0,
+            "gain_margin": finite(each.gain_margin),
+            "phase_margin": finite(each.phase_margin),
+            "modulus_margin": finite(each.modulus_margin),
+            "phase_crossing": finite(each.phase_crossing / math.tau),
+            "gain_crossing": finite(each.gain_crossing / math.tau),
+            "nearest": finite(each.nearest / math.tau),
+        }
+        for each in found.loops
+    ]
+
+
 def _others(state: LinearState) -> tuple[tuple[int, str], ...]:
-    return (state.rigid, "motion that no spring resists"), (state.decaying, "motion that only decays")
+    only = "only decays" if state.decaying == 1 else "only decay"
+    return (state.rigid, "no spring resists"), (state.decaying, only)
 
 
 def _mode(frequency: float, damping_ratio: float, shape: Sequence[complex]) -> tuple[str, ...]:
