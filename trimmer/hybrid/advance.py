@@ -270,7 +270,7 @@ class _Integration:
     def _clock(self) -> Clock | None:
         """Return what is due in each period at known times, None for nothing."""
         samplings = self.modes.samplings
-        return None if samplings is None else samplings.clock()._replace(**self.instants._asdict())
+        return None if samplings is None else samplings.clock._replace(**self.instants._asdict())
 
     @cached_property
     def instants(self) -> Instants:

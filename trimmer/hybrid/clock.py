@@ -154,56 +154,68 @@ def carried(clock: Clock, code: int, mode: int, distances: Reals) -> Reals:
     return found
 
 
+ROOM = 16
+"""Modes for which there is room at first."""
+
+
 @dataclass(eq=False)
 class Samplings:
     """What samplers do in the modes that were met so far.
 
     Attributes:
         clockwork: The samplers.
+        clock: What they do in all modes so far, without instants; it is replaced where there is no room.
     """
 
     clockwork: Clockwork
-    _demand: list[Reals] = field(default_factory=list, init=False, repr=False)
-    _updates: list[Reals] = field(default_factory=list, init=False, repr=False)
-    _functions: list[tuple[list[int], list[int]]] = field(default_factory=list, init=False, repr=False)
-    _arrays: dict[int, Clock] = field(default_factory=dict, init=False, repr=False)
+    clock: Clock = field(init=False)
+    _count: int = 0
+
+    def __post_init__(self) -> None:
+        samplers = self.clockwork.samplers
+        height = max(len(each.places) for each in samplers)
+        none = np.zeros((0, len(samplers)), dtype=np.int64)
+        self.clock = Clock(
+            times=np.empty(0),
+            samples=none,
+            acts=none,
+            slack=TOGETHER * min(each.sample for each in samplers),
+            first=np.zeros((0, 0), dtype=np.int64),
+            continuous=np.zeros((0, 0), dtype=np.int64),
+            demand=np.empty((0, len(samplers), 0)),
+            limit=np.array([each.limit for each in samplers]),
+            places=np.array([[*each.places, *[-1] * (height - len(each.places))] for each in samplers]),
+            updates=np.empty((0, len(samplers), 3, height, 0)),
+            acting=np.array([each.acting for each in samplers], dtype=np.int64),
+        )
 
     def add(self, modes: Any, number: int) -> None:
         """Add the mode with the next number."""
+        assert number == self._count
+        self._count += 1
         demand, updates = self.clockwork.sampling(modes, number)
-        self._demand.append(demand)
-        self._updates.append(updates)
-        self._functions.append(_of_functions(self.clockwork.samplers, modes[number]))
+        first, continuous = _of_functions(self.clockwork.samplers, modes[number])
+        self._make_room(len(first), demand.shape[1])
+        self.clock.demand[number], self.clock.updates[number] = demand, updates
+        self.clock.first[number, : len(first)] = first
+        self.clock.continuous[number, : len(first)] = continuous
 
-    def clock(self) -> Clock:
-        """Return what samplers do in all modes so far, without instants."""
-        count, samplers = len(self._demand), self.clockwork.samplers
-        if count not in self._arrays:
-            most = max(len(first) for first, _ in self._functions)
-            table = np.zeros((2, count, max(most, 1)), dtype=np.int64)
-            for number, both in enumerate(self._functions):
-                table[:, number, : len(both[0])] = both
-            height = max(len(each.places) for each in samplers)
-            places = np.full((len(samplers), height), -1, dtype=np.int64)
-            for row, each in zip(places, samplers, strict=True):
-                row[: len(each.places)] = each.places
-            none = np.zeros((0, len(samplers)), dtype=np.int64)
-            self._arrays = {
-                count: Clock(
-                    times=np.empty(0),
-                    samples=none,
-                    acts=none,
-                    slack=TOGETHER * min(each.sample for each in samplers),
-                    first=table[0],
-                    continuous=table[1],
-                    demand=np.array(self._demand),
-                    limit=np.array([each.limit for each in samplers]),
-                    places=places,
-                    updates=np.array(self._updates),
-                    acting=np.array([each.acting for each in samplers], dtype=np.int64),
-                )
-            }
-        return self._arrays[count]
+    def _make_room(self, functions: int, size: int) -> None:
+        room, wide = self.clock.first.shape
+        if self._count <= room and functions <= wide:
+            return
+        room, wide = (2 * room or ROOM) if self._count > room else room, max(functions, wide)
+        larger = {"first": (room, wide), "continuous": (room, wide)}
+        larger |= {
+            name: (room, *getattr(self.clock, name).shape[1:-1], size) for name in ("demand", "updates")
+        }
+        made: dict[str, Any] = {}
+        for name, shape in larger.items():
+            old = getattr(self.clock, name)
+            made[name] = np.zeros(shape, dtype=old.dtype)
+            if old.size:
+                made[name][tuple(slice(0, length) for length in old.shape)] = old
+        self.clock = self.clock._replace(**made)
 
 
 def _of_functions(samplers: tuple[Sampler, ...], mode: Mode) -> tuple[list[int], list[int]]:

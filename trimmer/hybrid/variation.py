@@ -41,7 +41,7 @@ def propagated(modes: Modes[Any], log: Log, end: float, tangents: Reals) -> Real
     if modes.tables.rows is not None:
         return _by_rows(modes, log, end, distances)
     room, rows = room_for(len(distances), distances.shape[1], log.state.shape[1]), len(log.start)
-    clock = None if modes.samplings is None else modes.samplings.clock()
+    clock = None if modes.samplings is None else modes.samplings.clock
     row = propagate(modes.tables, clock, log, end, 0, distances, room)
     while row < rows:
         # Of the segments at one instant, the last one is that which goes on.
@@ -65,7 +65,7 @@ def _by_rows(modes: Modes[Any], log: Log, end: float, distances: Reals) -> Reals
         following = end_of_instant(log, row)
         last = following - 1
         if log.function[row] <= TICKED and modes.samplings is not None:
-            clock, code = modes.samplings.clock(), TICKED - int(log.function[row])
+            clock, code = modes.samplings.clock, TICKED - int(log.function[row])
             jumped = carried(clock, code, int(log.mode[row]), distances)
             distances[:] = _fitted(modes, int(log.mode[last]), jumped)
         elif row > 0:

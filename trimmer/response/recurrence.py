@@ -18,6 +18,8 @@ LINEAR = 0.1
 """Share of its distance by which a motion may differ from what the multipliers say of it."""
 CLOSE = 0.2
 """Distance to an orbit, as a share of the sizes, beyond which its multipliers say nothing."""
+ON_EDGE = 1e-7
+"""Distance to an orbit on an edge up to which a sampled motion may still leave it."""
 ROUNDING = 1e-9
 """Distance at which what is left is taken for rounding."""
 LEAST_RETURNS = 24
@@ -71,6 +73,9 @@ def settles_to(orbit: Orbit, states: Reals) -> bool:
         return False
     start = orbit.flow.reduced(orbit.instant.state)
     apart = (states[-1 - 3 * periods :] - start) / orbit.sizes
+    sampled = orbit.flow.modes.system.clockwork is not None
+    if sampled and orbit.edge is not None and abs(apart[-1]).max() > ON_EDGE:
+        return False  # On its way to an edge, what slides may stick.
     first = int(np.argmin(abs(apart[: periods + 1]).max(axis=1)))
     returns = apart[first::periods][:3]
     distances = abs(returns).max(axis=1)

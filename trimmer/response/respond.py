@@ -20,11 +20,12 @@ from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
 from trimmer.response.orbit import Orbit
+from trimmer.response.pace import pace_of
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
 from trimmer.response.self_excited import SelfExcited, self_excited, time_scale
-from trimmer.response.settling import Settling, pace_of
+from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import Start, instant_of

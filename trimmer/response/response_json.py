@@ -94,6 +94,8 @@ def _output(motion: SettledMotion, name: str) -> dict[str, Any]:
         "subharmonics": [],
         "lines": [[place + 1, 1, size] for place, size in enumerate(harmonics)],
     }
+    if motion.window is not None:
+        found["peaks"] = [list(line) for line in motion.window.peaks[name]]
     if motion.orbit is not None:
         measured = motion.orbit.measures.outputs[name]
         found |= {

@@ -14,14 +14,13 @@ from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
 from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import Orbit, orbit_of
+from trimmer.response.pace import pace_of
 from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.solved import Solved, solved
 
 FIRST, LONGEST = 8, 128
 """Drive periods before the first look at a motion, and at most between two looks."""
-SAMPLES = 16
-"""Samples in which a sampled machine does as much as another one in a period of its drive."""
 KEPT = 256
 """Drive periods that are kept for a look."""
 LONG_LOOK = 2048
@@ -30,12 +29,6 @@ MOST_REPEATS = 24
 """The largest number of drive periods after which a motion is taken to repeat."""
 PATIENCE = Patience(iterations=12, halvings=4, followed=0)
 """With which an orbit is looked for on the way."""
-
-
-def pace_of(flow: Flow) -> int:
-    """Return in how many drive periods as much happens as in one: many, if they are samples alone."""
-    system = flow.modes.system
-    return SAMPLES if system.clockwork is not None and not len(system.layout.orders) else 1
 
 
 @dataclass(eq=False)

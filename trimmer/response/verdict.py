@@ -10,8 +10,8 @@ import numpy as np
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.response.growth import OLDER, grows
+from trimmer.response.pace import pace_of
 from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.settling import pace_of
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
 
@@ -81,7 +81,7 @@ def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
 
 def look_closely(flow: Flow, instant: Instant) -> Seen | None:
     """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
-    periods = WINDOW * min(pace_of(flow), MOST_WINDOWS)
+    periods = WINDOW * pace_of(flow)
     window = watch(flow, instant, periods)
     if window is None:
         return None
@@ -131,9 +131,15 @@ class Seen:
         zero = abs(largest.value) <= error and abs(largest.value) + error < RESOLVED
         return (
             MotionKind.TORUS
-            if zero and not self.leaves and self.steady and self.orderly
+            if zero and not self.leaves and self.moves and self.steady and self.orderly
             else MotionKind.UNDECIDED
         )
+
+    @property
+    def moves(self) -> bool:
+        """Whether something moves; not where all sticks while an integral runs on."""
+        displacements = self.flow.modes.system.layout.kinds[0]
+        return bool(np.ptp(self.window.states[:, displacements], axis=0).any())
 
     @property
     def steady(self) -> bool:
@@ -148,7 +154,8 @@ class Seen:
         layout = self.flow.modes.system.layout
         rates = {place for rate in layout.rates for place in range(rate.start, rate.stop)}
         places = [at for kind in layout.kinds for at in range(kind.start, kind.stop) if at not in rates]
-        return all(growth_of_walk(series) < ORDERLY for series in self.window.states[:, places].T)
+        states = self.window.states[:: pace_of(self.flow), places]
+        return all(growth_of_walk(series) < ORDERLY for series in states.T)
 
 
 def _neighbour_leaves(flow: Flow, window: Window) -> bool:

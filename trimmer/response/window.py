@@ -18,6 +18,7 @@ from trimmer.motion.fourier import fourier
 from trimmer.motion.measures import HARMONICS
 from trimmer.motion.signals import along, read
 from trimmer.response.estimate import Estimate, mean_of
+from trimmer.response.pace import pace_of
 from trimmer.response.shooting import sizes_of
 
 SAMPLES = 64
@@ -26,6 +27,10 @@ SEGMENT = 128
 """Drive periods of a segment of the spectrum, at most."""
 TOGETHER = 8
 """Drive periods that are taken together: a row of each series below."""
+MOST_LINES = 8
+"""Lines of an output that are looked for whatever they are multiples of."""
+LEAST = 1e-3
+"""Share of the largest one from which on they count."""
 SEED = 0
 """Of the directions of the small distances that are followed."""
 SMALLEST = 1e-16
@@ -44,12 +49,14 @@ class Window:
         ending: Why, if it had to.
         growth: Logarithms of the growth of two distances at right angles, per period, (rows, 2).
         means, squares: Mean and mean square of each output, (rows, outputs).
-        waves: Complex amplitudes of the harmonics, (rows, HARMONICS, outputs).
+        waves: Complex amplitudes of the harmonics, (rows, harmonics, outputs).
         ranges: Smallest and largest value of each output, (rows, outputs, 2).
         accelerations: Mean square of the acceleration of each body, m²/s⁴, (rows, bodies).
         events: Number of events per drive period, (rows,).
         states: At the start of each period, (periods, n), shifted so that leaders are at 0.
-        samples: Outputs at equal steps, (SAMPLES periods, outputs).
+        samples: Outputs at equal steps, (steps periods, outputs).
+        together: Drive periods in a row.
+        steps: Samples in a drive period.
     """
 
     flow: Flow
@@ -66,11 +73,13 @@ class Window:
     events: Reals
     states: Reals
     samples: Reals
+    together: int = TOGETHER
+    steps: int = SAMPLES
 
     @property
     def periods(self) -> int:
         """Its length in drive periods."""
-        return TOGETHER * len(self.events)
+        return self.together * len(self.events)
 
     @cached_property
     def exponents(self) -> tuple[Estimate, ...]:
@@ -121,12 +130,24 @@ class Window:
         return found
 
     @cached_property
+    def peaks(self) -> Mapping[str, tuple[tuple[float, float], ...]]:
+        """Frequency, Hz, and amplitude of the largest lines of each output, of whatever multiples."""
+        from trimmer.spectra.peaks import peaks
+        from trimmer.spectra.spectrum import amplitude_spectrum
+
+        rate, found = self.steps / self.flow.period, {}
+        for name, series in zip(self.flow.outputs, self.samples.T, strict=True):
+            lines = peaks(amplitude_spectrum(series, rate), MOST_LINES, LEAST) if np.ptp(series) else ()
+            found[name] = tuple((line.frequency, line.amplitude) for line in lines)
+        return found
+
+    @cached_property
     def spectrum(self) -> tuple[Reals, Mapping[str, Reals]]:
         """Frequencies, Hz, and power density of each output by Welch's method (Hann, half over)."""
         from scipy.signal import welch
 
-        rate = SAMPLES / self.flow.period
-        length = SAMPLES * min(SEGMENT, self.periods)
+        rate = self.steps / self.flow.period
+        length = self.steps * min(SEGMENT * self.together // TOGETHER, self.periods)
         _, density = welch(self.samples, rate, nperseg=length, axis=0)
         outputs = self.flow.outputs
         # Those of ``welch``, which gives none without outputs.
@@ -136,7 +157,7 @@ class Window:
 
 def watch(flow: Flow, instant: Instant, periods: int) -> Window | None:
     """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once."""
-    return _Watch(flow.watched(instant, periods), instant).over(periods)
+    return _Watch(flow.watched(instant, periods), instant, pace_of(flow)).over(periods)
 
 
 def joined(first: Window, second: Window) -> Window:
@@ -149,8 +170,10 @@ def joined(first: Window, second: Window) -> Window:
 
 
 class _Watch:
-    def __init__(self, flow: Flow, instant: Instant) -> None:
+    def __init__(self, flow: Flow, instant: Instant, pace: int) -> None:
         self.flow, self.instant = flow, instant
+        self.together, self.steps = TOGETHER * pace, max(SAMPLES // pace, 2)
+        self.harmonics = HARMONICS if pace == 1 else 1  # Those of samples say little of what moves.
         self.outputs = flow.outputs.values()
         self.sizes = np.ones(flow.size)
         directions = np.random.default_rng(SEED).normal(size=(2, flow.size))
@@ -159,8 +182,8 @@ class _Watch:
 
     def over(self, periods: int) -> Window | None:
         begin, ending = self.instant, Ending.REACHED_END
-        for row in range(-(-periods // TOGETHER)):
-            course = self.flow.course(self.instant, TOGETHER)
+        for row in range(-(-periods // self.together)):
+            course = self.flow.course(self.instant, self.together)
             ending = course.ending
             if ending is not Ending.REACHED_END:
                 break
@@ -172,7 +195,8 @@ class _Watch:
             return None
         *columns, states, samples = zip(*self.seen, strict=True)
         series = [*map(np.array, columns), np.concatenate(states), np.concatenate(samples)]
-        return Window(self.flow, self.sizes, begin, self.instant, ending, *series)
+        told = {"together": self.together, "steps": self.steps}
+        return Window(self.flow, self.sizes, begin, self.instant, ending, *series, **told)
 
     def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration
@@ -181,18 +205,18 @@ class _Watch:
             nodes.weights @ along(course, signal, nodes.rows, nodes.states) ** 2 / duration
             for signal in self.flow.accelerations.values()
         ]
-        count = SAMPLES * TOGETHER
+        count = self.steps * self.together
         times = course.duration * np.arange(count) / count
         rows, sampled = np.searchsorted(course.log.start, times, side="right") - 1, course.states(times)
         return (
             self._growth(course),
             nodes.weights @ signals / duration,
             nodes.weights @ signals**2 / duration,
-            fourier(course, signals, 2 * np.pi * TOGETHER / duration, HARMONICS),
+            fourier(course, signals, 2 * np.pi * self.together / duration, self.harmonics),
             np.array([extremes(course, each.signal) for each in self.outputs]).reshape(-1, 2),
             np.array(accelerations),
-            np.array(len(course.events) / TOGETHER),
-            self.flow.reduced(sampled[::SAMPLES, : self.flow.size]),
+            np.array(len(course.events) / self.together),
+            self.flow.reduced(sampled[:: self.steps, : self.flow.size]),
             read(course, self.outputs, rows, sampled),
         )
 
@@ -200,4 +224,4 @@ class _Watch:
         at_end = self.flow.reduced(course.tangents(self.sizes[:, None] * self.distances).T).T
         at_end /= self.sizes[:, None]
         self.distances, triangle = np.linalg.qr(at_end)
-        return np.asarray(np.log(np.maximum(abs(np.diagonal(triangle)), SMALLEST)) / TOGETHER)
+        return np.asarray(np.log(np.maximum(abs(np.diagonal(triangle)), SMALLEST)) / self.together)

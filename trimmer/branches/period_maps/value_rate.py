@@ -287,7 +287,7 @@ class ValueChange:
         log, modes = self.course.log, self.course.modes
         code, mode = TICKED - int(log.function[first]), int(log.mode[first])
         assert modes.samplings is not None
-        here, clock = self.course.before(first)[:, None], modes.samplings.clock()
+        here, clock = self.course.before(first)[:, None], modes.samplings.clock
         after = carried(clock, code, mode, tangent[:, None])[:, 0]
         for sign, each in ((-1.0, clock), (1.0, self._other_clock)):
             after += sign / self.step * carried(each, code, mode, here)[:, 0]
@@ -300,7 +300,7 @@ class ValueChange:
         for statuses in self.course.modes.statuses:
             other.number(statuses)
         assert other.samplings is not None
-        return other.samplings.clock()
+        return other.samplings.clock
 
     def _fitted(self, mode: int, tangent: Reals, state: Reals) -> Reals:
         """Return a derivative that fits what a mode holds."""

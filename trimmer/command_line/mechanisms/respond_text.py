@@ -12,6 +12,7 @@ from trimmer.mechanism.cut_waveforms import told_of_waveforms
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
+from trimmer.response.pace import pace_of
 from trimmer.response.response_json import response_json
 from trimmer.showing.rounding import or_rounding
 from trimmer.showing.shown import counted
@@ -159,6 +160,9 @@ def _number(estimate: Estimate) -> str:
 
 def _lines(motion: SettledMotion, name: str) -> str:
     """Return the largest lines of an output, in order of frequency."""
+    if motion.window is not None and pace_of(motion.window.flow) > 1:
+        peaks = sorted(motion.window.peaks[name])[:LARGE_LINES]
+        return ", ".join(f"{frequency:.6g} Hz: {size:.6g}" for frequency, size in peaks) or "none"
     if motion.orbit is not None:
         lines = motion.orbit.measures.outputs[name].lines
     else:
