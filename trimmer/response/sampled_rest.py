@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.contact.statuses import STICK
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.rest import Rest
@@ -49,10 +50,19 @@ def sampled_rest(flow: Flow, instant: Instant, sizes: Reals, gone: float = GONE)
     if abs(shares[~moves]).max(initial=0.0) > DRIFT or abs(further).max(initial=0.0) > gone:
         return None
     limit = flow.at(instant.state + sizes * further, instant.phase, like=instant)
-    return Rest(flow, limit, bool((~moves).any()))
+    return Rest(flow, limit, bool((~moves).any()), _slides(flow, limit, sizes))
 
 
 def _is_still(states: Reals, sizes: Reals, gone: float) -> bool:
     """Say whether states, (count, N), are all the same beside their sizes."""
     found = states[:, : len(sizes)]
     return bool((np.ptp(found, axis=0) <= gone * sizes).all())
+
+
+def _slides(flow: Flow, limit: Instant, sizes: Reals) -> bool:
+    """Say whether a friction slides up to the rest, which is never reached then: its slips become smaller."""
+    machine, layout = flow.modes.system.machine, flow.modes.system.layout
+    rates, forcing = machine.friction_rate, layout.forcing_at(limit.phase, limit.periods * layout.period)
+    slow = abs(rates @ np.append(limit.state, forcing)) <= GONE * (abs(rates[:, : len(sizes)]) @ sizes)
+    sliding = np.array(machine.of_frictions(limit.statuses), dtype=int) != STICK
+    return bool((slow & sliding).any())

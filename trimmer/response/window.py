@@ -195,8 +195,8 @@ class _Watch:
             return None
         *columns, states, samples = zip(*self.seen, strict=True)
         series = [*map(np.array, columns), np.concatenate(states), np.concatenate(samples)]
-        told = {"together": self.together, "steps": self.steps}
-        return Window(self.flow, self.sizes, begin, self.instant, ending, *series, **told)
+        found = Window(self.flow, self.sizes, begin, self.instant, ending, *series)  # type: ignore[arg-type]
+        return replace(found, together=self.together, steps=self.steps)
 
     def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration

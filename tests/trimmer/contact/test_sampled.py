@@ -10,9 +10,20 @@ import pytest
 from scipy.linalg import expm
 
 from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
-from trimmer import Mechanism, respond, simulate
+from trimmer import Mechanism, MechanismError, follow, forced_orbit, respond, simulate
 from trimmer.contact.flow import MechanismFlow
-from trimmer.mechanism import Body, Cascade, Link, Output, Pid, StepReference, TransferController, Wall
+from trimmer.mechanism import (
+    Body,
+    Cascade,
+    Force,
+    Link,
+    Output,
+    Pid,
+    Play,
+    StepReference,
+    TransferController,
+    Wall,
+)
 from trimmer.mechanism.controllers import Controller
 from trimmer.response.response import MotionKind
 
@@ -180,3 +191,52 @@ def test_the_order_at_one_instant() -> None:
     # The third one saw 0 at 0, and the acceleration -2 + 2 before 10 ms; it has not acted yet.
     np.testing.assert_allclose(acted, [0, 0, 2, 2, 2, 2], atol=1e-12)
     assert motion.energy.residual < 1e-12
+
+
+def test_hunting_under_samples_is_a_torus_with_lines() -> None:
+    """Play in the loop of a slow position control: it hunts, whatever the samples are."""
+    loose = replace(
+        two_masses(Pid(kp=3.0, ki=10.0, kd=0.05, filter_time=2e-3, limit=2.0, **AXIS)),
+        links={"bearing": Link(("ground", "motor"), damping=DRAG)},
+        plays={"shaft": Play(("motor", "load"), STIFF, DAMPED, gap=0.02)},
+    )
+    motion = respond(loose, most_periods=100).motions[0]
+    assert motion.kind is MotionKind.TORUS
+    assert motion.window is not None
+    (frequency, amplitude), (third, _) = motion.window.peaks["angle"][:2]
+    assert third == pytest.approx(3 * frequency, rel=1e-3)
+    assert amplitude == pytest.approx(motion.peak_to_peak["angle"] / 2, rel=0.2)
+
+
+def test_an_integral_that_runs_in_stick_is_no_rest() -> None:
+    """Without one the axis rests in its stiction, one place of many."""
+    servo = Mechanism.from_toml_text(SERVO)
+    still = respond(servo.with_value("controllers.axis.ki", 0.0)).motions[0]
+    assert still.rest is not None
+    assert still.rest.family
+    assert not still.rest.asymptotic
+    assert respond(servo, most_periods=30).kind is not MotionKind.REST
+
+
+def test_a_sampled_axis_is_followed_over_its_gain() -> None:
+    """The multipliers on the branch are those of the machine at each gain; two clocks return together."""
+    driven = Mechanism(
+        {"slide": Body(2.0)},
+        frequency=50.0,
+        links={"mount": Link(("ground", "slide"), 100.0, 5.0)},
+        forces={"cut": Force("slide", amplitude=10.0)},
+        outputs={"x": Output({"slide": 1.0}), "v": Output({"slide": 1.0}, kind="velocity")},
+        controllers={
+            "slow": Pid(measure="x", acts=("ground", "slide"), kp=2e3, sample=4e-3, delay=1e-3),
+            "fast": Pid(measure="v", acts=("ground", "slide"), kp=50.0, sample=1e-3),
+        },
+    )
+    branch = follow(driven, "controllers.fast.kp", 50.0, 60.0)
+    last = branch.points[-1]
+    again = forced_orbit(driven.with_value("controllers.fast.kp", last.value))
+    assert last.value == 60.0
+    assert again.success
+    assert last.stable
+    assert last.outputs["x"].peak_to_peak == pytest.approx(again.measures.peak_to_peak["x"], rel=1e-9)
+    with pytest.raises(MechanismError, match="return together at single values only"):
+        follow(driven, "controllers.fast.sample", 1e-3, 1.1e-3)
