@@ -16,6 +16,8 @@ from trimmer.branches.special import SpecialKind, SpecialPoint
 
 FARTHEST_ASIDE = 1.0
 """Largest distance of an orbit from the tangent, relative to that along it."""
+MOST_CURVED = 0.1
+"""Distance of the next orbit from the tangent, relative to that along it, up to which it is foreseen."""
 STEEP = 0.1
 """Share of the value in the tangent from which on orbits are sought at given values."""
 TOWARDS_BORDER = (1e-4, 1e-2)
@@ -104,7 +106,10 @@ def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool
     predicted = front.place.position + length * front.tangent
     end = _end_passed(predicted, start, stop)
     if end is None:
-        far = arc.at(float(front.direction @ (predicted - front.place.position)), predicted)
+        ahead = float(front.direction @ (predicted - front.place.position))
+        curved = _curved(front, arc, ahead, predicted)
+        far = None if curved is None else arc.at(ahead, curved)
+        far = arc.at(ahead, predicted) if far is None else far
         if far is not None:
             predicted, end = far.position, _end_passed(far.position, start, stop)
     if end is not None:
@@ -121,6 +126,26 @@ def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool
     if made is None or end is None:
         return made
     return replace(made, ended=BranchEnd.LEFT_AT_START if end == start else BranchEnd.LEFT_AT_STOP)
+
+
+def _curved(front: Front, arc: Arc, ahead: float, straight: Reals) -> Reals | None:
+    """Return the coordinates at a distance along the cubic through the last two orbits and their tangents.
+
+    Newton's method needs a step less from there than from the straight line. None where there is no orbit
+    before on the smooth piece, or where the cubic bends away far from the line.
+    """
+    before = front.before
+    slope = None if before is None else before.tangent(arc.direction)
+    if before is None or slope is None:
+        return None
+    behind = -arc.distance(before)
+    rise, first = front.tangent / (front.tangent @ arc.direction), slope / (slope @ arc.direction)
+    chord = (front.place.position - before.position) / behind
+    curvature, third = 2.0 * rise + first - 3.0 * chord, rise + first - 2.0 * chord
+    share = ahead / behind
+    curved = straight + ahead * share * (curvature + share * third)
+    bend, reach = np.linalg.norm(curved - straight), np.linalg.norm(straight - front.place.position)
+    return curved if bend <= MOST_CURVED * reach else None
 
 
 def _end_passed(position: Reals, start: float, stop: float) -> float | None:
