@@ -6,14 +6,14 @@ Each has a test function that changes its sign there and is smooth in between, s
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc, LostError
-from trimmer.branches.orbit import Place
+from trimmer.branches.orbit import Place, pairs
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
 STRAIGHT = 0.9
@@ -26,7 +26,13 @@ JUMPING = 1e-3
 TOUCHING = 0.3
 """Depth of the lowest point of a test function, relative to its ends, below which it may touch zero."""
 
-_Test = Callable[[Place], float]
+TESTED = (
+    SpecialKind.FOLD,
+    SpecialKind.PERIOD_DOUBLING,
+    SpecialKind.SYMMETRY_BREAKING,
+    SpecialKind.TORUS,
+)
+"""Kinds of bifurcations of which each has a test function."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,10 +77,11 @@ def bifurcations(arc: Arc, places: Sequence[Place], splits: int = MOST_SPLITS) -
 
 def _between(arc: Arc, near: Place, far: Place, splits: int) -> list[Bifurcation]:
     found: list[Bifurcation] = []
-    for kind, test in _tests(arc).items():
-        if (test(near) > 0.0) != (test(far) > 0.0):
+    for kind, before, after in zip(TESTED, _values(arc, near), _values(arc, far), strict=True):
+        if (before > 0.0) != (after > 0.0):
+            test = _test(arc, kind)
             place = arc.root(test, near, far)
-            jumps = abs(test(place)) > JUMPING * max(abs(test(near)), abs(test(far)))
+            jumps = abs(test(place)) > JUMPING * max(abs(before), abs(after))
             found += _corner(kind, place) if jumps else _located(arc, kind, place)
     if splits > 0 and not _explained(found, near, far):
         middle = arc.smooth(0.5 * (arc.distance(near) + arc.distance(far)), near, far)
@@ -89,41 +96,41 @@ def dips(arc: Arc, before: Place, near: Place, far: Place) -> list[float]:
     """
     behind, ahead = -arc.distance(before), arc.distance(far)
     found = set()
-    for test in _tests(arc).values():
-        values = np.array([test(before), test(near), test(far)])
-        values *= np.sign(values[1])
-        fall, rise = (values[1] - values[0]) / behind, (values[2] - values[1]) / ahead
+    for first, middle, last in zip(*(_values(arc, each) for each in (before, near, far)), strict=True):
+        first, middle, last = (math.copysign(1.0, middle) * each for each in (first, middle, last))
+        fall, rise = (middle - first) / behind, (last - middle) / ahead
         curvature = (rise - fall) / (behind + ahead)
-        if curvature <= 0.0 or values.min() <= 0.0:
+        if curvature <= 0.0 or min(first, middle, last) <= 0.0:
             continue
         slope = fall + curvature * behind
         lowest = -0.5 * slope / curvature
-        depth = values[1] + 0.5 * slope * lowest
-        if 0.0 < lowest < ahead and depth < TOUCHING * values[1:].min():
-            found.add(float(lowest))
+        depth = middle + 0.5 * slope * lowest
+        if 0.0 < lowest < ahead and depth < TOUCHING * min(middle, last):
+            found.add(lowest)
     return sorted(found)
 
 
-def _tests(arc: Arc) -> dict[SpecialKind, _Test]:
-    return {
-        SpecialKind.FOLD: lambda place: _tangent(arc, place)[-1],
-        SpecialKind.PERIOD_DOUBLING: lambda place: place.doubling,
-        SpecialKind.SYMMETRY_BREAKING: lambda place: place.orientation(_tangent(arc, place)),
-        SpecialKind.TORUS: lambda place: place.torus,
-    }
+def _values(arc: Arc, place: Place) -> tuple[float, ...]:
+    """Return the test functions of the kinds that are tested, in their order.
 
-
-def _tangent(arc: Arc, place: Place) -> Reals:
+    Raises:
+        LostError: if there is no one tangent.
+    """
     tangent = place.tangent(arc.direction)
     if tangent is None:
         raise LostError
-    return tangent
+    return float(tangent[-1]), place.doubling, place.orientation(tangent), place.torus
+
+
+def _test(arc: Arc, kind: SpecialKind) -> Callable[[Place], float]:
+    number = TESTED.index(kind)
+    return lambda place: _values(arc, place)[number]
 
 
 def _located(arc: Arc, kind: SpecialKind, place: Place) -> list[Bifurcation]:
     """Return the bifurcation at a root of a test function; none where two real multipliers have product 1."""
     if kind is SpecialKind.TORUS:
-        first, _ = np.triu_indices(len(place.multipliers), 1)
+        first, _ = pairs(len(place.multipliers))
         pair = place.multipliers[first[int(np.argmin(abs(place.products - 1.0)))]]
         if pair.imag == 0.0:
             return []

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes, Places, Reals
 from trimmer.branches.null_vector import null_vector
 from trimmer.branches.period_maps.period_map import Passage, PeriodMap
 from trimmer.errors import TrimmerError
@@ -27,6 +27,13 @@ EXACT = 1e-13
 """Miss at which Newton's method stops, since only rounding is left."""
 ON_PLANE = 1e-14
 """Distance from a plane within which a position lies on it."""
+
+
+@cache
+def pairs(count: int) -> tuple[Places, Places]:
+    """Return the first and the second places of all pairs out of a number of multipliers."""
+    first, second = np.triu_indices(count, 1)
+    return first, second
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,20 +108,29 @@ class Place:
     @cached_property
     def _along(self) -> tuple[Reals, float] | None:
         """A unit vector along the branch, (n + 1,), and the determinant of slope and it; None if singular."""
+        if self.known is not None:
+            return self._rescaled(self.known)
         try:
-            along = null_vector(self.slope) if self.known is None else self._rescaled(self.known)
+            along = null_vector(self.slope)
+            turn = float(np.linalg.det(np.vstack([self.slope, along])))
         except (np.linalg.LinAlgError, TrimmerError):
             return None
-        turn = 0.0 if along is None else float(np.linalg.det(np.vstack([self.slope, along])))
-        return None if along is None or not turn else (along, turn)
+        if not turn:
+            return None
+        return along, turn
 
-    def _rescaled(self, known: Place) -> Reals | None:
-        """Return the unit vector along the branch of the same place in another scale; None if it has none."""
+    def _rescaled(self, known: Place) -> tuple[Reals, float] | None:
+        """Return the unit vector along the branch, and the determinant, of the same place in another scale.
+
+        What scales the rows of the slope scales its columns inversely, so that only the length counts.
+        """
         if known._along is None:
             return None
-        along = known._along[0].copy()
+        along, turn = known._along
+        along = along.copy()
         along[:-1] *= known.problem.sizes / self.problem.sizes
-        return np.asarray(along / np.linalg.norm(along))
+        length = float(np.linalg.norm(along))
+        return along / length, turn * length
 
     def tangent(self, reference: Reals) -> Reals | None:
         """Return the unit tangent, shape (n + 1,), that points along a reference; None if there is no one."""
@@ -134,7 +150,7 @@ class Place:
     @cached_property
     def products(self) -> Complexes:
         """Products of all pairs of multipliers; one of them is 1 where a pair crosses the circle."""
-        first, second = np.triu_indices(len(self.multipliers), 1)
+        first, second = pairs(len(self.multipliers))
         products: Complexes = self.multipliers[first] * self.multipliers[second]
         return products
 

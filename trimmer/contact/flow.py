@@ -205,20 +205,22 @@ class MechanismFlow(Flow):
         frictions = [
             STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)
         ]
-        distances, rates = machine.wall_distance @ extended, machine.wall_rate @ extended
-        reached = abs(distances) <= NEARLY * (abs(machine.wall_distance) @ largest)
-        resting = reached & (abs(rates) <= AT_REST * (abs(machine.wall_rate) @ largest))
-        walls = (LOOSE for _ in machine.restitution)
+        walls, reached, resting = (LOOSE for _ in machine.restitution), np.zeros(0), np.zeros(0, dtype=bool)
+        if len(machine.restitution):
+            distances, rates = machine.wall_distance @ extended, machine.wall_rate @ extended
+            reached = abs(distances) <= NEARLY * (abs(machine.wall_distance) @ largest)
+            resting = reached & (abs(rates) <= AT_REST * (abs(machine.wall_rate) @ largest))
         limits = limits_at(machine, extended)
         statuses = (*contacts, *frictions, *segments_at(machine, extended), *limits, *walls)
         at_rest = np.flatnonzero([*slow, *resting])
+        zeros = np.zeros((len(statuses), self.modes.system.action_count), dtype=np.int64)
         if len(at_rest):
             statuses = decide(machine, statuses, extended, at_rest)
-        zeros = np.zeros((len(statuses), self.modes.system.action_count), dtype=np.int64)
-        held, holds = held_parts(machine, statuses), machine.holds
-        begun = [part for part in holds[at_rest].tolist() if part not in held]
-        zeros[begun, ARRIVED] = 1
-        zeros[holds[len(frictions) :], STRUCK] = np.where(reached, 1 + resting, 0)
+            held = held_parts(machine, statuses)
+            begun = [part for part in machine.holds[at_rest].tolist() if part not in held]
+            zeros[begun, ARRIVED] = 1
+        if len(machine.restitution):
+            zeros[machine.holds[len(frictions) :], STRUCK] = np.where(reached, 1 + resting, 0)
         return Instant(extended[: self.size], statuses, 0, phase, zeros, negligible)
 
     def _contact(self, contact: int, extended: Reals, stretched: bool) -> int:
@@ -335,7 +337,7 @@ class MechanismFlow(Flow):
         """Return the motion of another mechanism, in the same frame, whose modes are known."""
         assert isinstance(subject, Mechanism)
         flow = MechanismFlow(settled_references(subject), self.frame)
-        vars(flow)["modes"] = modes
+        vars(flow).update(modes=modes, parts=self.parts)
         return flow
 
     @cached_property

@@ -262,7 +262,7 @@ def changed(mechanism: Mechanism, field_name: str, content: object) -> Mechanism
         MechanismError: if the number does not go together with others.
     """
     contents = {**vars(mechanism), field_name: content}
-    if problems := list(problems_of_numbers(contents)):
+    if problems := list(problems_of_numbers(contents, weighs=field_name == "points")):
         raise MechanismError(as_message(problems))
     made = object.__new__(Mechanism)
     vars(made).update(contents)

@@ -60,15 +60,21 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
     yield from problems or _untouched(content)
 
 
-def problems_of_numbers(content: Mapping[str, Any]) -> Iterator[Problem]:
-    """Find numbers that do not go together; whether each can stand in its place is not asked."""
+def problems_of_numbers(content: Mapping[str, Any], *, weighs: bool = True) -> Iterator[Problem]:
+    """Find numbers that do not go together; whether each can stand in its place is not asked.
+
+    Args:
+        content: What was read.
+        weighs: Whether weights of points may be among them.
+    """
     yield from _contacts(content)
     yield from _frictions(content)
     for section in ("links", "frictions", "forces"):
         for name, part in content[section].items():
             yield from problems_of_order((section, name), part)
     yield from _drive(content)
-    yield from problems_of_moving(content)
+    if weighs:
+        yield from problems_of_moving(content)
     yield from problems_of_control_numbers(content)
 
 

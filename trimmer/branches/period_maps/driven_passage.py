@@ -79,7 +79,7 @@ class DrivenPassage:
         log, duration = self.course.log, self.course.duration
         goes_on = np.append(np.diff(log.start) > 0.0, log.start[-1] < duration)
         statuses = self.course.modes.tables.statuses[log.mode[goes_on]]
-        before = np.roll(statuses, 1, axis=0)
+        before = np.concatenate([statuses[-1:], statuses[:-1]])
         if self.map.mirrored:
             before[0] = mirrored(self.flow.parts, tuple(before[0].tolist()))
         return log.start[goes_on], np.array([before, statuses])
@@ -93,11 +93,10 @@ class DrivenPassage:
         """
         _, (before, after) = self._segments
         begun: Counter[tuple[str, Phase]] = Counter()
-        for number, part in enumerate(self._parts):
-            for status, phase in part.phases.items():
-                count = int(((after[:, number] == status) & (before[:, number] != status)).sum())
-                if count:
-                    begun[part.name, phase] += count
+        columns = zip(self._parts, before.T.tolist(), after.T.tolist(), strict=True)
+        for part, was, now in columns:
+            begins = (part.phases.get(new) for old, new in zip(was, now, strict=True) if old != new)
+            begun.update((part.name, phase) for phase in begins if phase is not None)
         return begun
 
     @cached_property
