@@ -51,21 +51,22 @@ def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -
     contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
     flow = flow_without_stick(machine, statuses)
     hold = np.eye(len(flow))
-    for contact, z in relaxing_springs(machine):
+    springs = relaxing_springs(machine)
+    for contact, z in springs:
         if statuses[contact] in PUSHING:
             hold[z] = machine.contact_distance[contact]
             hold[z, -1] -= offset(machine, contact, statuses[contact])
         elif statuses[contact] == FREE:
             hold[z] = 0.0
     functions = [*functions_of_controls(machine, statuses), *_of_contacts(machine, statuses)]
-    rubbing, resting = (
-        machine.of_frictions(statuses),
-        np.array(machine.of_walls(statuses), dtype=int) == RESTS,
-    )
+    rubbing, walls = machine.of_frictions(statuses), machine.of_walls(statuses)
+    resting = np.array([each == RESTS for each in walls], dtype=bool)
     sticking = np.flatnonzero([*(each == STICK for each in rubbing), *resting])
+    holds = machine.holds
     if len(sticking):
-        tree = sticking[independent(machine.hold_rate[sticking, bodies : 2 * bodies])]
-        rates, push = machine.hold_rate[tree], machine.hold_push[tree]
+        every = machine.hold_rate
+        tree = sticking[independent(every[sticking, bodies : 2 * bodies])]
+        rates, push = every[tree], machine.hold_push[tree]
         inverse = np.linalg.inv(rates[:, bodies : 2 * bodies] @ push.T)
         forces = inverse @ (rates @ flow)
         velocities, shares = slice(bodies, 2 * bodies), abs(push.T) @ abs(inverse) @ abs(rates)
@@ -79,14 +80,14 @@ def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -
             functions.append(EventFunction(contacts + friction, ARRIVED, row))
     functions += functions_of_curves(machine, statuses)
     functions += functions_of_walls(machine, statuses, period)
-    relaxing = {contact: _rate(machine, contact) for contact, _ in relaxing_springs(machine)}
+    relaxing = {contact: _rate(machine, contact) for contact, _ in springs}
     decay = [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
     return Mode(
         statuses,
         flow,
         tuple(functions),
         hold if not resting.any() else hold @ at_walls(machine, np.flatnonzero(resting)),
-        held=tuple(int(machine.holds[hold]) for hold in sticking),
+        held=tuple(holds[sticking].tolist()),
         settled=(*(FREE if each == RELAXING else each for each in statuses[:contacts]), *statuses[contacts:]),
         decay=np.array(decay),
         decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
@@ -230,14 +231,15 @@ def _of_stick(machine: Machine, sticking: Places, tree: Places, forces: Reals) -
         vectors = elementary_vectors(machine.hold_rate[sticking, bodies : 2 * bodies])
     every = np.zeros((len(sticking), forces.shape[1]))
     every[np.searchsorted(sticking, tree)] = forces
+    holds, held, limits = machine.holds, len(machine.held), machine.held[sticking[rubbing]]
     for vector in vectors:
-        limit, across = abs(vector[rubbing]) @ machine.held[sticking[rubbing]], vector @ every
+        limit, across = abs(vector[rubbing]) @ limits, vector @ every
         involved = np.flatnonzero(vector)
-        owner = int(machine.holds[sticking[involved[0]]]) if len(involved) == 1 else JOINTLY
+        owner = int(holds[sticking[involved[0]]]) if len(involved) == 1 else JOINTLY
         for side in (1, -1):
             if (side * vector[~rubbing] > 0).any():
                 continue  # A wall holds against this with any force.
-            signs = np.zeros(len(machine.held), dtype=np.int64)
+            signs = np.zeros(held, dtype=np.int64)
             signs[sticking] = side * np.sign(vector)
             row = -side * across
             row[-1] += limit

@@ -97,6 +97,8 @@ def independent(directions: Reals) -> Integers:
     Args:
         directions: D, (m, n).
     """
+    if len(directions) == 1:
+        return np.flatnonzero(directions.any(axis=1))
     chosen: list[int] = []
     basis = np.zeros((0, directions.shape[1]))
     for number, direction in enumerate(directions):
