@@ -220,13 +220,13 @@ class Modes(Generic[_System]):
         settled = self.number(mode.settled) if mode.settled != statuses else None
         number = len(self._statuses)
         self._make_room(number + 1, len(mode.functions))
-        self._numbers[statuses] = number
         self._statuses.append(statuses)
         self._keep(number, mode)
         self._tabulate(number, mode)
         if self.samplings is not None:
             self.samplings.add(self, number)
         self.tables.settled[number] = number if settled is None else settled
+        self._numbers[statuses] = number  # Last, so that an interrupt leaves nothing half done.
         return number
 
     def moduli(self, number: int, state: Reals) -> Reals:
@@ -244,13 +244,13 @@ class Modes(Generic[_System]):
         change = self.system.transition(self[number], self[number].functions[function], jumped)
         target = JOINT if change is None else self.number(change.statuses)
         place = number, function, int(jumped)
-        self.tables.target[place] = target
         if change is not None:
             self.tables.kind[place] = change.kind
             self.tables.zeros[place] = 0
             for action, zeros in change.zeros:
                 self.tables.zeros[(*place, action)] = zeros
             self.tables.reset[place] = NO_RESET if change.reset is None else self._keep_reset(change.reset)
+        self.tables.target[place] = target
 
     def _make_room(self, modes: int, functions: int) -> None:
         tables = self.tables

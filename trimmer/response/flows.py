@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import lru_cache
+from threading import get_ident
 from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
@@ -14,6 +17,11 @@ if TYPE_CHECKING:
     from trimmer.contact.flow import MechanismFlow
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
+
+KEPT = 2
+"""Subjects whose flows are kept, for who asks again."""
+MOST_KEPT = 2**24
+"""Memory of the tables of a step, bytes, up to which a flow is given again."""
 
 
 def flow_of(subject: Subject) -> Flow:
@@ -35,6 +43,36 @@ def flow_of(subject: Subject) -> Flow:
             "the drives have no period in common, so that no motion repeats with them; simulate() follows it"
         )
     return LoopFlow(subject)
+
+
+@dataclass(frozen=True, eq=False)
+class _Same:
+    """A subject that equals itself alone."""
+
+    subject: Subject
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.subject is self.subject
+
+    def __hash__(self) -> int:
+        return id(self.subject)
+
+
+@lru_cache(maxsize=KEPT)
+def _kept_flow(same: _Same, thread: int) -> Flow:
+    return flow_of(same.subject)
+
+
+def known_flow_of(subject: Subject) -> Flow:
+    """Return the same as ``flow_of``; of a subject that was asked for last, with the modes that it has met.
+
+    Modes are added to it, so that each thread has one of its own. One that has met many is not given again:
+    the memory for their tables is bounded.
+    """
+    flow = _kept_flow(_Same(subject), get_ident())
+    tables = flow.modes.tables
+    is_small = tables.rows is None and tables.screen.nbytes + tables.series.nbytes <= MOST_KEPT
+    return flow if is_small else flow_of(subject)
 
 
 def require_no_profile(mechanism: Mechanism) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, overload
 from trimmer.arguments import whole_number
 from trimmer.errors import UnsupportedMotionError
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import known_flow_of
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import Loop
@@ -73,7 +73,7 @@ def exact_orbit(
     whole_number("periods", periods, 1)
     if settling is not None:
         whole_number("settling", settling, 0)
-    flow = flow_of(subject)
+    flow = known_flow_of(subject)
     require_repeating(flow)
     if not flow.period:
         if periods > 1:
