@@ -23,6 +23,10 @@ CLOSED = 1e-10
 """Miss of the return, as a share of the sizes of the states, below which it counts as closed."""
 SETTLED = 4e-15
 """Miss at which Newton's method stops, since only rounding is left."""
+NEARLY_SETTLED = 5e-14
+"""Miss at which it stops too after a step that left no more than ``FAST`` of the miss before."""
+FAST = 1e-4
+"""Share of the miss that a step leaves where Newton's method is at its best: what is left is rounding."""
 ROUNDED = 1e-12
 """Miss below which a step that does not reduce it is not shortened: it is rounding."""
 SINGULAR = 1e-12
@@ -280,10 +284,13 @@ def _solved_from_calm(problem: Return, shot: Shot, patience: Patience) -> Shot |
 
 def _settled(problem: Return, shot: Shot | None, patience: Patience) -> Shot | None:
     """Take Newton's steps from a motion as long as they bring it nearer to its return."""
-    followed = 0
+    followed, before = 0, 0.0
     for step in range(patience.iterations + POLISHED):
         if shot is None or shot.miss <= SETTLED or (step >= patience.iterations and shot.miss > CLOSED):
             break
+        if shot.miss <= min(NEARLY_SETTLED, FAST * before):
+            break
+        before = shot.miss
         following = _improved(problem, shot, patience.halvings)
         if following is None and shot.miss > CLOSED and followed < patience.followed:
             followed += 1
