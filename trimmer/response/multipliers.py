@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
-
 import numpy as np
 import scipy.linalg
+from scipy.linalg import lapack
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.motion.flow import Flow
@@ -32,7 +31,7 @@ def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:
     values = values[np.argsort(-abs(values), kind="stable")]
     rounding = ROUNDING * (1 + len(shot.course.events)) + min(shot.miss, CLOSED)
     margins = np.zeros(len(values))
-    for each, condition in zip(*_conditions(matrix), strict=True):
+    for each, condition in zip(*_conditions(matrix), strict=True) if len(values) else ():
         nearest = np.argmin(abs(values - each) + (margins > 0) * abs(values).max())
         margins[nearest] = rounding * condition
     return values, margins
@@ -81,13 +80,14 @@ def _conditions(matrix: Reals) -> tuple[Complexes, Reals]:
     a projection first (Golub and Van Loan, Matrix Computations, 2013, section 7.2). The units are such that
     rows and columns are of one size: sizes at events say little where there are few.
     """
-    with np.errstate(all="ignore"):  # SciPy takes scales for places.
-        balanced = scipy.linalg.matrix_balance(matrix, permute=False)[0]
+    # LAPACK itself: what SciPy checks about it takes longer than these small matrices.
+    balanced = lapack.dgebal(matrix, scale=1, permute=0)[0]
     schur, count = _sorted_schur(balanced)
     large, rest, beside = schur[:count, :count], schur[count:, count:], schur[:count, count:]
     lean = 0.0
     if 0 < count < len(matrix):
-        lean = float(np.linalg.norm(scipy.linalg.solve_sylvester(large, -rest, beside)))
+        solution, scale, _ = lapack.ztrsyl(large, rest, beside, isgn=-1)
+        lean = float(np.linalg.norm(solution / scale))
     values, vectors = np.linalg.eig(large)
     try:
         left = np.linalg.inv(vectors)
@@ -100,9 +100,10 @@ def _conditions(matrix: Reals) -> tuple[Complexes, Reals]:
 def _sorted_schur(matrix: Reals) -> tuple[Complexes, int]:
     """Return a complex Schur form with the large eigenvalues first, and their number."""
     for far in (FAR, 0.8 * FAR, 1.2 * FAR):  # One that lies just there cannot be sorted.
-        with suppress(np.linalg.LinAlgError):
-            schur, _, count = scipy.linalg.schur(
-                matrix, output="complex", sort=lambda value, far=far: abs(value) >= far
-            )
+        found = lapack.zgees(
+            lambda value, far=far: abs(value) >= far, matrix.astype(complex), compute_v=0, sort_t=1
+        )
+        schur, count, *_, info = found
+        if info == 0:
             return schur, count
     return scipy.linalg.schur(matrix, output="complex")[0], len(matrix)
