@@ -46,6 +46,23 @@ class Course:
         """The motion at the nodes of quadrature."""
         return nodes(self.modes.tables, self.log, self.duration)
 
+    @cached_property
+    def met(self) -> tuple[Integers, Integers]:
+        """Numbers of the modes that it meets, and which of these each row of the log has."""
+        return np.unique(self.log.mode, return_inverse=True)
+
+    @cached_property
+    def points(self) -> tuple[Reals, Integers, Reals]:
+        """Times, rows of the log and states of nodes and of both ends of segments, in their order."""
+        log, nodes = self.log, self.nodes
+        until = np.append(log.start[1:], self.duration)
+        lasting = np.flatnonzero(until > log.start)
+        times = np.concatenate([log.start[lasting], nodes.times, until[lasting]])
+        rows = np.concatenate([lasting, nodes.rows, lasting])
+        order = np.lexsort((times, rows))
+        states = np.concatenate([log.state[lasting], nodes.states, self.segment_ends[lasting]])[order]
+        return times[order], rows[order], states
+
     def states(self, times: Reals) -> Reals:
         """Return the extended states, (times, N), at times, s, that do not decrease."""
         return sample(self.modes.tables, self.log, times)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trimmer.motion.signals import Signal, along, durations, rate, row_of_each
+from trimmer.motion.signals import Signal, along, rate, row_of_each
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
@@ -38,8 +38,9 @@ def extremes(course: Course, signal: Signal) -> tuple[float, float]:
 
 def turning_points(course: Course, signal: Signal) -> TurningPoints:
     """Return a signal at both ends of each segment and at its extremes in between."""
-    times, rows, states = _points(course)
-    slopes = along(course, rate(course.modes, signal), rows, states)
+    times, rows, states = course.points
+    first = row_of_each(course, rate(course.modes, signal))
+    slopes = np.einsum("ij,ij->i", states, first[rows])
     turning = np.flatnonzero((rows[1:] == rows[:-1]) & (slopes[1:] * slopes[:-1] < 0))
     _, firsts = np.unique(rows, return_index=True)
     ends = np.sort(np.concatenate([firsts, firsts[1:] - 1, [len(rows) - 1]]))
@@ -47,34 +48,22 @@ def turning_points(course: Course, signal: Signal) -> TurningPoints:
     if not len(turning):
         return at_ends
     bracket = times[turning], times[turning + 1], slopes[turning], slopes[turning + 1]
-    between = _between(course, signal, rows[turning], bracket)
+    between = _between(course, signal, first, rows[turning], bracket)
     joined = TurningPoints._make(np.concatenate(pair) for pair in zip(at_ends, between, strict=True))
     order = np.lexsort((joined.times, joined.rows))
     return TurningPoints._make(each[order] for each in joined)
 
 
-def _points(course: Course) -> tuple[Reals, Integers, Reals]:
-    """Return times, rows of the log and states of nodes and of both ends of segments, in their order."""
-    log, nodes = course.log, course.nodes
-    lasting = np.flatnonzero(durations(course) > 0)
-    ends = course.segment_ends[lasting]
-    until = np.append(log.start[1:], course.duration)[lasting]
-    times = np.concatenate([log.start[lasting], nodes.times, until])
-    rows = np.concatenate([lasting, nodes.rows, lasting])
-    order = np.lexsort((times, rows))
-    states = np.concatenate([log.state[lasting], nodes.states, ends])[order]
-    return times[order], rows[order], states
-
-
 def _between(
-    course: Course, signal: Signal, rows: Integers, bracket: tuple[Reals, Reals, Reals, Reals]
+    course: Course, signal: Signal, first: Reals, rows: Integers, bracket: tuple[Reals, Reals, Reals, Reals]
 ) -> TurningPoints:
-    """Return a signal where its rate is zero, by Newton's method between two times of unlike slopes."""
+    """Return a signal where its rate is zero, by Newton's method between two times of unlike slopes.
+
+    ``first`` is the functional of the rate in each row of the log.
+    """
     low, high, slope_low, slope_high = (each.copy() for each in bracket)
     modes = course.modes
-    first, second = (
-        row_of_each(course, each)[rows] for each in (rate(modes, signal), rate(modes, rate(modes, signal)))
-    )
+    first, second = first[rows], row_of_each(course, rate(modes, rate(modes, signal)))[rows]
     times = (low * slope_high - high * slope_low) / (slope_high - slope_low)
     for _ in range(NEWTON_STEPS):
         states = course.states(times)

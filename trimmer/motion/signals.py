@@ -85,8 +85,8 @@ def along(course: Course, signal: Signal, rows: Integers, states: Reals) -> Real
 
 def row_of_each(course: Course, signal: Signal) -> Reals:
     """Return the functional of a signal in each row of the log, (rows, N)."""
-    modes, places = np.unique(course.log.mode, return_inverse=True)
-    table = np.array([signal(int(mode)) for mode in modes])
+    modes, places = course.met
+    table = np.array([signal(mode) for mode in modes.tolist()])
     return np.asarray(table[places])
 
 

@@ -78,6 +78,8 @@ def _from_the_middle(flow: Flow, course: Course) -> Course:
     lasts = np.diff(np.append(course.log.start, course.duration))
     longest = int(np.argmax(lasts))
     middle = float(course.log.start[longest] + 0.5 * lasts[longest])
+    if flow.period and flow.modes.system.clockwork is None:
+        return course.turned(middle, (course.begin.phase + middle) % flow.period)
     return flow.timed(flow.timed(course.begin, middle).end, course.duration)
 
 
