@@ -76,7 +76,10 @@ def _held(tables: Tables, slopes: Slopes, mode: int, state: Reals, tangent: Real
 def _step(
     flow: Reals, change: Reals, step: float, terms: int, state: Reals, tangent: Reals, room: Reals
 ) -> None:
-    """Follow a state and its derivative, both (N,), over a step, s, by a term more than the state needs."""
+    """Follow a state and its derivative, both (N,), over a step, s, by a term more than the state needs.
+
+    Both matrices are transposed, so that the inner loop runs over neighbours.
+    """
     size = state.size
     x, y, next_x, next_y = room[0], room[1], room[2], room[3]
     copy(state, size, x)
@@ -84,9 +87,10 @@ def _step(
     for k in range(1, terms + 2):
         for i in range(size):
             next_x[i], next_y[i] = 0.0, 0.0
-            for j in range(size):
-                next_x[i] += flow[i, j] * x[j]
-                next_y[i] += flow[i, j] * y[j] + change[i, j] * x[j]
+        for j in range(size):
+            for i in range(size):
+                next_x[i] += flow[j, i] * x[j]
+                next_y[i] += flow[j, i] * y[j] + change[j, i] * x[j]
         for i in range(size):
             x[i], y[i] = next_x[i] * step / k, next_y[i] * step / k
             state[i] += x[i]
@@ -102,10 +106,15 @@ def _go_on(
     parts = parted(tables.step[now], tables.terms[now], duration)
     if slopes.flows[now]:
         steps, fraction, count = parts
+        size = state.size
+        flow, change = terms[4 : 4 + size], terms[4 + size :]
+        for i in range(size):
+            for j in range(size):
+                flow[j, i], change[j, i] = tables.flow[now, i, j], slopes.flow[now, i, j]
         for k in range(steps + 1):
             length = tables.step[now] * (1.0 if k < steps else fraction)
             most = tables.terms[now, 0] if k < steps else count
-            _step(tables.flow[now], slopes.flow[now], length, most, state, tangent, terms)
+            _step(flow, change, length, most, state, tangent, terms)
     else:
         fly(tables.screen[now], tables.series[now], parts, state, room.terms)
         fly(tables.screen[now], tables.series[now], parts, tangent, room.terms)
@@ -225,7 +234,7 @@ class ValueChange:
         tables, size = modes.tables, log.state.shape[1]
         if tables.rows is not None:
             tables = _dense(modes, log)
-        both, room, terms = np.zeros((2, size)), room_for(0, 0, size), np.empty((4, size))
+        both, room, terms = np.zeros((2, size)), room_for(0, 0, size), np.empty((4 + 2 * size, size))
         own, other = modes.system.layout, self.other.layout
         if (own.phasors != other.phasors).any():  # as where the phase of the drive is varied
             phase = self.course.begin.phase
