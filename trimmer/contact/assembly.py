@@ -62,7 +62,7 @@ def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -
     rubbing, walls = machine.of_frictions(statuses), machine.of_walls(statuses)
     resting = np.array([each == RESTS for each in walls], dtype=bool)
     sticking = np.flatnonzero([*(each == STICK for each in rubbing), *resting])
-    holds = machine.holds
+    held = tuple(machine.holds[sticking].tolist()) if len(sticking) else ()
     if len(sticking):
         every = machine.hold_rate
         tree = sticking[independent(every[sticking, bodies : 2 * bodies])]
@@ -87,7 +87,7 @@ def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -
         flow,
         tuple(functions),
         hold if not resting.any() else hold @ at_walls(machine, np.flatnonzero(resting)),
-        held=tuple(holds[sticking].tolist()),
+        held=held,
         settled=(*(FREE if each == RELAXING else each for each in statuses[:contacts]), *statuses[contacts:]),
         decay=np.array(decay),
         decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
