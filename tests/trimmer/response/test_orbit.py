@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -122,6 +123,20 @@ def test_work_and_losses_of_a_period_are_equal(name: str) -> None:
         part = orbit.mechanism.frictions[friction]
         if part.viscous == 0:
             assert measured.work == pytest.approx(energy.frictions[friction], rel=1e-10)
+
+
+def test_an_orbit_asked_for_again_is_that_of_a_machine_that_nothing_is_known_of() -> None:
+    again, other = twin(1.0), twin(0.5)
+    guess = 1.01 * forced_orbit(again).instant.state
+    forced_orbit(other, guess=guess)  # Meets the modes in another order.
+    with ThreadPoolExecutor() as pool:
+        beside = pool.submit(forced_orbit, again, guess=guess).result()
+    known, fresh = forced_orbit(again, guess=guess), forced_orbit(twin(1.0), guess=guess)
+    for orbit in (beside, known, forced_orbit(again, guess=guess)):
+        assert orbit.instant.state.tobytes() == fresh.instant.state.tobytes()
+        assert orbit.multipliers.tobytes() == fresh.multipliers.tobytes()
+        assert orbit.measures.peak_to_peak == fresh.measures.peak_to_peak
+    assert again == twin(1.0)
 
 
 def test_what_cannot_repeat_is_named() -> None:
