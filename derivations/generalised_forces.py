@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy
 
-from derivations.mechanism import Mechanism, elongation, position
+from derivations.mechanism import Mechanism, displacement, elongation
 
 
 def virtual_work(mechanism: Mechanism, displacements: tuple[sympy.Expr, ...]) -> sympy.Expr:
@@ -17,7 +17,7 @@ def virtual_work(mechanism: Mechanism, displacements: tuple[sympy.Expr, ...]) ->
     works = (
         *(-contact.tension * _variation(elongation(contact), moved) for contact in mechanism.contacts),
         *(-friction.force * _variation(elongation(friction), moved) for friction in mechanism.frictions),
-        *(force.value * _variation(position(force.on), moved) for force in mechanism.forces),
+        *(force.value * _variation(displacement(force), moved) for force in mechanism.forces),
     )
     return sympy.Add(*works)
 

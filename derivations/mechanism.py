@@ -13,6 +13,7 @@ import sympy
 from derivations import symbols
 from derivations.parts import (
     Contact,
+    Control,
     Damper,
     End,
     Force,
@@ -45,6 +46,7 @@ class Mechanism:
         outputs: What is asked for.
         points: All points on levers and behind gears.
         structures: All linear parts given by matrices.
+        controls: What controllers give, each of which is among the forces.
     """
 
     bodies: tuple[RigidBody, ...]
@@ -57,6 +59,7 @@ class Mechanism:
     outputs: tuple[Output, ...] = ()
     points: tuple[Point, ...] = ()
     structures: tuple[Structure, ...] = ()
+    controls: tuple[Control, ...] = ()
 
     @property
     def resistances(self) -> tuple[Damper, ...]:
@@ -85,6 +88,11 @@ def position(end: End) -> sympy.Expr:
             return sympy.Add(*(weight * body.coordinate for body, weight in end.weights))
         case Pin():
             return position(end.carrier) + end.displacement
+
+
+def displacement(force: Force) -> sympy.Expr:
+    """Return the displacement along which a given force does work, m."""
+    return position(force.on) - position(force.against)
 
 
 def elongation(joint: Joint) -> sympy.Expr:

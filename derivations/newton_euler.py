@@ -41,7 +41,12 @@ def require_newton_euler(mechanism: Mechanism) -> None:
 
 
 def _force_on(body: RigidBody, mechanism: Mechanism) -> sympy.Expr:
-    force = sympy.Add(*(given.value * _passed(given.on, body) for given in mechanism.forces))
+    force = sympy.Add(
+        *(
+            given.value * (_passed(given.on, body) - _passed(given.against, body))
+            for given in mechanism.forces
+        )
+    )
     for joint, tension in _tensions(mechanism):
         force += tension * _passed(joint.start, body) - tension * _passed(joint.end, body)
     return force

@@ -5,7 +5,7 @@ Units are those of translations; a rotation has rad in place of m, N m of N, kg 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 import sympy
@@ -276,11 +276,30 @@ class Force:
         on: The body or point.
         value: The force, N, a function of time.
         law: The same written out over time; None where it is left open.
+        against: What the opposite of the force acts on; the ground takes it without moving.
     """
 
-    on: RigidBody | Point
+    on: RigidBody | Point | Ground
     value: sympy.Expr
     law: sympy.Expr | None = None
+    against: RigidBody | Point | Ground = field(default_factory=Ground)
+
+
+@dataclass(frozen=True)
+class Control:
+    """What a controller gives: a force that stands among the given ones.
+
+    Attributes:
+        name: What it is, in words.
+        value: The force, N, a function of time.
+        told: What it measures and follows, in a sentence.
+        lines: Its law in formulas, LaTeX, with numbers in SI units.
+    """
+
+    name: str
+    value: sympy.Expr
+    told: str
+    lines: tuple[str, ...]
 
 
 @dataclass(frozen=True)

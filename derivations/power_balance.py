@@ -11,7 +11,7 @@ import sympy
 
 from derivations.energies import kinetic_energy, potential_energy, rayleigh_function
 from derivations.equations_of_motion import inertial_forces, resultant_forces
-from derivations.mechanism import Mechanism, elongation, elongation_rate, position
+from derivations.mechanism import Mechanism, displacement, elongation, elongation_rate
 from derivations.parts import Friction, Pin, Tensioned
 from derivations.symbols import t
 
@@ -51,7 +51,7 @@ def power_balance(mechanism: Mechanism) -> PowerBalance:
     potential, dissipation = potential_energy(mechanism), rayleigh_function(mechanism)
     inputs = (
         *(pin.displacement.diff(t) * _pin_force(pin, mechanism) for pin in mechanism.pins),
-        *(force.value * position(force.on).diff(t) for force in mechanism.forces),
+        *(force.value * displacement(force).diff(t) for force in mechanism.forces),
     )
     input_power = sympy.Add(*inputs)
     rates = [body.coordinate.diff(t) for body in mechanism.bodies]

@@ -22,7 +22,7 @@ from derivations.narrative import (
     euler_lagrange_equation,
     symmetric_matrices,
 )
-from derivations.parts import ContactLaw, End, Output, Play
+from derivations.parts import ContactLaw, Control, End, Output, Play
 from derivations.step import Formula, NarrativeStep
 from derivations.symbols import t
 
@@ -62,6 +62,7 @@ def mechanism_narrative(derivation: MechanismDerivation) -> tuple[NarrativeStep,
         *map(_curve_law, derivation.curves),
         *(_wall_law(derivation, each) for each in derivation.walls),
         *map(_friction_law, derivation.frictions),
+        *map(_control_law, mechanism.controls),
         _checks(derivation),
     )
 
@@ -324,6 +325,15 @@ def _friction_law(statement: FrictionStatement) -> NarrativeStep:
         "velocity at zero, which is the last line, as long as that is not more than the static force. Where "
         "several frictions stick, these lines hold together." + (viscous if friction.viscous != 0 else ""),
         tuple(formulas),
+    )
+
+
+def _control_law(control: Control) -> NarrativeStep:
+    return NarrativeStep(
+        f"control-{control.value.func.__name__}",
+        f"Controller: {control.name}",
+        control.told,
+        tuple(map(Formula, control.lines)),
     )
 
 

@@ -26,7 +26,6 @@ from trimmer.in_symbols.printed_symbols import (
 )
 from trimmer.in_symbols.structure_symbols import DAMPING_RATIO, FREQUENCY
 from trimmer.in_symbols.translation import Translation
-from trimmer.mechanism.control_checks import require_uncontrolled
 from trimmer.mechanism.mechanism import Mechanism
 
 UNITS = {unit.text: unit for unit in vars(symbols).values() if isinstance(unit, Unit)}
@@ -68,10 +67,9 @@ def symbolic_mechanism(mechanism: Mechanism) -> SymbolsOfMechanism:
     Symbols are those that its parts carry, and others like them; coefficients that are zero stay zero.
 
     Raises:
-        MechanismError: if it has controllers, two symbols of its parts print the same, or one is used by the
+        MechanismError: if two symbols of its parts print the same, or one is used by the
             derivation itself.
     """
-    require_uncontrolled(mechanism.controllers, "the derivation")
     printed = printed_symbols(mechanism)
     translated = Translation(mechanism, printed).mechanism()
     occurring = _occurring(translated)

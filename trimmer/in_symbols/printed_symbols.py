@@ -130,6 +130,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
             Stem("waveform", "W", "waveform of %s", "N"),
             Stem("profile", "Q", "profile of %s over time", "N"),
         ),
+        "controllers": (Stem("value", "u", "force of the controller %s", "N"),),
         "points": (Stem("displacement", "p", "displacement of %s", "m"),),
         "drives": (Stem("omega", "omega", "angular frequency of the drive %s", "rad/s"),),
         "outputs": (Stem("value", "y", "output %s", "m"),),

@@ -13,12 +13,13 @@ from derivations.algebra.unevaluated import product, total
 from derivations.mechanism import Mechanism as SymbolicMechanism
 from derivations.mechanism import elongation, elongation_rate
 from derivations.symbols import t
+from trimmer.in_symbols.controllers import controls_of
 from trimmer.in_symbols.printed_symbols import WEIGHT, Place, PrintedSymbol
 from trimmer.in_symbols.structures import StructuresInSymbols
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.number_rows import value_at
-from trimmer.mechanism.parts import GROUND, Curve, Force, Output, Pin, Play, Stop, Wall
+from trimmer.mechanism.parts import GROUND, Curve, Force, Output, OutputKind, Pin, Play, Stop, Wall
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,11 @@ class Translation:
                 for name, friction in self.data.frictions.items()
                 if friction.static_force != 0
             ),
-            forces=tuple(self._force(name, force, moved) for name, force in self.data.forces.items()),
+            forces=(
+                *(self._force(name, force, moved) for name, force in self.data.forces.items()),
+                *(self._control(name, carriers) for name in self.data.controllers),
+            ),
+            controls=tuple(controls_of(self.data, self._function)),
             outputs=tuple(self._output(name, output, ends) for name, output in self.data.outputs.items()),
             points=tuple(points.values()),
             structures=structures.structures,
@@ -116,12 +121,24 @@ class Translation:
         law = total(constant, wave if height != 0 else 0, *self._further("forces", name, force), *profile)
         return parts.Force(moved[force.on], self._function("forces", name, "value"), law)
 
+    def _control(
+        self, name: str, carriers: Mapping[str, parts.RigidBody | parts.Point | parts.Ground]
+    ) -> parts.Force:
+        start, end = self.data.controllers[name].acts
+        value = self._function("controllers", name, "value")
+        return parts.Force(carriers[end], value, against=carriers[start])
+
     def _output(self, name: str, output: Output, ends: Mapping[str, Any]) -> parts.Output:
         weights = tuple(
             (ends[end], sympy.nsimplify(weight, rational=True)) for end, weight in output.weights.items()
         )
-        force = None if output.part is None else self._force_of(output.part, ends)
-        return parts.Output(self._function("outputs", name, "value"), weights, output.kind.value or 0, force)
+        force = None
+        if output.kind is OutputKind.CONTROL:
+            force = self._function("controllers", str(output.part), "value")
+        elif output.part is not None:
+            force = self._force_of(output.part, ends)
+        order = 0 if force is not None else output.kind.value
+        return parts.Output(self._function("outputs", name, "value"), weights, order, force)
 
     def _force_of(self, part: str, ends: Mapping[str, parts.End]) -> sympy.Expr:
         """Return the force of a link, play, stop, wall or friction."""
