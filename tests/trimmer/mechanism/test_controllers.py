@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import control
+import numpy as np
 import pytest
 
 from trimmer import Mechanism, MechanismError
@@ -196,3 +197,52 @@ def test_controllers_in_python() -> None:
     assert Mechanism.from_toml_text(mechanism.to_toml()) == mechanism
     with pytest.raises(MechanismError, match=r"controllers\.lead = .*: give one of the controllers"):
         Mechanism(**parts, controllers={"lead": {"kind": "pid"}})
+
+
+@pytest.mark.parametrize(
+    ("text", "law"),
+    [
+        (
+            axis(kp="2", ki="-3", kd="4", filter_time="1e-6", limit="5", tracking="2"),
+            (
+                r"\dot I = (-3)\,e + \frac{1}{2}\,(\operatorname{sat}(w) - w)",
+                r"w = 2\,e + I + 4\,\frac{e - z}{1 \cdot 10^{-6}}",
+                r"\operatorname{sat}(w) = \max(-5, \min(5, w))",
+            ),
+        ),
+        (
+            cascade(kp="2", kv="3", ti="4", feedforward="5"),
+            (r"f = 2\,e + 5\,\dot r - v", r"\dot I = \frac{3}{4}\,f"),
+        ),
+        (
+            transfer(numerator="[1, 0, 2]", denominator="[3, 4, 5]"),
+            (r"\frac{1\,s^{2} + 2}{3\,s^{2} + 4\,s + 5}",),
+        ),
+        (
+            axis(ki="2", sample="1e-3", delay="2e-3"),
+            (r"w_k = I_{k-1} + 2\,h\,e_k", r"\text{for } t_k + 0.002 \le t < t_{k+1} + 0.002"),
+        ),
+    ],
+)
+def test_laws_are_told_with_the_equations(text: str, law: tuple[str, ...]) -> None:
+    from trimmer.code_generation import derive_mechanism_sources
+
+    found = derive_mechanism_sources(Mechanism.from_toml_text(text))
+    assert all(line in found.latex for line in (*law, r"\section{Controller: axis}"))
+    # On the rack and the slide no other force is given.
+    names: dict[str, object] = {}
+    exec(found.module, names)
+    directions = names["given_force_directions"]
+    assert callable(directions)
+    assert np.array(directions(1, 2, 3, 4)).tolist() == [[1.0], [0.0]]
+
+
+def test_both_ends_take_the_force_in_the_equations() -> None:
+    from trimmer.code_generation import derive_mechanism_sources
+
+    text = axis(kp="1", acts='["rack", "slide"]')
+    names: dict[str, object] = {}
+    exec(derive_mechanism_sources(Mechanism.from_toml_text(text)).module, names)
+    directions = names["given_force_directions"]
+    assert callable(directions)
+    assert np.array(directions(1, 2, 0.3, 4)).tolist() == [[-0.3], [1.0]]
