@@ -144,7 +144,8 @@ def quantities(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> dict[Pl
         for name, part in content[section].items():
             numbers = numbers_of(content, kinds, section, name)
             for key, number in numbers.items():
-                if key != "pade" and value_of(part, (key,)) is not None:
+                undelayed = key == "delay" and part.sample is None and part.pade is None
+                if key != "pade" and not undelayed and value_of(part, (key,)) is not None:
                     found[section, name, key] = number
             for key in ROWS:
                 for count in range(1, len(getattr(part, key, ())) + 1):
