@@ -8,6 +8,8 @@ import numpy as np
 
 from trimmer.contact.control_limits import first_control, limited
 from trimmer.contact.statuses import AT_LOWER, AT_UPPER
+from trimmer.hybrid.clock import TICKED
+from trimmer.motion.extremes import largest
 from trimmer.motion.part import Part
 from trimmer.motion.signals import Steady
 
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
+    from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 
 
@@ -37,9 +40,25 @@ def control_signal(modes: Modes[MechanismSystem], name: str) -> Signal:
     return row
 
 
-def demand_signal(modes: Modes[MechanismSystem], name: str) -> Signal:
-    """Return what a controller demands, N, before its limit."""
-    return Steady(modes.system.machine.control_demand[modes.system.layout.controllers.index(name)])
+def largest_demand(course: Course, name: str) -> float:
+    """Return the largest modulus of what a controller demands in a motion before its limit, N or N m."""
+    layout, machine = course.modes.system.layout, course.modes.system.machine
+    if name in layout.held:
+        return float(abs(_sampled_demands(course, list(layout.held).index(name))).max(initial=0.0))
+    return largest(course, Steady(machine.control_demand[layout.controllers.index(name)]))
+
+
+def _sampled_demands(course: Course, sampler: int) -> Reals:
+    """Return what a sampled controller demands at each sample: of what was measured, and held before it."""
+    assert course.modes.samplings is not None
+    log, clock = course.log, course.modes.samplings.clock
+    count, held = len(clock.limit), course.modes.system.layout.holding
+    ticks = np.flatnonzero(log.function <= TICKED)
+    sampled = (TICKED - log.function[ticks]) >> count
+    rows = ticks[(sampled >> 2 * (count - 1 - sampler)) % 4 > 0]
+    states, before = log.state[rows].copy(), np.maximum(rows - 1, 0)
+    states[:, held] = np.where((rows > 0)[:, None], log.state[before][:, held], 0.0)
+    return np.asarray(np.einsum("ij,ij->i", clock.demand[log.mode[before], sampler], states))
 
 
 def parts_of_controls(names: tuple[str, ...]) -> Iterator[Part]:

@@ -36,6 +36,11 @@ def extremes(course: Course, signal: Signal) -> tuple[float, float]:
     return float(values.min()), float(values.max())
 
 
+def largest(course: Course, signal: Signal) -> float:
+    """Return the largest modulus of a signal over a motion, in its unit."""
+    return max(map(abs, extremes(course, signal)))
+
+
 def turning_points(course: Course, signal: Signal) -> TurningPoints:
     """Return a signal at both ends of each segment and at its extremes in between."""
     times, rows, states = course.points

@@ -15,7 +15,7 @@ import numpy as np
 from trimmer.hybrid.nodes import sample
 from trimmer.hybrid.work import Log
 from trimmer.linear.extrema import polished_root
-from trimmer.motion.extremes import TurningPoints, extremes, turning_points
+from trimmer.motion.extremes import TurningPoints, largest, turning_points
 from trimmer.motion.signals import along
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def step_measures(
     *,
     settled_mean: float | None = None,
     control: Signal | None = None,
-    demand: Signal | None = None,
+    largest_demand: float | None = None,
 ) -> StepMeasures:
     """Return how a signal follows a step of its reference.
 
@@ -80,7 +80,7 @@ def step_measures(
         settled_mean: Mean of the signal in the cycle that it settles to; the end of the motion counts if not
             given.
         control: What acts.
-        demand: What is asked for before the limit.
+        largest_demand: Largest modulus of what is asked for before the limit.
 
     Raises:
         ValueError: if the step is 0 or does not lie within the motion.
@@ -98,13 +98,9 @@ def step_measures(
         overshoot=100 * max(float(pieces.points.values.max()) / size - 1, 0.0),
         settling_time=None if settling is None else settling - step.at,
         final_error=step.size - final,
-        largest_control=_largest(course, control),
-        largest_demand=_largest(course, demand),
+        largest_control=None if control is None else largest(course, control),
+        largest_demand=largest_demand,
     )
-
-
-def _largest(course: Course, signal: Signal | None) -> float | None:
-    return None if signal is None else max(map(abs, extremes(course, signal)))
 
 
 def _from(course: Course, signal: Signal, begin: float, sign: float) -> TurningPoints:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arguments import require_instance
-from trimmer.contact.control_readouts import control_signal, demand_signal
+from trimmer.contact.control_readouts import control_signal, largest_demand
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.references import StepReference
@@ -28,6 +28,10 @@ from trimmer.showing.table import Table, attributes
 
 STRETCHES = (5, 20, 80, 320, 1280)
 """How long is followed after a step until it is seen to have settled, in periods of the slowest mode."""
+STILL = 1e-12
+"""Share of its largest value by which an output moves at most that has come to rest."""
+SEEN = 1000
+"""Instants at which it is looked at."""
 SETTLED = 1e-6
 """Share of its size by which a motion may still miss the cycle that it settles to."""
 
@@ -42,6 +46,7 @@ class StepResponse(Tabular):
         step: Its step.
         motion: The motion, from its start on.
         settles_to: What the mechanism settles to with the last value of the reference.
+        cycles: Whether that is a cycle, to whose mean the error is told.
     """
 
     reference: str
@@ -49,6 +54,7 @@ class StepResponse(Tabular):
     step: Step
     motion: MechanismMotion
     settles_to: Response
+    cycles: bool
 
     @property
     def output(self) -> str:
@@ -67,14 +73,13 @@ class StepResponse(Tabular):
     def measures(self) -> StepMeasures:
         """How the output follows; in a cycle the final error is that of its mean."""
         flow, course = self.motion.flow, self.motion.course
-        still = self.settles_to.kind in (MotionKind.REST, MotionKind.DIVERGING, MotionKind.UNDECIDED)
         return step_measures(
             course,
             flow.outputs[self.output].signal,
             self.step,
-            settled_mean=None if still else self.settles_to.motion.mean.get(self.output),
+            settled_mean=self.settles_to.motion.mean.get(self.output) if self.cycles else None,
             control=control_signal(flow.modes, self.controller),
-            demand=demand_signal(flow.modes, self.controller),
+            largest_demand=largest_demand(course, self.controller),
         )
 
     def _told(self) -> str:
@@ -119,7 +124,9 @@ def step_response(
         motion = simulate(mechanism, length)
         if not motion.success or _has_settled(motion, settles_to, output):
             break
-    return StepResponse(reference, follower, step, motion, settles_to)
+    # A torus is left out where a given duration may end before it.
+    kinds = (MotionKind.PERIODIC, *((MotionKind.TORUS, MotionKind.CHAOTIC) if duration is None else ()))
+    return StepResponse(reference, follower, step, motion, settles_to, settles_to.kind in kinds)
 
 
 def _step(mechanism: Mechanism, name: str) -> Step:
@@ -165,7 +172,10 @@ def _lengths(mechanism: Mechanism, response: Response, at: float) -> Iterator[fl
 def _has_settled(motion: MechanismMotion, response: Response, output: str) -> bool:
     settled, course = response.motion, motion.course
     if settled.rest is not None:
-        return rest_after(motion.flow, course) is not None
+        # What creeps to rest for ever stands still to rounding.
+        late = motion.output(output, np.linspace(0.5, 1.0, SEEN) * course.duration)
+        still = float(np.ptp(late)) <= STILL * abs(late).max()
+        return still or rest_after(motion.flow, course) is not None
     orbit = settled.orbit
     if orbit is None:
         return True

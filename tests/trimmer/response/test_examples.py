@@ -32,10 +32,11 @@ REPEATING = {
     "bouncing-ball": 1,
     "brake-squeal": 2,
     "stiction-pid": 4,
+    "two-mass-servo": 12,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
-OTHERS = {"second-play", "thrown-body", "contactor"}
-"""A torus, see ``test_respond``; a body that flies away; and what is switched, and only simulated."""
+OTHERS = {"second-play", "thrown-body", "contactor", "sampled-axis"}
+"""A torus, see ``test_respond``; a body that flies away; what is switched, and only simulated; what rests."""
 
 
 def test_each_example_is_here() -> None:
@@ -55,6 +56,11 @@ def test_what_flies_away_diverges() -> None:
     response = respond(example("thrown-body"))
     assert (response.kind, response.success) == (MotionKind.DIVERGING, True)
     assert "in proportion to the time" in response.message
+
+
+def test_the_sampled_axis_comes_to_rest_at_its_reference() -> None:
+    rest = respond(example("sampled-axis")).motion.rest
+    assert (rest.positions["motor"], rest.positions["load"]) == pytest.approx((0.5, 0.5), rel=1e-9)
 
 
 def test_the_contactor_bounces_twice_and_opens_again() -> None:

@@ -111,6 +111,50 @@ def test_the_integral_follows_the_limit_as_a_second_program_says() -> None:
     assert asdict(found.measures) == pytest.approx(expected, rel=1e-11, abs=1e-12)
 
 
+SAMPLED = """
+[bodies]
+motor = { inertia = 0.0002 }
+load = { inertia = 0.0005 }
+[links]
+shaft = { between = ["motor", "load"], stiffness = 80.0, damping = 0.02 }
+bearing = { between = ["ground", "motor"], damping = 0.001 }
+guide = { between = ["ground", "load"], damping = 0.001 }
+[outputs]
+angle = { motor = 1 }
+torque = { control = "axis" }
+[controllers.axis]
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kind = "pid"
+kp = 1.5
+ki = 10.0
+kd = 0.04
+filter_time = 0.002
+sample = 0.001
+delay = 0.0005
+[references]
+path = { step = 0.5, at = 0.0102 }
+"""
+
+
+def test_a_sampled_controller_follows_as_a_second_program_says() -> None:
+    """servo.json, sampled_pid_linear_delay_half: exact discretisation in mpmath."""
+    expected = {
+        "rise_time": 0.016767285248646548,
+        "overshoot": 32.05678031180228,
+        "settling_time": 0.1601635701218646,
+        "final_error": 0.0006630325616178157,
+        "largest_control": 7.421666666666667,
+        "largest_demand": 7.421666666666667,
+    }
+    found = step_response(Mechanism.from_toml_text(SAMPLED), "path", duration=0.4)
+    assert asdict(found.measures) == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    slower = Mechanism.from_toml_text(SAMPLED.replace("kp = 1.5", "kp = 1.5\nlimit = 2.0"))
+    limited = step_response(slower, "path", duration=0.4).measures
+    assert (limited.largest_control, limited.largest_demand) == pytest.approx((2.0, 7.421666666666667))
+
+
 def test_what_hunts_has_the_error_of_its_mean() -> None:
     """servo.json, hunting_one_mass_static_friction; by symmetry the mean is the reference."""
     found = step_response(Mechanism.from_toml_text(STICTION), "path")

@@ -65,12 +65,12 @@ COMMAND = Command(
     _run,
     examples=(
         Example(
-            "trimmer step examples/stiction-pid.toml --reference path --duration 2 --plot step.svg",
-            "how a motor with stiction follows a step under a PID, and that it hunts; and a picture of it",
+            "trimmer step examples/two-mass-servo.toml --reference path --plot step.svg",
+            "how a servo with backlash follows a step, and that it hunts; and a picture of it",
         ),
         Example(
             "trimmer step examples/stiction-pid.toml --reference path --set controllers.axis.ki=0",
-            "the same without an integral: it comes to rest, with an error",
+            "how a motor with stiction follows it without an integral: it comes to rest, with an error",
         ),
     ),
 )
