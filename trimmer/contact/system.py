@@ -34,11 +34,6 @@ class MechanismSystem:
     clockwork: Clockwork | None = None
 
     @property
-    def contact_count(self) -> int:
-        """Number m of contacts."""
-        return len(self.machine.stiffness)
-
-    @property
     def part_count(self) -> int:
         """Number of contacts, frictions, curves and walls."""
         return first_wall(self.machine) + len(self.machine.restitution)

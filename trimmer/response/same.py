@@ -119,11 +119,6 @@ def twins(orbit: Orbit, other: Orbit) -> bool:
     )
 
 
-def keeps_symmetry(orbit: Orbit) -> bool | None:
-    """Return whether an orbit is its own mirror image; None if the mechanism has none."""
-    return twins(orbit, orbit) if orbit.periods and orbit.flow.is_mirror_symmetric else None
-
-
 def mirrored(orbit: Orbit) -> Reals:
     """Return the strobed states of the mirror image of an orbit, (periods, n)."""
     times = orbit.flow.period * (0.5 + np.arange(orbit.periods, dtype=np.float64))

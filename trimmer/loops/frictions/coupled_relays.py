@@ -48,13 +48,6 @@ class CoupledRelays:
             return cls((), nothing, nothing, nothing)
         return cls(members, directions, scales, np.array([_level(system, k) for k in members]))
 
-    @property
-    def most_event_functions(self) -> int:
-        """Bound of the number of event functions of all members together, in any mode."""
-        if not self.members:
-            return 0
-        return len(self.members) + 2 * len(self._facets[tuple(range(len(self.members)))])
-
     def held(self, component_modes: tuple[int, ...]) -> Flags:
         """Return which members are held."""
         return np.array([component_modes[k] == HELD for k in self.members], dtype=bool)
