@@ -46,6 +46,7 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "one_sided": motion.orbit is not None and motion.orbit.one_sided,
         "other_multipliers": _other_multipliers(motion),
         "rest": None if motion.rest is None else rest_json(motion.rest),
+        "family": _is_one_of_many(motion),
         "outputs": {name: _output(motion, name) for name in motion.peak_to_peak},
         "bodies": {name: _body(each) for name, each in motion.rms_acceleration.items()},
         "contacts": {} if motion.measures is None else _contacts(motion.measures),
@@ -57,6 +58,12 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "spectrum": _spectrum(motion),
         "message": motion.message,
     }
+
+
+def _is_one_of_many(motion: SettledMotion) -> bool:
+    """Say whether a rest, or a motion that repeats, is one of a family side by side."""
+    of_rest = motion.rest is not None and motion.rest.family
+    return of_rest or (motion.orbit is not None and motion.orbit.neutral)
 
 
 def _other_multipliers(motion: SettledMotion) -> list[list[float]] | None:

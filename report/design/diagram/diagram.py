@@ -231,6 +231,8 @@ class _Drawing:
                 symbols.wall(self.axes, left, right, y, pulls=not run.turned)
             case "frictions":
                 symbols.sliding(self.axes, left, right, y)
+            case "controllers":
+                symbols.actuator(self.axes, left, right, y)
 
     def name(self, run: Run, x: float, y: float) -> None:
         """Write name and main number of a part above and below it."""
@@ -250,6 +252,7 @@ class _Drawing:
             "plays": lambda: f"gap {shown(part.gap, unit('m'))}" if part.gap else "no gap",
             "stops": lambda: f"gap {shown(part.gap, unit('m'))}" if part.gap else "no gap",
             "walls": lambda: f"restitution {part.restitution:.3g}",
+            "controllers": lambda: f"by {plain_label(part.measure, SHORT)}",
             "frictions": lambda: (
                 shown(part.kinetic_force, unit("N"))
                 if part.kinetic_force

@@ -104,6 +104,10 @@ def joints_of(mechanism: Mechanism) -> Iterator[Joint]:
                 first, second = (box_of(mechanism, end) for end in part.between)
                 if first != second:  # what joins two ends of a structure is inside of its box
                     yield Joint(section, name, part.between, (first, second))
+    for name, controller in mechanism.controllers.items():
+        first, second = (box_of(mechanism, end) for end in controller.acts)
+        if first != second:
+            yield Joint("controllers", name, controller.acts, (first, second))
     for name, point in mechanism.points.items():
         for of, weight in point.weights.items():
             if weight != 0:

@@ -85,6 +85,15 @@ def sliding(axes: Axes, left: float, right: float, y: float) -> None:
         axes.plot([x - 0.04, x + 0.04], [y + step + 0.09, y + step + 0.02], **(FRICTION | {"linewidth": 0.8}))
 
 
+def actuator(axes: Axes, left: float, right: float, y: float) -> None:
+    """Draw what a controller acts with: a circle with its force u."""
+    middle, radius = 0.5 * (left + right), 0.13
+    axes.plot([left, middle - radius], [y, y], **LINE, zorder=1)
+    axes.plot([middle + radius, right], [y, y], **LINE, zorder=1)
+    disc(axes, (middle - radius, y - radius), (2 * radius, 2 * radius), "white")
+    axes.text(middle, y, "u", ha="center", va="center", fontsize=8, style="italic", zorder=4)
+
+
 def pin(axes: Axes, edge: float, y: float, sign: int, length: float) -> float:
     """Draw a pin that moves on a body; return where it is.
 
