@@ -22,6 +22,10 @@ from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE, LEVELS
 from trimmer.hybrid.work import Log
 
+MANY_STEPS = 32
+"""Whole steps from which on those of a large system are multiplied with each other, two by two."""
+LARGE = 24
+"""States of such a system."""
 SEVERAL = -2
 """In place of the number of a reset: more than one event at an instant resets the state."""
 
@@ -32,6 +36,7 @@ class Room(NamedTuple):
     Attributes:
         distances: Distances, (n, columns).
         flow: A flow, (n, n).
+        power, other: A power of that of a step, and room for the next one, (n, n); empty in small systems.
         here, there: States before and after an event, (N,).
         before, after: Their rates, (N,).
         terms: Terms of a series, ((K + 1) N,).
@@ -39,6 +44,8 @@ class Room(NamedTuple):
 
     distances: Reals
     flow: Reals
+    power: Reals
+    other: Reals
     here: Reals
     there: Reals
     before: Reals
@@ -49,8 +56,10 @@ class Room(NamedTuple):
 def room_for(states: int, columns: int, size: int) -> Room:
     """Return room for distances of so many states, in an extended state of some size."""
     here, there, before, after = np.empty((4, size))
-    terms = np.empty((DEGREE + 1) * size)
-    return Room(np.empty((states, columns)), np.empty((states, states)), here, there, before, after, terms)
+    terms, square = np.empty((DEGREE + 1) * size), (states if states >= LARGE else 0,) * 2
+    distances, flow = np.empty((states, columns)), np.empty((states, states))
+    powers = np.empty(square), np.empty(square)
+    return Room(distances, flow, *powers, here, there, before, after, terms)
 
 
 @compiled
@@ -135,6 +144,43 @@ def fly(screen: Reals, series: Reals, parts: tuple[int, float, int], vector: Rea
 
 
 @compiled
+def _copy(source: Reals, result: Reals) -> None:
+    """Copy as much of a matrix as fits."""
+    for i in range(result.shape[0]):
+        for j in range(result.shape[1]):
+            result[i, j] = source[i, j]
+
+
+@compiled
+def _square(matrix: Reals, result: Reals) -> None:
+    for i in range(len(matrix)):
+        for j in range(len(matrix)):
+            result[i, j] = 0.0
+        for k in range(len(matrix)):
+            weight = matrix[i, k]
+            for j in range(len(matrix) if weight != 0.0 else 0):
+                result[i, j] += weight * matrix[k, j]
+
+
+@compiled
+def _by_powers(screen: Reals, steps: int, distances: Reals, room: Room) -> int:
+    """Multiply distances by the flow of whole steps, in powers of two; return how many steps are left."""
+    if len(distances) < LARGE or steps < MANY_STEPS:
+        return steps
+    _copy(screen, room.power)
+    while True:
+        if steps % 2:
+            _multiply(room.power, distances, room.distances)
+            _copy(room.distances, distances)
+        steps //= 2
+        if steps == 0:
+            break
+        _square(room.power, room.other)
+        _copy(room.other, room.power)
+    return 0
+
+
+@compiled
 def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: Room) -> None:
     """Multiply distances by the flow of a mode over a duration, s.
 
@@ -144,11 +190,10 @@ def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: R
     now, other = tables.settled[mode], room.distances
     steps, fraction, terms = parted(tables.step[now], tables.terms[now], duration)
     _flow_of(tables.series[now], terms, fraction, count, room.flow)
+    steps = _by_powers(tables.screen[now], steps, distances, room)
     for k in range(steps + 1):
         _multiply(tables.screen[now] if k < steps else room.flow, distances, other)
-        for i in range(count):
-            for c in range(columns):
-                distances[i, c] = other[i, c]
+        _copy(other, distances)
     for part in range(tables.decaying_state.size):
         rate = tables.decayed[now, part]
         if rate > 0.0:

@@ -31,6 +31,10 @@ CAPACITY = 12
 """Modes for which there is room at first."""
 MOST_ENTRIES = 40_000
 """Numbers in the tables of a step of one mode beyond which modes are rows."""
+MOST_OF_DENSE = 400_000
+"""The same where matrices are dense, as those of a structure, and few parts make few modes."""
+MOST_STATUSES = 4
+"""Statuses that a part has, about."""
 MOST_MATRICES = 2_000_000
 """Numbers in the matrices of such modes that are kept; others are assembled anew where they are needed."""
 MOST_BYTES = 2**30
@@ -105,6 +109,21 @@ def _entries(system: System) -> int:
     return size * size * (DEGREE + 4) + 3 * size * functions * (DEGREE + 1)
 
 
+def _is_dense(system: System, mode: Mode, most_bytes: int) -> bool:
+    """Say whether a step of a large system takes fewer products by tables than by rows.
+
+    Args:
+        system: The system.
+        mode: The first of its modes that is met.
+        most_bytes: Memory that the tables of all modes may take.
+    """
+    size, functions, entries = system.layout.size, len(mode.functions), _entries(system)
+    by_tables = size * (size + functions * (DEGREE + 1))
+    modes = min(MOST_STATUSES**system.part_count, most_bytes)
+    fits = entries <= MOST_OF_DENSE and 8 * entries * modes <= most_bytes
+    return fits and bool((DEGREE + 1) * np.count_nonzero(mode.flow) > by_tables)
+
+
 def _empty(system: System, capacity: int, functions: int, is_sparse: bool) -> Tables:
     size, decaying, degree = system.layout.size, system.decaying_states, DEGREE + 1
     tabulated = 0 if is_sparse else size
@@ -166,11 +185,12 @@ class Modes(Generic[_System]):
     _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)
     _known: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
+    _dense: bool = field(default=False, init=False, repr=False)
 
     @cached_property
     def tables(self) -> Tables:
         """Tables of all modes so far; they are replaced where there is no room."""
-        is_sparse = self.may_be_sparse and _entries(self.system) > MOST_ENTRIES
+        is_sparse = self.may_be_sparse and not self._dense and _entries(self.system) > MOST_ENTRIES
         fitting = CAPACITY if is_sparse else self.most_bytes // (8 * _entries(self.system))
         capacity = max(min(fitting, CAPACITY), 1)
         return _empty(self.system, capacity, 2 * self.system.part_count, is_sparse)
@@ -217,6 +237,8 @@ class Modes(Generic[_System]):
         if statuses in self._numbers:
             return self._numbers[statuses]
         mode = self.system.mode(statuses)
+        if "tables" not in vars(self) and _entries(self.system) > MOST_ENTRIES:
+            self._dense = _is_dense(self.system, mode, self.most_bytes)
         settled = self.number(mode.settled) if mode.settled != statuses else None
         number = len(self._statuses)
         self._make_room(number + 1, len(mode.functions))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -15,7 +16,9 @@ from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
 from trimmer import forced_orbit, simulate
+from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.frame import frame_of
+from trimmer.hybrid.propagation import MANY_STEPS
 from trimmer.mechanism import (
     Body,
     Force,
@@ -96,6 +99,42 @@ def test_a_machine_moves_alike_in_other_coordinates(seed: int) -> None:
     assert other.energy.residual < 1e-11
     assert other.energy.loss == pytest.approx(one.energy.loss, rel=1e-7)
     assert other.energy.kinetic == pytest.approx(one.energy.kinetic, rel=1e-7, abs=1e-9 * one.energy.loss)
+
+
+def test_a_large_structure_moves_as_its_bodies_do() -> None:
+    """By tables of dense matrices, many steps at once, as by rows of sparse ones."""
+    names = [f"body {number}" for number in range(26)]
+    links = {
+        f"link {at}": Link((first, second), 4e3 * (1 + 200 * (at == 9)), 1.0)
+        for at, (first, second) in enumerate(pairwise(["ground", *names]))
+    }
+    chain = Mechanism(
+        {name: Body(0.05 if name != "body 9" else 5e-4) for name in names},
+        frequency=30.0,
+        links=links,
+        stops={
+            "first": Stop(("ground", "body 4"), 2e5, 3.0, 2e-4),
+            "second": Stop(("body 20", "ground"), 2e5, 3.0, 2e-4),
+        },
+        forces={"shaker": Force("body 13", amplitude=30.0)},
+        outputs={"y": Output({"body 25": 1.0})},
+    )
+    courses = []
+    for machine in (chain, in_other_coordinates(chain, 1)):
+        flow = MechanismFlow(machine)
+        courses.append(flow.course(flow.rest(), 3))
+    one, other = courses
+    assert [each.modes.tables.rows is None for each in courses] == [False, True]
+    assert [event[1:] for event in one.events] == [event[1:] for event in other.events]
+    assert len(one.events) > 6
+    steps = np.diff(other.times).max() / other.modes.tables.step[other.log.mode].max()
+    assert steps > 4 * MANY_STEPS
+    apart = np.linalg.eigvals(one.monodromy), np.linalg.eigvals(other.monodromy)
+    first, second = (np.sort(abs(each))[::-1][:12] for each in apart)
+    np.testing.assert_allclose(second, first, rtol=1e-6)
+    np.testing.assert_allclose(
+        [event[0] for event in other.events], [event[0] for event in one.events], rtol=1e-9
+    )
 
 
 @pytest.mark.parametrize("seed", quick(range(40), 1))
