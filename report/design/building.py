@@ -26,6 +26,8 @@ class DesignInterruptedError(KeyboardInterrupt):
     """The work on a design was interrupted; the message says how to go on."""
 
 
+MOST_PRINTED = 12
+"""Coordinates of a mechanism up to which its equations are printed: those of 24 fill 30 pages."""
 CACHE = ".kept"
 """Folder beside the report in which each step is kept as soon as it is done."""
 
@@ -110,7 +112,8 @@ def report_on(design: Design, store: StageStore, date: str) -> DesignReport:
 
     mechanism = design.file.mechanism
     keeper = keeper_of(design.file, store)
-    equations = keeper.made("equations", (), lambda: equations_of(mechanism))
+    printed = len(mechanism.coordinates) <= MOST_PRINTED
+    equations = keeper.made("equations", (), lambda: equations_of(mechanism)) if printed else None
     title = shown_characters(mechanism.title or design.file.name)
     return DesignReport(title, pictures(design), origin_of([design.file], date), design, equations)
 

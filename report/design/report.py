@@ -59,7 +59,7 @@ class Report:
 @final
 @dataclass(frozen=True)
 class DesignReport(Report):
-    """The report on one design: what was computed, and the derivation."""
+    """The report on one design: what was computed, and the derivation; without it if that is too long."""
 
     design: Design
-    equations: Equations
+    equations: Equations | None

@@ -33,6 +33,8 @@ REPEATING = {
     "brake-squeal": 2,
     "stiction-pid": 4,
     "two-mass-servo": 12,
+    "jigsaw": 10,
+    "toothbrush": 12,
 }
 """Examples that repeat with their drive, or by themselves, with their events per period."""
 OTHERS = {"second-play", "thrown-body", "contactor", "sampled-axis"}
