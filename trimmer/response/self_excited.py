@@ -23,7 +23,7 @@ from trimmer.response.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.response import MotionKind
 from trimmer.response.rest import Rest
-from trimmer.response.shooting import CLOSED, Return, Shot, sizes_of, solve
+from trimmer.response.shooting import CLOSED, Patience, Return, Shot, sizes_of, solve
 from trimmer.response.solved import Solved, solved
 
 STRETCHES = (20, 80, 320, 1280)
@@ -34,6 +34,8 @@ RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 MOST_TRIED = 6
 """Recurrences that are tried in each stretch, nearest in time first."""
+FROM_NEARBY = Patience(iterations=20, halvings=4, followed=2)
+"""How long an orbit is looked for from a recurrence: a chaotic motion has many near which there is none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,7 +231,8 @@ def _recurring(flow: Flow, course: Course) -> list[Orbit]:
             statuses=statuses,
             zeros=np.zeros_like(course.end.zeros),
         )
-        shot = solve(Return(flow, 0), flow.at(state, like=quiet), float(log.start[last] - begin))
+        duration = float(log.start[last] - begin)
+        shot = solve(Return(flow, 0), flow.at(state, like=quiet), duration, FROM_NEARBY)
         if shot is not None and shot.miss <= CLOSED and not at_rest(shot.course, shot.duration):
             found.append(orbit_of(flow, _once(flow, shot), 0))
             if found[-1].stable:
