@@ -198,7 +198,8 @@ def _target_map(axes: Axes, drawn: DesignMap, target: Target) -> None:
     assert figure is not None
     figure.colorbar(mesh, ax=axes, label=f"[{unit.unit}]")
     bound = target.bound / unit.factor
-    if np.nanmin(shown) < bound < np.nanmax(shown) and min(shown.shape) > 1:
+    known = shown[np.isfinite(shown)]  # nothing is, if no contact closes in any cell
+    if known.size and known.min() < bound < known.max() and min(shown.shape) > 1:
         axes.contour(across, up, shown, levels=[bound], colors="white", linewidths=3.0)
         axes.contour(across, up, shown, levels=[bound], colors=BLACK, linewidths=1.4)
 
