@@ -26,7 +26,9 @@ from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, Link, Output, Pin, Play
 
-EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+FILES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
+# What a controller acts with is a given force there; tests of controllers hold the laws behind it.
+EXAMPLES = [path for path in FILES if "[controllers" not in path.read_text("utf-8")]
 THESIS = next(path for path in EXAMPLES if path.name == "thesis.toml")
 QUICK = ("block-on-belt", "thesis-play")  # of few parts and of many
 MARKED = [pytest.param(each, marks=[] if each.stem in QUICK else pytest.mark.slow) for each in EXAMPLES]
