@@ -15,6 +15,7 @@ from trimmer.maps.result import MotionMap
 from trimmer.motion.chosen import chosen_measure
 from trimmer.progress import progress_bar
 from trimmer.response.flows import flow_of
+from trimmer.response.pace import pace_of
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner, SerialRunner
 
@@ -55,7 +56,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     Args:
         mechanism: The mechanism or loop; it has a drive, or it is a mechanism with controllers.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
-        most_periods: Drive periods to wait at most in each cell.
+        most_periods: Drive periods to wait at most in each cell; 16 samples for one, where these alone drive.
         starts: Starts of each cell; those after the first are random.
         seed: Seed of the random starts; each cell has its own numbers.
         measures: Keys of further measures, such as ``contacts.bridge.impact_speed``: those of the JSON of
@@ -78,7 +79,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
         MapInterruptedError: after an interrupt.
     """
     settings = Settings(
-        whole_number("most_periods", most_periods, 2),
+        whole_number("most_periods", most_periods, 2) * pace_of(mechanism),
         whole_number("starts", starts, 1),
         whole_number("seed", seed, 0),
         tuple(measures),

@@ -68,7 +68,8 @@ def respond(
         state: Where the first start begins, at t = 0: displacement, m, and velocity, m/s, by body, or states
             of a loop by name; or all states, (n,); rest, or the start of the mechanism, if not given.
         starts: Number of starts; those after the first one are random.
-        most_periods: Drive periods to wait for a motion to settle.
+        most_periods: Drive periods to wait for a motion to settle; 16 samples for one, where these alone
+            drive.
         box: Largest modulus of displacement, m, and velocity, m/s, of each body, or of each state of a loop,
             in random starts; what they reach in the first motion if not given.
         seed: Of the random starts; the same one gives the same starts.
@@ -107,7 +108,7 @@ class _Search:
 
     @property
     def _most_periods(self) -> int:
-        return self.most_periods * pace_of(self.flow)
+        return self.most_periods * pace_of(self.flow.subject)
 
     def motion(self, instant: Instant) -> SettledMotion:
         """Return what a start settles to."""
@@ -135,7 +136,7 @@ class _Search:
 
     def _driven(self, instant: Instant) -> SettledMotion:
         settling, most_periods = Settling(self.flow, instant, self.known), self._most_periods
-        longer = most_periods if pace_of(self.flow) > 1 else MORE * most_periods
+        longer = most_periods if pace_of(self.flow.subject) > 1 else MORE * most_periods
         orbit, seen = settling.until_settled(most_periods), None
         if orbit is None and settling.can_go_on and settling.approaches:
             orbit = settling.until_settled(longer)
@@ -146,6 +147,8 @@ class _Search:
             if seen is not None and seen.contracts and self.flow.modes.system.layout.recurrence:
                 orbit = settling.until_settled(longer)
         agrees = self._agrees(instant, orbit, settling.periods) if settling.periods > LONG else None
+        if settling.rest is not None:
+            return replace(at_rest(settling.rest, settling.periods), neighbour_agrees=None)
         if settling.solved is not None:
             return replace(settled_at_last(settling.solved, settling.periods), neighbour_agrees=agrees)
         slow = None if seen is None or seen.leaves else settling.slowly_approached(seen.window.end)

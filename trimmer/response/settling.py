@@ -16,6 +16,8 @@ from trimmer.response.linear_motion import grows_for_ever
 from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.pace import pace_of
 from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
+from trimmer.response.rest import Rest
+from trimmer.response.sampled_rest import sampled_rest
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.solved import Solved, solved
 
@@ -44,6 +46,7 @@ class Settling:
         ending: Why it cannot be followed further, if so.
         solved: What it comes to, if it was seen that no event comes any more.
         grows: Whether it was seen that no event comes any more and it grows for ever.
+        rest: Where it rests under samples that never return together.
     """
 
     flow: Flow
@@ -54,6 +57,7 @@ class Settling:
     ending: Ending = Ending.REACHED_END
     solved: Solved | None = None
     grows: bool = False
+    rest: Rest | None = None
     _quiet: bool = True
 
     def __post_init__(self) -> None:
@@ -62,7 +66,8 @@ class Settling:
     @property
     def can_go_on(self) -> bool:
         """Whether the motion can be followed further, and is not known for all time."""
-        return self.ending is Ending.REACHED_END and self.solved is None and not self.grows
+        known = self.solved is not None or self.rest is not None or self.grows
+        return self.ending is Ending.REACHED_END and not known
 
     def follow(self, periods: int) -> bool:
         """Go on; returns whether that was possible."""
@@ -78,7 +83,7 @@ class Settling:
 
         Where it meets no event any more, ``solved`` is set, and the motion is not followed further.
         """
-        longest = LONGEST * pace_of(self.flow)
+        longest = LONGEST * pace_of(self.flow.subject)
         block, look = FIRST, FIRST
         while self.periods < most_periods:
             if not self.follow(min(block, most_periods - self.periods)):
@@ -93,7 +98,7 @@ class Settling:
                 self.grows = grows_for_ever(self.flow, self.instant)
                 if self.grows:
                     return None
-            if orbit is not None:
+            if orbit is not None or self.rest is not None:
                 return orbit
             block = FIRST if self._is_near() else min(look - self.periods, longest)
         return None
@@ -130,6 +135,7 @@ class Settling:
     def _looked_for(self) -> Orbit | None:
         together = self.flow.modes.system.layout.recurrence
         if not together:  # Its drives never return together.
+            self.rest = self._rest() if self._quiet else None
             return None
         late = -self.instant.periods % together
         if late and not self.follow(late):
@@ -156,6 +162,12 @@ class Settling:
                 if settles_to(orbit, self.states):
                     return orbit
         return None
+
+    def _rest(self) -> Rest | None:
+        """Return where it rests under samples."""
+        if self.flow.modes.system.clockwork is None:
+            return None
+        return sampled_rest(self.flow, self.instant, sizes_of(self.flow.course(self.instant, 1)))
 
     def _orbit(self, periods: int, state: Reals) -> Orbit | None:
         """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""

@@ -81,7 +81,7 @@ def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
 
 def look_closely(flow: Flow, instant: Instant) -> Seen | None:
     """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
-    periods = WINDOW * pace_of(flow)
+    periods = WINDOW * pace_of(flow.subject)
     window = watch(flow, instant, periods)
     if window is None:
         return None
@@ -154,7 +154,7 @@ class Seen:
         layout = self.flow.modes.system.layout
         rates = {place for rate in layout.rates for place in range(rate.start, rate.stop)}
         places = [at for kind in layout.kinds for at in range(kind.start, kind.stop) if at not in rates]
-        states = self.window.states[:: pace_of(self.flow), places]
+        states = self.window.states[:: pace_of(self.flow.subject), places]
         return all(growth_of_walk(series) < ORDERLY for series in states.T)
 
 

@@ -157,7 +157,7 @@ class Window:
 
 def watch(flow: Flow, instant: Instant, periods: int) -> Window | None:
     """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once."""
-    return _Watch(flow.watched(instant, periods), instant, pace_of(flow)).over(periods)
+    return _Watch(flow.watched(instant, periods), instant, pace_of(flow.subject)).over(periods)
 
 
 def joined(first: Window, second: Window) -> Window:

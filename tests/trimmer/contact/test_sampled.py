@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import expm
 
 from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
-from trimmer import Mechanism, MechanismError, follow, forced_orbit, respond, simulate
+from trimmer import Mechanism, MechanismError, OrbitNotFoundError, follow, forced_orbit, respond, simulate
 from trimmer.contact.flow import MechanismFlow
 from trimmer.mechanism import (
     Body,
@@ -26,6 +26,7 @@ from trimmer.mechanism import (
 )
 from trimmer.mechanism.controllers import Controller
 from trimmer.response.response import MotionKind
+from trimmer.response.step import step_response
 
 INERTIA = np.array([2e-4, 5e-4])
 STIFF, DAMPED, DRAG = 80.0, 0.02, 0.001
@@ -240,3 +241,51 @@ def test_a_sampled_axis_is_followed_over_its_gain() -> None:
     assert last.outputs["x"].peak_to_peak == pytest.approx(again.measures.peak_to_peak["x"], rel=1e-9)
     with pytest.raises(MechanismError, match="return together at single values only"):
         follow(driven, "controllers.fast.sample", 1e-3, 1.1e-3)
+
+
+def test_a_delay_of_many_samples() -> None:
+    """So many that the modes are kept as rows; it begins in the middle of a sample."""
+    controller, end = replace(LAWS["pid"], kp=0.05, ki=0.0, kd=2e-3, delay=40.3e-3), 0.15
+    machine = two_masses(controller, at=4.2e-3)
+    motion, (state, _) = simulate(machine, end), by_expm(controller, 4.2e-3, end)
+    assert motion.course.modes.tables.rows is not None
+    found = np.array([motion.final["motor"], motion.final["load"]]).T.ravel()
+    np.testing.assert_allclose(found, state, rtol=0, atol=1e-11 * abs(state).max())
+    flow = MechanismFlow(two_masses(controller))
+    course, unit = flow.course(flow.rest(), 3), np.eye(flow.size)
+    moved = [flow.course(flow.at(flow.rest().state + each), 3).end.state - course.end.state for each in unit]
+    size = abs(course.monodromy).max()
+    np.testing.assert_allclose(np.transpose(moved), course.monodromy, rtol=0, atol=1e-11 * size)
+
+
+def test_samples_that_never_meet_again() -> None:
+    """The phases of the two never return together, and so nothing but a rest repeats."""
+    machine = Mechanism(
+        {"slide": Body(2.0)},
+        links={"mount": Link(("ground", "slide"), 100.0, 5.0)},
+        outputs={"x": Output({"slide": 1.0}), "v": Output({"slide": 1.0}, kind="velocity")},
+        controllers={
+            "slow": Pid(measure="x", acts=("ground", "slide"), kp=200.0, reference="path", sample=4e-3),
+            "fast": Pid(measure="v", acts=("ground", "slide"), kp=20.0, sample=np.pi * 1e-3),
+        },
+        references={"path": StepReference(0.1)},
+    )
+    (motion,) = respond(machine).motions
+    assert motion.rest is not None
+    assert motion.rest.positions["slide"] == pytest.approx(200.0 * 0.1 / (200.0 + 100.0), rel=1e-9)
+    driven = replace(machine, frequency=10.0, forces={"cut": Force("slide", amplitude=5.0)})
+    assert respond(driven, most_periods=50).kind is MotionKind.TORUS
+    with pytest.raises(OrbitNotFoundError, match="do not return together within 64 periods"):
+        forced_orbit(driven)
+
+
+def test_what_is_demanded_before_the_limit() -> None:
+    """Measures of the public case sampled_pid_gap_friction_long_delay over its step."""
+    response = step_response(Mechanism.from_toml_text(SERVO), "path", duration=0.3)
+    expected = (0.0308623966276008, 0.49974467240414266, 0.048652548519963465, -0.0016959018675619109)
+    found = response.measures
+    told = (found.rise_time, found.overshoot, found.settling_time, found.final_error)
+    np.testing.assert_allclose(told, expected, rtol=1e-9)
+    # The first sample behind the step: kp e + ki T e + kd e (1 - T/(filter_time + T))/filter_time.
+    assert found.largest_demand == pytest.approx(0.4 * (3.0 + 10.0 * 5e-4 + 0.06 / 1.5e-3), rel=1e-12)
+    assert found.largest_control == 1.0

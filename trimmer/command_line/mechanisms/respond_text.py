@@ -160,7 +160,7 @@ def _number(estimate: Estimate) -> str:
 
 def _lines(motion: SettledMotion, name: str) -> str:
     """Return the largest lines of an output, in order of frequency."""
-    if motion.window is not None and pace_of(motion.window.flow) > 1:
+    if motion.window is not None and pace_of(motion.window.flow.subject) > 1:
         peaks = sorted(motion.window.peaks[name])[:LARGE_LINES]
         return ", ".join(f"{frequency:.6g} Hz: {size:.6g}" for frequency, size in peaks) or "none"
     if motion.orbit is not None:
