@@ -19,6 +19,7 @@ from trimmer.design.targets import (
 )
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.advance import Ending
+from trimmer.maps.by_itself import came_to
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
 from trimmer.mechanism.coordinates import shaken_ends
@@ -126,6 +127,8 @@ class TrialWork:
             if isinstance(subject, Mechanism) and is_switched(subject, (each.measure for each in self.asked)):
                 return self._switched(values, subject)
             flow = flow_of(subject)
+            if not flow.period:
+                return self._by_itself(values, flow)
             settled = settle(flow, flow.rest(), self.most_periods)
             return self._measured(values, flow, settled)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
@@ -140,6 +143,16 @@ class TrialWork:
         kind = MotionKind.UNDECIDED if found.rest is None else MotionKind.REST
         every = tuple((each, _of_switching(found.closings, measures, each)) for each in self.asked)
         return Trial(values, kind, None, every)
+
+    def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:
+        """Return what a machine without a drive does: over a period of its own, or where it rests."""
+        kind, course, orbit, _ = came_to(flow, flow.rest())
+        if course is None:
+            return self._failed(values)
+        measures, count = Measures(course, flow, 1, 1), None if orbit is None else 1
+        return Trial(
+            values, kind, count, tuple((each, measured(measures, each, count)) for each in self.asked)
+        )
 
     def _measured(self, values: tuple[float, ...], flow: Flow, settled: Settled) -> Trial:
         if settled.ending is not Ending.REACHED_END:

@@ -14,8 +14,10 @@ from trimmer import (
     follow,
     motion_map,
     respond,
+    sample,
     simulate,
 )
+from trimmer.uncertainty import SampleSettings, Scatter, Uncertainty, Uniform
 
 ONE = """\
 [bodies]
@@ -136,3 +138,9 @@ def test_hunting_is_followed_while_its_period_grows() -> None:
     (alone,) = respond(one(ki=25.0)).motions
     assert alone.orbit is not None
     assert last.period == pytest.approx(alone.orbit.period, rel=1e-9)
+
+
+def test_samples_of_what_hunts_need_no_drive() -> None:
+    scatter = Scatter("controllers.axis.ki", "N m/rad/s", Uniform(100.0, 140.0))
+    found = sample(one(), Uncertainty((scatter,)), SampleSettings(count=3), runner=SerialRunner())
+    assert [trial.kind for trial in found.trials] == [MotionKind.PERIODIC] * 3
