@@ -200,8 +200,8 @@ def _map(design: Design, each: DesignMap, number: int) -> Figure:
         f"map-{number}",
         f"Kinds of motion over {place_words(each.first.place)} and {place_words(each.second.place)}",
         f"What the mechanism settles to from its start over the {first} and the {second}: {columns} × {rows} "
-        f"cells, each one motion, followed for at most {each.result.inputs.settings.most_periods} drive "
-        "periods. The circle is the file’s own point. Edges are known to a cell’s width.",
+        f"cells, each one motion, followed for at most {each.result.inputs.waited}. "
+        "The circle is the file’s own point. Edges are known to a cell’s width.",
         f"A map of areas. In {share} of the cells the motion repeats with the drive.",
         partial(kind_map, each),
     )

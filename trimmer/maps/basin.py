@@ -59,7 +59,13 @@ class Basin(Tabular, Drawn):
     @property
     def names(self) -> tuple[str, ...]:
         """What each motion is, numbered from 1, as in the legend; one that stands for a kind says so."""
-        told = (waited_for(described(motion), motion.periods) for motion in self.motions)
+        inputs = self.result.inputs
+        told = (
+            waited_for(
+                described(motion), f"{motion.periods} drive periods" if inputs.driven else inputs.waited
+            )
+            for motion in self.motions
+        )
         all_of_it = (" (all such)" if stands_for_its_kind(motion) else "" for motion in self.motions)
         each = zip(told, all_of_it, strict=True)
         return tuple(f"{number}: {name}{every}" for number, (name, every) in enumerate(each, start=1))

@@ -295,8 +295,8 @@ def described(motion: CellMotion) -> str:
     return "failed" if motion.failure else motion.kind.described(motion.period_count)
 
 
-def waited_for(description: str, periods: int) -> str:
-    """Add to what a motion is the drive periods that were waited, if it rests on them.
+def waited_for(description: str, waited: str) -> str:
+    """Add to what a motion is how long was waited, such as ``300 drive periods``, if it rests on that.
 
     What had not settled by then may do so later: chaos too may be a transient.
     """
@@ -304,7 +304,7 @@ def waited_for(description: str, periods: int) -> str:
         MotionKind.CHAOTIC.described(None): "chaotic over",
         MotionKind.UNDECIDED.described(None): "not settled within",
     }.get(description)
-    return description if begun is None else f"{begun} {periods} drive periods"
+    return description if begun is None else f"{begun} {waited}"
 
 
 def stands_for_its_kind(motion: CellMotion) -> bool:

@@ -17,6 +17,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
+from trimmer.response.self_excited import STRETCHES
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1
@@ -62,6 +63,19 @@ class MapInputs:
     def mechanism(self) -> Mechanism:
         """The mechanism, if it is one that is varied."""
         return cast("Mechanism", self.subject)
+
+    @property
+    def driven(self) -> bool:
+        """Whether periods of a drive are counted, of which the clock of a sampled controller is one."""
+        controllers = getattr(self.subject, "controllers", {}).values()
+        return self.subject.frequency is not None or any(each.sample is not None for each in controllers)
+
+    @property
+    def waited(self) -> str:
+        """How long a motion is waited for at most, in words."""
+        if self.driven:
+            return f"{self.settings.most_periods} drive periods"
+        return f"{sum(STRETCHES)} periods of its slowest mode"
 
     @property
     def count(self) -> int:

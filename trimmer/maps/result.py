@@ -190,7 +190,7 @@ class MotionMap(Tabular, Drawn):
     def counts(self) -> Mapping[str, int]:
         """Cells by what their first motion is in words, such as ``period 3``, the most frequent first."""
         kinds = Counter(described(cell.motions[0]) for cell in self.cells)
-        waited = self.inputs.settings.most_periods
+        waited = self.inputs.waited
         return {waited_for(name, waited): count for name, count in kinds.most_common()}
 
     @property
@@ -204,10 +204,9 @@ class MotionMap(Tabular, Drawn):
         chaotic = int((self.kind == MotionKind.CHAOTIC).sum())
         if not chaotic:
             return ""
-        waited = self.inputs.settings.most_periods
         cells = "1 cell is" if chaotic == 1 else f"{chaotic} cells are"
         return (
-            f"{cells} chaotic over the {waited} drive periods that were waited: such chaos may be transient "
+            f"{cells} chaotic over the {self.inputs.waited} that were waited: such chaos may be transient "
             "and end in a motion that repeats"
         )
 
@@ -293,7 +292,7 @@ def _searched(result: MotionMap) -> str:
     begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:
         begun += f" and from {counted(settings.starts - 1, 'random state')} (seed {settings.seed})"
-    begun += f", for at most {settings.most_periods} drive periods"
+    begun += f", for at most {result.inputs.waited}"
     if settings.starts == 1:
         return f"{begun}; other motions were not looked for"
     told = f"{begun}; {several} of them have several motions among those found"

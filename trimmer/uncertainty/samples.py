@@ -110,7 +110,7 @@ class Samples(Tabular, Drawn):
         What rests on the drive periods that were waited says so, as in a map: ``chaotic over 300 drive
         periods``.
         """
-        waited = self.inputs.settings.most_periods
+        waited = f"{self.inputs.settings.most_periods} drive periods"
         words = [
             "failed" if trial.kind is None else waited_for(trial.kind.described(trial.period_count), waited)
             for trial in self.trials

@@ -222,7 +222,7 @@ def kind_map(drawn: DesignMap) -> Figure:
     draw_cells(axes, across, up, numbers, colours, hatches)
     _frame(axes, drawn)
     axes.legend(
-        handles=legend_of(legend, result.inputs.settings.most_periods),
+        handles=legend_of(legend, result.inputs.waited),
         loc="upper left",
         bbox_to_anchor=(1.01, 1.0),
     )

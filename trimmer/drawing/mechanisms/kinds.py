@@ -56,8 +56,8 @@ def _named(name: str, colour: str) -> Category:
     return Category(name, colour, HATCHES.get(name, ""))
 
 
-def legend_of(legend: Sequence[Category], waited: int) -> list[Patch]:
-    """Return a patch for each category; what had not settled says after how many drive periods."""
+def legend_of(legend: Sequence[Category], waited: str) -> list[Patch]:
+    """Return a patch for each category; what had not settled says after how long."""
     return [
         Patch(
             facecolor=each.colour, edgecolor="0.4", hatch=2 * each.hatch, label=waited_for(each.name, waited)

@@ -54,7 +54,7 @@ def draw_map(
     else:
         draw_areas(axes, result, numbers, legend)
         lines = add_curves(axes, curves, hold=True)
-    add_legend(axes, [*legend_of(legend, result.inputs.settings.most_periods), *lines])
+    add_legend(axes, [*legend_of(legend, result.inputs.waited), *lines])
 
 
 def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
@@ -98,7 +98,7 @@ def _draw_line(
         name, unit = next(iter(outputs.items()))
         name_axis(axes.yaxis, f"{name}, peak to peak", unit)
     else:
-        name_axis(axes.yaxis, "impacts per drive period", "")
+        name_axis(axes.yaxis, f"impacts per {'drive ' if result.inputs.driven else ''}period", "")
     axes.grid(alpha=0.3)
     name_axis(axes.xaxis, result.places[0], result.units[0])
 
@@ -110,7 +110,7 @@ def draw_basin(basin: Basin, axes: Axes) -> None:
         raise MapError("only a basin over two initial values can be drawn: vary two")
     legend = [_of_basin(basin, number) for number in range(len(basin.motions))]
     draw_areas(axes, basin.result, basin.number, legend)
-    add_legend(axes, legend_of(legend, basin.result.inputs.settings.most_periods))
+    add_legend(axes, legend_of(legend, basin.result.inputs.waited))
 
 
 def _of_basin(basin: Basin, number: int) -> Category:
