@@ -120,9 +120,10 @@ def _loop(name: str, opened: Reals, given: Reals, read: Reals) -> ControlLoop:
         for omega in _crossings(omegas, values.imag, lambda omega: ratio(omega).imag)
         if ratio(omega).real < 0
     ]
+    sizes = np.hypot(values.real, values.imag)
     phases = [
         (math.remainder(math.pi + float(np.angle(ratio(omega))), math.tau), omega)
-        for omega in _crossings(omegas, np.log(abs(values)), lambda omega: math.log(abs(ratio(omega))))
+        for omega in _crossings(omegas, sizes - 1.0, lambda omega: abs(ratio(omega)) - 1.0)
     ]
     gain = min(gains, key=lambda each: abs(math.log(each[0])), default=(math.inf, math.nan))
     phase = min(phases, key=lambda each: abs(each[0]), default=(math.inf, math.nan))

@@ -41,6 +41,13 @@ def test_margins_are_those_of_python_control(kind: str, is_open: bool) -> None:
         assert abs(found.rates - pole).min() <= 1e-5 * abs(closed).max()
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_loop_that_an_open_contact_cuts_has_no_crossings() -> None:
+    behind = SERVO.replace("angle = { motor = 1 }", "angle = { load = 1 }")
+    (cut,) = control_loops(Mechanism.from_toml_text(behind), ("shaft",)).loops
+    assert (cut.gain_margin, cut.phase_margin, cut.modulus_margin) == (np.inf, np.inf, 1.0)
+
+
 def test_an_unstable_loop_is_told_before_anything_moves(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
