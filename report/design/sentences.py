@@ -117,6 +117,7 @@ def inventory(design: Design) -> str:
         (len(mechanism.walls), "wall", "walls"),
         (len(live), "friction", "frictions"),
         (len(mechanism.forces), "force", "forces"),
+        (len(mechanism.controllers), "controller", "controllers"),
     ]
     there = [count(number, one).replace(one + "s", many) for number, one, many in counted if number]
     lacking = [
@@ -138,7 +139,6 @@ def settled_sentences(design: Design) -> str:
     motion, motions = design.motion, design.motions
     assert motion is not None
     begun = "its own start" if design.file.mechanism.start else "rest"
-    drive = design.file.mechanism.frequency
     if motion.switched is not None:
         return f"The machine switches. From {begun}, {closings_words(motion)}."
     if motion.kind is MotionKind.REST:
@@ -157,9 +157,8 @@ def settled_sentences(design: Design) -> str:
             f"{motion.drive_periods} drive periods.{grown} Its measures are taken over "
             f"{motion.measured_periods} drive periods, so the last digits depend on which."
         )
-    if drive is None:
-        period = shown(motion.period or 0.0, "s", 5)
-        return f"From {begun}, the mechanism comes to a motion of its own that repeats after {period}."
+    if not motion.driven:
+        return f"From {begun}, the mechanism comes to {kind_words(motion)}."
     told = (
         f"From {begun}, the mechanism settles within {count(motion.drive_periods, 'drive period')} to "
         f"{kind_words(motion)}. It was solved for exactly, {_steadiness(design)}. "

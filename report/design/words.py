@@ -104,9 +104,11 @@ def without_margin(target: Target) -> bool:
 def kind_words(motion: FoundMotion) -> str:
     """Return what a motion is, with its article."""
     if motion.kind is MotionKind.PERIODIC:
-        if motion.period_count is None or motion.measured_periods == 0:
-            return "a motion that repeats"
-        return f"a motion that repeats after {count(motion.period_count, 'drive period')}{_advance(motion)}"
+        if not motion.driven:
+            return f"a motion of its own that repeats after {shown(motion.period or 0.0, 's', 5)}"
+        return (
+            f"a motion that repeats after {count(motion.period_count or 1, 'drive period')}{_advance(motion)}"
+        )
     return {
         MotionKind.TORUS: "a motion that beats and never quite repeats (a torus)",
         MotionKind.REST: "rest: nothing moves",

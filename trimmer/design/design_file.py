@@ -158,8 +158,13 @@ def _design_file(
 
 
 def _of_displacements(mechanism: Mechanism) -> Mechanism:
-    """Return a mechanism without outputs of other kinds, of which a design does not speak."""
-    kept = {name: each for name, each in mechanism.outputs.items() if each.kind is OutputKind.DISPLACEMENT}
+    """Return a mechanism without outputs of other kinds, of which no controller measures any."""
+    measured = {name for each in mechanism.controllers.values() for name in (each.measure, each.speed)}
+    kept = {
+        name: each
+        for name, each in mechanism.outputs.items()
+        if each.kind is OutputKind.DISPLACEMENT or name in measured
+    }
     return mechanism if len(kept) == len(mechanism.outputs) else replace(mechanism, outputs=kept)
 
 

@@ -110,6 +110,7 @@ class FoundMotion:
         hand_arm: Vibration of each body that does not turn, as a hand would feel it.
         events: Events per drive period.
         signals: Over a period, or over some drive periods.
+        driven: Whether a drive, or the clock of a controller, gives the period.
         switched: Where it is that of a machine that switches, from its start on; else None.
     """
 
@@ -132,6 +133,7 @@ class FoundMotion:
     hand_arm: Mapping[str, HandArm]
     events: float
     signals: MotionSignals
+    driven: bool = True
     switched: Switched | None = None
 
     @property
@@ -256,6 +258,7 @@ def _made(
         },
         events=measures.events_per_period,
         signals=_signals(flow, course, share or min(1.0, SHOWN / periods)),
+        driven=bool(flow.period),
     )
 
 

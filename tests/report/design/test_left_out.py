@@ -90,3 +90,11 @@ def test_a_file_without_outputs_gets_its_report(tmp_path: Path) -> None:
     assert "The file names no outputs, whose lines would stand here." in text
     assert "Peak to peak of" not in text
     assert r"block\, acceleration" in text
+
+
+def test_a_servo_that_hunts_has_no_drive_periods(tmp_path: Path) -> None:
+    _, text = reported(design_file_of_text(example_text("two-mass-servo"), "two-mass-servo.toml"), tmp_path)
+    text = re.sub(r"\s+", " ", text.replace("\\", ""))  # the space before a unit is no plain one
+    assert "settles to a motion of its own that repeats after 105.68 ms" in text
+    assert "one play, one friction and one controller" in text
+    assert "drive period" not in text
