@@ -85,7 +85,7 @@ def follow(
     begin, end = _interval(mechanism, place, start, stop)
     at_start = mechanism.with_value(place, begin)
     scale = max(abs(begin), abs(end))
-    if at_start.frequency is None:
+    if not flow_of(at_start).period:
         if periods is not None:
             raise ValueError(
                 f"periods is {periods}, but the mechanism has no drive whose periods could count"

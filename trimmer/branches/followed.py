@@ -166,6 +166,11 @@ class FollowedBranch(Tabular, Drawn):
         return self.map.periods
 
     @property
+    def finds_period(self) -> bool:
+        """Whether its orbits have a period of their own, which neither a drive nor samples give."""
+        return isinstance(self.map, SelfExcitedMap)
+
+    @property
     def unit(self) -> str:
         """SI unit of the number that is varied; Hz for a frequency."""
         return self.map.subject.places[place_text(parse_place(self.map.place))]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import fields
 from itertools import pairwise
 from typing import Any
@@ -32,6 +32,38 @@ _FORMS = {
 _FORCES = (OutputKind.ACCELERATION, OutputKind.FORCE, OutputKind.CONTROL)
 """Kinds of outputs that depend, or may depend, on a force at the same instant."""
 ROUNDING = 1e-12
+
+
+def problems_of_links(content: Mapping[str, Any]) -> Iterator[Problem]:
+    """Find names in the controls of a file that nothing has: without them units would be told wrong."""
+    sections = ("bodies", "points", "pins", "structures", "outputs", "references", "controllers")
+    content = {**{section: {} for section in sections}, **content}
+    outputs, references = content["outputs"], content["references"]
+    ends = [*coordinates_in(content), *content["points"], *points_in(content), *content["pins"], GROUND]
+    for name, entries in content["controllers"].items():
+        place = ("controllers", name)
+        for key, what, known in (
+            ("measure", "output", outputs),
+            ("speed", "output", {**outputs, DIFFERENCE: None}),
+            ("reference", "reference", references),
+        ):
+            named = entries.get(key)
+            if isinstance(named, str) and named not in known:
+                told = references if known is references else outputs
+                yield Problem((*place, key), no_such(what, named, told), named)
+        acts = entries.get("acts")
+        for end in acts if isinstance(acts, list) else ():
+            if isinstance(end, str) and end not in ends:
+                yield Problem((*place, "acts"), no_such_end(content, ends_in(content), end, ends), acts)
+    yield from _not_followed(references, {each.get("reference") for each in content["controllers"].values()})
+
+
+def _not_followed(references: Mapping[str, Any], followed: Set[object]) -> Iterator[Problem]:
+    for name, entries in references.items():
+        written = any(isinstance(each, str) for each in entries.values())
+        if written and name not in followed and followed <= {None, *references}:
+            reason = f"no controller follows it, so its unit is not known; write reference = {name!r}"
+            yield Problem(("references", name), reason)
 
 
 def problems_of_types(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> Iterator[Problem]:

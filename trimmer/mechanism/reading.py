@@ -12,6 +12,7 @@ from typing import Any
 from trimmer.errors import MechanismError
 from trimmer.mechanism import control_reading, number_rows
 from trimmer.mechanism.control_checks import SECTIONS as CONTROLS
+from trimmer.mechanism.control_checks import problems_of_links
 from trimmer.mechanism.kinds import (
     Kind,
     is_length,
@@ -108,6 +109,8 @@ def mechanism_of_text(
     if not problems:
         kinds = kinds_of(content)
         problems = [*problems_of_kinds(content, kinds), *problems_of_weights(content, kinds)]
+    if not problems:
+        problems = list(problems_of_links(content))
     if not problems:
         arguments = _arguments(content, folder, problems)
         problems = problems or problems_with(arguments)

@@ -11,6 +11,7 @@ from scipy.linalg import expm
 
 from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
 from trimmer import Mechanism, MechanismError, OrbitNotFoundError, follow, forced_orbit, respond, simulate
+from trimmer.branches.settings import FollowSettings
 from trimmer.contact.flow import MechanismFlow
 from trimmer.mechanism import (
     Body,
@@ -207,6 +208,9 @@ def test_hunting_under_samples_is_a_torus_with_lines() -> None:
     (frequency, amplitude), (third, _) = motion.window.peaks["angle"][:2]
     assert third == pytest.approx(3 * frequency, rel=1e-3)
     assert amplitude == pytest.approx(motion.peak_to_peak["angle"] / 2, rel=0.2)
+    branch = follow(loose, "controllers.axis.kp", 3.0, 2.0, settings=FollowSettings(most_periods=100))
+    assert not branch.success
+    assert "from rest at 3 the motion has not settled within 100 drive periods" in branch.message
 
 
 def test_an_integral_that_runs_in_stick_is_no_rest() -> None:

@@ -74,6 +74,10 @@ WRONG = {
     axis(kv="1"): "controllers.axis.kv = 1: unknown key",
     TEXT.replace('measure = "angle", ', ""): 'controllers.axis.measure: missing; add measure = "angle"',
     axis(measure='"angel"'): "axis.measure = 'angel': there is no output 'angel'; did you mean angle?",
+    # A unit cannot be judged beside a name that nothing has.
+    axis(measure='"angel"', kp='"2 N m/rad"'): "line 21: controllers.axis.measure = 'angel': there is no",
+    axis(acts='["ground", "motr"]', kp='"2 N m/rad"'): "point 'motr'; did you mean motor?",
+    axis() + "[references]\npath = { step = '1 deg' }\n": "references.path: no controller follows it",
     axis(reference='"path"'): "axis.reference = 'path': there is no reference 'path'; there is none",
     axis(acts='"motor"'): ': name two ends, as in ["ground", "motor"]',
     axis(acts='["ground", "base"]'): "a pin moves as prescribed; name what carries it, 'motor'",

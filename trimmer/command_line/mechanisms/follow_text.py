@@ -57,14 +57,14 @@ def _many(branch: FollowedBranch) -> str:
     """Say how many orbits a branch has, and how long they are."""
     count, periods = len(branch.points), branch.periods
     orbits = f"{count} orbit" if count == 1 else f"{count} orbits"
-    if branch.map.subject.frequency is None:
+    if branch.finds_period:
         return f"{orbits} with a period of their own" + (", which has doubled" if periods > 1 else "")
     return f"{orbits} with " + ("the drive's period" if periods == 1 else f"{periods} drive periods")
 
 
 def _heads(branch: FollowedBranch) -> list[str]:
     """Return the headings of the ranges: of the period, unless a drive gives it, and of each output."""
-    own = ["period, s"] if branch.map.subject.frequency is None else []
+    own = ["period, s"] if branch.finds_period else []
     return [
         *own,
         *(with_unit(f"{name}, peak to peak", unit) for name, unit in branch.units.items()),
@@ -81,7 +81,7 @@ def _stretches(branch: FollowedBranch, measures: Sequence[str]) -> list[tuple[st
     rows = []
     for stable, group in itertools.groupby(branch.points, key=lambda point: point.stable):
         points = list(group)
-        columns = [[point.period for point in points]] if branch.map.subject.frequency is None else []
+        columns = [[point.period for point in points]] if branch.finds_period else []
         for name in branch.units:
             columns.append([point.outputs[name].peak_to_peak for point in points])
         columns += [[point.measure(key) for point in points] for key in measures]

@@ -115,7 +115,7 @@ def _draw_line(axes: Axes, branch: FollowedBranch, of: Callable[[FollowedOrbit],
 
 
 def _period(branch: FollowedBranch) -> str:
-    if branch.map.subject.frequency is None:
+    if branch.finds_period:
         return "own period" if branch.periods == 1 else f"period doubled to {branch.periods}"
     return f"period {branch.periods}"
 
