@@ -33,9 +33,7 @@ NEAR = 0.1
 RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 MOST_TRIED = 6
-"""Events that come again, nearest in time first, whose recurrences are tried in each stretch."""
-ALIKE = 1e-3
-"""Relative difference of periods up to which recurrences are one."""
+"""Recurrences that are tried in each stretch, nearest in time first."""
 FROM_NEARBY = Patience(iterations=20, halvings=4, followed=2)
 """How long an orbit is looked for from a recurrence: a chaotic motion has many near which there is none."""
 
@@ -276,10 +274,4 @@ def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:
             found.append((int(near[-1]), int(last)))
         if len(found) == MOST_TRIED:
             break
-    # Events of one recurrence lead to one orbit; its period tells them from another one's.
-    periods = [float(log.start[last] - log.start[first]) for first, last in found]
-    return [
-        pair
-        for place, pair in enumerate(found)
-        if not any(abs(each - periods[place]) < ALIKE * each for each in periods[:place])
-    ]
+    return found
