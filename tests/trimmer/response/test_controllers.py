@@ -63,6 +63,49 @@ def test_an_integral_hunts_with_stiction_as_found_elsewhere() -> None:
     assert sorted(abs(orbit.multipliers))[-2] == pytest.approx(0.5596135347, rel=1e-6)
 
 
+TABLE = """\
+[bodies]
+motor = { inertia = "1.2 kg cm^2" }
+table = { inertia = "0.06 kg m^2" }
+[points]
+output = { motor = 0.05 }
+[plays.gear]
+between = ["output", "table"]
+stiffness = "9 kN m/rad"
+damping = "6 N m s/rad"
+gap = "0.06 deg"
+[frictions]
+seal = { between = ["ground", "motor"], force = "30 mN m", static = "40 mN m" }
+bearing = { between = ["ground", "table"], force = "0.5 N m", static = "0.6 N m", viscous = "0.3 N m s/rad" }
+[outputs]
+angle = { table = 1 }
+speed = { velocity = { motor = 0.05 } }
+[controllers.axis]
+kind = "cascade"
+measure = "angle"
+speed = "speed"
+reference = "index"
+acts = ["ground", "motor"]
+kp = "50 1/s"
+kv = "0.6 N m s/rad"
+ti = "12 ms"
+limit = "2.5 N m"
+[references]
+index = { step = "10 deg", at = "10 ms" }
+"""
+
+
+def test_a_table_hunts_with_a_long_period_of_many_events() -> None:
+    """Of the recurrences that a motion passes, one event alone leads to the orbit."""
+    table = Mechanism.from_toml_text(TABLE)
+    (motion,) = respond(table).motions
+    assert motion.orbit is not None and motion.orbit.stable
+    period, events = motion.orbit.period, len(motion.orbit.course.events)
+    assert period == pytest.approx(27.5, abs=0.1)  # another program, in steps of a microsecond
+    times = np.array([event.time for event in simulate(table, 200.0).events])
+    np.testing.assert_allclose(times[-events:] - times[-2 * events : -events], period, rtol=1e-6)
+
+
 def test_a_step_or_a_profile_counts_with_its_last_value() -> None:
     (late,), (points,) = (
         respond(one(path=path)).motions
