@@ -32,6 +32,8 @@ NEAR = 0.1
 """Distance of two states as a share of their sizes at which Newton's method is tried."""
 RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
+CLOSE = 10.0
+"""Factor of the least distance up to which states count as one: what has settled comes back closest."""
 MOST_TRIED = 6
 """Recurrences that are tried in each stretch, nearest in time first."""
 FROM_NEARBY = Patience(iterations=20, halvings=4, followed=2)
@@ -269,7 +271,7 @@ def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:
         same[last:] = False
         earlier = np.flatnonzero(same)
         apart = abs((log.state[earlier, :count] - log.state[last, :count]) / sizes).max(axis=1, initial=0.0)
-        near = earlier[apart < NEAR]
+        near = earlier[apart < min(NEAR, CLOSE * apart.min(initial=np.inf) + SAME)]
         if len(near):
             found.append((int(near[-1]), int(last)))
         if len(found) == MOST_TRIED:
