@@ -8,6 +8,7 @@ from functools import lru_cache
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism import control_reading, number_rows
+from trimmer.mechanism.control_checks import OPTIONAL
 from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.outputs import weight_place
@@ -168,8 +169,17 @@ def _found(mechanism: Mechanism, place: str) -> tuple[Place, NumberField]:
     names = _parsed(place)
     if (quantity := _quantity(mechanism, names)) is not None:
         return names, quantity
+    if _is_left_out(mechanism, names):
+        raise MechanismError(f"{place_text(names)} is not given; write it into the file before it is changed")
     known = quantities(mechanism)
     raise MechanismError(f"there is no number at {place_text(names)}; {advice(names, known)}")
+
+
+def _is_left_out(mechanism: Mechanism, names: Place) -> bool:
+    """Say whether a controller could have a number there, such as a sample, that is not given."""
+    if len(names) != 3 or names[0] != "controllers" or names[2] not in (*OPTIONAL, "delay"):
+        return False
+    return hasattr(mechanism.controllers.get(names[1]), names[2])
 
 
 _parsed = lru_cache(maxsize=256)(parse_place)

@@ -252,3 +252,8 @@ def test_both_ends_take_the_force_in_the_equations() -> None:
     directions = names["given_force_directions"]
     assert callable(directions)
     assert np.array(directions(1, 2, 0.3, 4)).tolist() == [[-0.3], [1.0]]
+
+
+def test_a_number_that_is_not_given_is_to_be_written_first() -> None:
+    with pytest.raises(MechanismError, match="controllers.axis.sample is not given; write it into the file"):
+        Mechanism.from_toml_text(axis(kp="1")).with_value("controllers.axis.sample", 1e-3)
