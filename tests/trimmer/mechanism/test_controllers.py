@@ -255,5 +255,5 @@ def test_both_ends_take_the_force_in_the_equations() -> None:
 
 
 def test_a_number_that_is_not_given_is_to_be_written_first() -> None:
-    with pytest.raises(MechanismError, match=r"controllers\.axis\.sample is not given; write it into the file"):
+    with pytest.raises(MechanismError, match=r"controllers\.axis\.sample is not given; write it into"):
         Mechanism.from_toml_text(axis(kp="1")).with_value("controllers.axis.sample", 1e-3)
