@@ -18,7 +18,7 @@ from tests.mechanisms.brute_force import BruteForce, BruteMotion, changes, start
 from tests.mechanisms.dynamics import System
 from trimmer import Mechanism
 from trimmer.mechanism import Cascade, Force, OutputKind, Pid, TransferController
-from trimmer.mechanism.controllers import Controller
+from trimmer.mechanism.controls.controllers import Controller
 
 Given = Callable[[float], tuple[float, float]]
 """Reference and its rate at a time, right limits."""

@@ -14,7 +14,7 @@ from trimmer.mechanism.place_text import place_text
 
 if TYPE_CHECKING:
     from trimmer.contact.layout import Rows
-    from trimmer.mechanism.controllers import Controller
+    from trimmer.mechanism.controls.controllers import Controller
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Output
 

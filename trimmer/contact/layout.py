@@ -20,6 +20,7 @@ from trimmer.contact.controllers.laws import laws_of
 from trimmer.contact.frame import SAME, Frame, frame_of, leans
 from trimmer.contact.profiles import SOON, Profile
 from trimmer.contact.references import profile_of, references_in
+from trimmer.mechanism.controls.references import RampReference, SineReference, StepReference
 from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
 from trimmer.mechanism.drives import (
     Drives,
@@ -32,7 +33,6 @@ from trimmer.mechanism.drives import (
 from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
-from trimmer.mechanism.references import RampReference, SineReference, StepReference
 from trimmer.mechanism.waves import mean_of
 
 SMALLEST_SHARE = 1e-4

@@ -7,12 +7,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from trimmer.contact.profiles import Profile
-from trimmer.mechanism.references import ProfileReference, RampReference, StepReference
+from trimmer.mechanism.controls.references import ProfileReference, RampReference, StepReference
 
 if TYPE_CHECKING:
     from trimmer.contact.frame import Frame
+    from trimmer.mechanism.controls.references import Reference
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.references import Reference
 
 
 def references_in(mechanism: Mechanism) -> Iterator[Reference]:

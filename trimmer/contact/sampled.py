@@ -13,7 +13,7 @@ from trimmer.contact.layout import Rows
 from trimmer.contact.outputs import signal_of, speed_beyond
 from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
 from trimmer.hybrid.system import Sampler
-from trimmer.mechanism.controllers import DIFFERENCE
+from trimmer.mechanism.controls.controllers import DIFFERENCE
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion.signals import Steady
 

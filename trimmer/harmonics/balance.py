@@ -16,7 +16,7 @@ from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
-from trimmer.mechanism.control_checks import require_uncontrolled
+from trimmer.mechanism.controls.checks import require_uncontrolled
 from trimmer.mechanism.drives import drives_of, waves_in
 from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.mechanism import Mechanism

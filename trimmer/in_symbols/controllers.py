@@ -8,10 +8,15 @@ import sympy
 
 from derivations.latex import escaped, latex
 from derivations.parts import Control
-from trimmer.mechanism.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.controls.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.controls.references import (
+    ProfileReference,
+    RampReference,
+    SineReference,
+    StepReference,
+)
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import OutputKind
-from trimmer.mechanism.references import ProfileReference, RampReference, SineReference, StepReference
 
 Named = Callable[[str, str, str], sympy.Expr]
 """Returns the function of time of a part by section, name, and what it is."""

@@ -1,9 +1,14 @@
 """The public names of this room, each imported on first use."""
 
-from .controllers import Cascade as Cascade
-from .controllers import Controller as Controller
-from .controllers import Pid as Pid
-from .controllers import TransferController as TransferController
+from .controls.controllers import Cascade as Cascade
+from .controls.controllers import Controller as Controller
+from .controls.controllers import Pid as Pid
+from .controls.controllers import TransferController as TransferController
+from .controls.references import ProfileReference as ProfileReference
+from .controls.references import RampReference as RampReference
+from .controls.references import Reference as Reference
+from .controls.references import SineReference as SineReference
+from .controls.references import StepReference as StepReference
 from .linear.matrices import LinearMatrices as LinearMatrices
 from .linear.matrices import linear_matrices as linear_matrices
 from .linear.outputs import Contacts as Contacts
@@ -21,10 +26,5 @@ from .parts import Play as Play
 from .parts import Point as Point
 from .parts import Stop as Stop
 from .parts import Wall as Wall
-from .references import ProfileReference as ProfileReference
-from .references import RampReference as RampReference
-from .references import Reference as Reference
-from .references import SineReference as SineReference
-from .references import StepReference as StepReference
 from .structures.structure import ModalModel as ModalModel
 from .structures.structure import Structure as Structure

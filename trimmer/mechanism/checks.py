@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import fields
 
 from trimmer.choices import ChoiceError
-from trimmer.mechanism import control_checks, number_rows
+from trimmer.mechanism import number_rows
+from trimmer.mechanism.controls import checks as control_checks
 from trimmer.mechanism.kinds import Kind, kind_of_part, kinds_of, numbers_of_part, numbers_of_start
 from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from trimmer.mechanism.controls.references import SineReference
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Force, Pin
-from trimmer.mechanism.references import SineReference
 from trimmer.mechanism.waves import Wave, is_driven, waves_of
 
 RETURNS = 64

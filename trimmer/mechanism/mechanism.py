@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import file_path, require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import control_reading, number_rows
+from trimmer.mechanism import number_rows
 from trimmer.mechanism.checks import problems_of_types
-from trimmer.mechanism.control_checks import SECTIONS
-from trimmer.mechanism.controllers import Controller
+from trimmer.mechanism.controls import reading as control_reading
+from trimmer.mechanism.controls.checks import SECTIONS
+from trimmer.mechanism.controls.controllers import Controller
+from trimmer.mechanism.controls.references import Reference
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import UNITS, taken
 from trimmer.mechanism.parts import (
@@ -31,7 +33,6 @@ from trimmer.mechanism.parts import (
 from trimmer.mechanism.problems import Problem, as_message
 from trimmer.mechanism.quantities import DISPLACEMENT, FREQUENCY, PARTS, QUANTITIES, VELOCITY, WEIGHT
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.mechanism.references import Reference
 from trimmer.mechanism.sense import problems_of_numbers, problems_of_sense
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.showing.shown import Shown, counted

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from trimmer.mechanism.control_checks import SECTIONS
-from trimmer.mechanism.control_numbers import numbers_of
+from trimmer.mechanism.controls.checks import SECTIONS
+from trimmer.mechanism.controls.numbers import numbers_of
 from trimmer.mechanism.kinds import kinds_of, numbers_of_part
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.problems import Problem

@@ -7,8 +7,9 @@ from functools import lru_cache
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
-from trimmer.mechanism import control_reading, number_rows
-from trimmer.mechanism.control_checks import OPTIONAL
+from trimmer.mechanism import number_rows
+from trimmer.mechanism.controls import reading as control_reading
+from trimmer.mechanism.controls.checks import OPTIONAL
 from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.outputs import weight_place

@@ -10,9 +10,10 @@ from types import MappingProxyType
 from typing import Any
 
 from trimmer.errors import MechanismError
-from trimmer.mechanism import control_reading, number_rows
-from trimmer.mechanism.control_checks import SECTIONS as CONTROLS
-from trimmer.mechanism.control_checks import problems_of_links
+from trimmer.mechanism import number_rows
+from trimmer.mechanism.controls import reading as control_reading
+from trimmer.mechanism.controls.checks import SECTIONS as CONTROLS
+from trimmer.mechanism.controls.checks import problems_of_links
 from trimmer.mechanism.kinds import (
     Kind,
     is_length,

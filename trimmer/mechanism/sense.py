@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from trimmer.mechanism.control_checks import problems_of_control, problems_of_control_numbers
+from trimmer.mechanism.controls.checks import problems_of_control, problems_of_control_numbers
 from trimmer.mechanism.kinds import kind_of_part, kinds_of, problems_of_kinds
 from trimmer.mechanism.number_rows import problems_of_order
 from trimmer.mechanism.outputs import problems_of_outputs

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.mechanism.control_checks import SECTIONS
-from trimmer.mechanism.control_reading import entries_of as entries_of_control
+from trimmer.mechanism.controls.checks import SECTIONS
+from trimmer.mechanism.controls.reading import entries_of as entries_of_control
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import entries_of

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
 from trimmer.errors import UnsupportedMotionError
+from trimmer.mechanism.controls.references import RampReference
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.references import RampReference
 
 if TYPE_CHECKING:
     from trimmer.contact.flow import MechanismFlow

@@ -11,8 +11,8 @@ import numpy as np
 from trimmer.arguments import require_instance
 from trimmer.contact.control_readouts import control_signal, largest_demand
 from trimmer.errors import MechanismError
+from trimmer.mechanism.controls.references import StepReference
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.references import StepReference
 from trimmer.messages import listed, near_match
 from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures

@@ -25,7 +25,7 @@ from trimmer.mechanism import (
     TransferController,
     Wall,
 )
-from trimmer.mechanism.controllers import Controller
+from trimmer.mechanism.controls.controllers import Controller
 from trimmer.response.response import MotionKind
 from trimmer.response.step import step_response
 

@@ -6,33 +6,11 @@ from dataclasses import asdict
 
 import pytest
 
+from tests.trimmer.contact.test_controllers import SERVO
 from trimmer import Mechanism, MotionKind
 from trimmer.errors import MechanismError
 from trimmer.response.step import step_response
 
-TWO_MASSES = """
-[bodies]
-motor = { inertia = 0.0002 }
-load = { inertia = 0.0005 }
-[plays]
-shaft = { between = ["motor", "load"], stiffness = 80.0, damping = 0.02, gap = 0.01 }
-[frictions]
-bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
-guide = { between = ["ground", "load"], force = 0.08, static = 0.12, viscous = 0.001 }
-[outputs]
-angle = { motor = 1 }
-[controllers.axis]
-measure = "angle"
-reference = "path"
-acts = ["ground", "motor"]
-kind = "pid"
-kp = 6.0
-kd = 0.09
-filter_time = 1e-3
-limit = 2.0
-[references]
-path = { step = 0.5, at = 0.01 }
-"""
 WINDUP = """
 [bodies]
 motor = { inertia = 0.001 }
@@ -87,7 +65,7 @@ def test_a_servo_with_backlash_follows_as_a_second_program_says() -> None:
         "largest_control": 2.0,
         "largest_demand": 48.0,
     }
-    mechanism = Mechanism.from_toml_text(TWO_MASSES)
+    mechanism = Mechanism.from_toml_text(SERVO)
     found = step_response(mechanism, "path", duration=0.4)
     assert asdict(found.measures) == pytest.approx(expected, rel=1e-12, abs=2e-14)
     assert found.motion.final["load"] == pytest.approx((0.500061247866714, 0.0), rel=1e-12, abs=1e-12)

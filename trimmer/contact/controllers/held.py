@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from trimmer.contact.controllers.sampled_laws import law_of
 from trimmer.hybrid.clock import TOGETHER
-from trimmer.mechanism.controllers import Controller
+from trimmer.mechanism.controls.controllers import Controller
 
 
 class Held(NamedTuple):

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.mechanism.controllers import Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.controls.controllers import Cascade, Controller, Pid, TransferController
 from trimmer.mechanism.mechanism import Mechanism
 
 ERROR, SPEED, RATE = range(3)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.mechanism.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.controls.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
 
 INPUTS = ("y", "r", "r'", "v")
 """What is measured and given at a sample, behind the states: output, reference, its rate, and speed."""

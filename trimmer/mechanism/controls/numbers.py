@@ -9,18 +9,18 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
-from trimmer.mechanism.controllers import CONTROLLERS, DIFFERENCE, Cascade, Pid, TransferController
-from trimmer.mechanism.kinds import Kind, entry, kind_of_output, kind_of_part
-from trimmer.mechanism.outputs import UNITS, output_of, problems_of_form
-from trimmer.mechanism.parts import Output, OutputKind
-from trimmer.mechanism.quantities import FREQUENCY, ORDER, PHASE, NumberField, Range
-from trimmer.mechanism.references import (
+from trimmer.mechanism.controls.controllers import CONTROLLERS, DIFFERENCE, Cascade, Pid, TransferController
+from trimmer.mechanism.controls.references import (
     REFERENCES,
     ProfileReference,
     RampReference,
     SineReference,
     StepReference,
 )
+from trimmer.mechanism.kinds import Kind, entry, kind_of_output, kind_of_part
+from trimmer.mechanism.outputs import UNITS, output_of, problems_of_form
+from trimmer.mechanism.parts import Output, OutputKind
+from trimmer.mechanism.quantities import FREQUENCY, ORDER, PHASE, NumberField, Range
 
 TIME = NumberField("s", "10 ms")
 _SHARED: Mapping[str, NumberField] = {

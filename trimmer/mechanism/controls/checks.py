@@ -9,15 +9,15 @@ from itertools import pairwise
 from typing import Any
 
 from trimmer.errors import MechanismError
-from trimmer.mechanism.control_numbers import ROWS, kind_of, numbers_of
-from trimmer.mechanism.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.controls.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
+from trimmer.mechanism.controls.numbers import ROWS, kind_of, numbers_of
+from trimmer.mechanism.controls.references import ProfileReference, Reference
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import GROUND, OutputKind
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.points import ends_in
 from trimmer.mechanism.problems import NOTHING, Problem, no_such
 from trimmer.mechanism.quantities import NumberField
-from trimmer.mechanism.references import ProfileReference, Reference
 from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, points_in
 
 SECTIONS = ("controllers", "references")

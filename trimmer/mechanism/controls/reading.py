@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, replace
 from typing import Any
 
-from trimmer.mechanism.control_checks import SECTIONS
-from trimmer.mechanism.control_numbers import ROWS, kind_of, numbers_of
-from trimmer.mechanism.controllers import CONTROLLERS, Controller
+from trimmer.mechanism.controls.checks import SECTIONS
+from trimmer.mechanism.controls.controllers import CONTROLLERS, Controller
+from trimmer.mechanism.controls.numbers import ROWS, kind_of, numbers_of
+from trimmer.mechanism.controls.references import REFERENCES
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.place_text import Place
 from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.quantities import NumberField, is_number
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.mechanism.references import REFERENCES
 from trimmer.messages import listed, near_match
 
 _EXAMPLES = {

@@ -1,0 +1,1 @@
+"""Controllers and references as data: what they are, read and written, and whether they fit."""
