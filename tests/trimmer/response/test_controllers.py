@@ -165,7 +165,9 @@ def test_a_ramp_is_followed_in_slips_or_evenly() -> None:
 
 def test_a_map_over_gains_needs_no_drive_and_agrees_with_each_cell() -> None:
     places = {"controllers.axis.ki": [0.0, 60.0], "frictions.bearing.static": [0.05, 0.08]}
-    cells = motion_map(one(), places, starts=2, runner=SerialRunner()).cells
+    result = motion_map(one(), places, starts=2, runner=SerialRunner())
+    assert "for at most 1700 periods of its slowest mode" in result.searched
+    cells = result.cells
     kinds = [motion.kind for cell in cells for motion in cell.motions]
     assert kinds == [MotionKind.REST, MotionKind.REST, MotionKind.REST, MotionKind.PERIODIC]
     (alone,) = respond(one(ki=60.0)).motions
