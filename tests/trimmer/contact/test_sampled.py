@@ -195,6 +195,15 @@ def test_the_order_at_one_instant() -> None:
     assert motion.energy.residual < 1e-12
 
 
+@pytest.mark.parametrize(("share", "acting"), [(1e-10, 1.0), (1e-8, -2.0), (-1e-8, 1.0)])
+def test_how_near_a_sample_an_impact_is_at_its_instant(share: float, acting: float) -> None:
+    """Within 1e-9 of a sample they are together, and the impact comes first."""
+    first = Pid(measure="speed", acts=("ground", "other"), kp=2.0, sample=0.01)
+    ball = bouncer(first=first).with_value("walls.floor.gap", 0.01 * (1 + share))
+    motion = simulate(ball, 0.015)
+    np.testing.assert_allclose(motion.signal("first", np.array([0.014])), [acting], rtol=1e-6)
+
+
 def test_hunting_under_samples_is_a_torus_with_lines() -> None:
     """Play in the loop of a slow position control: it hunts, whatever the samples are."""
     loose = replace(
