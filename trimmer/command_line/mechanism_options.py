@@ -44,7 +44,10 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
     mechanism = mechanism_with(arguments.file, arguments.set)
     if mechanism.controllers:
         from trimmer.contact.control_loops import instability_told
+        from trimmer.mechanism.controls.idle import idle_controllers
 
+        for told in idle_controllers(mechanism):
+            note(f"{arguments.file}: {told}")
         if told := instability_told(mechanism):
             note(f"{arguments.file}: {told}")
     return mechanism

@@ -2,38 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from trimmer.arguments import require_instance
 from trimmer.contact.control_readouts import control_signal, largest_demand
+from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MechanismError
+from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.controls.references import StepReference
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import listed, near_match
-from trimmer.motion.extremes import extremes, turning_points
+from trimmer.motion.extremes import turning_points
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures
-from trimmer.response.flows import flow_of
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.respond import respond
 from trimmer.response.response import MotionKind, Response
-from trimmer.response.self_excited import time_scale
-from trimmer.response.simulate import simulate
-from trimmer.response.solved import rest_after
+from trimmer.response.step_end import StepEnd, followed
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, attributes
 
-STRETCHES = (5, 20, 80, 320, 1280)
-"""How long is followed after a step until it is seen to have settled, in periods of the slowest mode."""
-STILL = 1e-12
-"""Share of its largest value by which an output moves at most that has come to rest."""
-SEEN = 1000
-"""Instants at which it is looked at."""
-SETTLED = 1e-6
-"""Share of its size by which a motion may still miss the cycle that it settles to."""
+SEEN = 1.5
+"""Share of the time until nothing moves any more that is shown of a motion that comes to rest."""
+CLOSE = 2e-3
+"""Share of the step within which an output counts as still."""
+
+
+@dataclass(frozen=True)
+class Hunting:
+    """What an output does that does not come to rest.
+
+    Attributes:
+        amplitude: Half of peak to peak, in the unit of the output.
+        period: Of the cycle, s; None where nothing repeats.
+        frequency: Of the cycle, or of its largest line where nothing repeats, Hz; None if that is not known.
+    """
+
+    amplitude: float
+    period: float | None
+    frequency: float | None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -46,7 +53,10 @@ class StepResponse(Tabular):
         step: Its step.
         motion: The motion, from its start on.
         settles_to: What the mechanism settles to with the last value of the reference.
-        cycles: Whether that is a cycle, to whose mean the error is told.
+        settled_mean: Mean of the output in what it settles to, by which the error is told; None where that is
+            the error at the end.
+        hunting: What the output does if it does not come to rest without a drive; None if it does.
+        ending: Where the motion ends that was followed as long as it takes; empty if its length was given.
     """
 
     reference: str
@@ -54,7 +64,9 @@ class StepResponse(Tabular):
     step: Step
     motion: MechanismMotion
     settles_to: Response
-    cycles: bool
+    settled_mean: float | None = None
+    hunting: Hunting | None = None
+    ending: str = ""
 
     @property
     def output(self) -> str:
@@ -77,10 +89,22 @@ class StepResponse(Tabular):
             course,
             flow.outputs[self.output].signal,
             self.step,
-            settled_mean=self.settles_to.motion.mean.get(self.output) if self.cycles else None,
+            settled_mean=self.settled_mean,
             control=control_signal(flow.modes, self.controller),
             largest_demand=largest_demand(course, self.controller),
         )
+
+    @cached_property
+    def shown_until(self) -> float:
+        """Until when a picture shows the motion, s: all of a cycle; of the way to rest until little moves."""
+        course = self.motion.course
+        if not self.ending or self.hunting is not None or not self.motion.success:
+            return course.duration
+        points = turning_points(course, self.motion.flow.outputs[self.output].signal)
+        moving = abs(points.values - points.values[-1]) > CLOSE * abs(self.step.size)
+        last = max((time for time, *_ in course.events), default=0.0)
+        until = max(last, self.step.at, *points.times[1:][moving[:-1]].tolist())
+        return min(course.duration, self.step.at + SEEN * (until - self.step.at) or course.duration)
 
     def _told(self) -> str:
         return f"{self.output} follows {self.reference}: {self.settles_to.message}"
@@ -119,14 +143,54 @@ def step_response(
         raise MechanismError(
             f"a motion of {duration:g} s ends before {reference!r} steps; give more than {step.at:g} s"
         )
-    settles_to, output = respond(mechanism), mechanism.controllers[follower].measure
-    for length in _lengths(mechanism, settles_to, step.at) if duration is None else (duration,):
-        motion = simulate(mechanism, length)
-        if not motion.success or _has_settled(motion, settles_to, output):
-            break
-    # A torus is left out where a given duration may end before it.
-    kinds = (MotionKind.PERIODIC, *((MotionKind.TORUS, MotionKind.CHAOTIC) if duration is None else ()))
-    return StepResponse(reference, follower, step, motion, settles_to, settles_to.kind in kinds)
+    settles_to, flow = respond(mechanism), MechanismFlow(mechanism)
+    output, settled = mechanism.controllers[follower].measure, settles_to.motion
+    mean, ending = None, ""
+    if duration is None:
+        rests = None if settles_to.kind is MotionKind.UNDECIDED else settled.rest is not None
+        end = followed(flow, output, step.at, step.size, cycle=settled.orbit, rests=rests)
+        course, ending = end.course, _ending(end, settles_to)
+        known = end.rests or settled.orbit is not None
+        mean = end.mean if known else settled.mean.get(output, end.mean)
+        amplitude = end.amplitude
+    else:
+        course, amplitude = flow.timed(flow.rest(), duration), None
+        if settles_to.kind is MotionKind.PERIODIC:
+            mean = settled.mean.get(output)
+    hunting = _hunting(mechanism, settles_to, output, amplitude)
+    motion = MechanismMotion(flow, course)
+    return StepResponse(reference, follower, step, motion, settles_to, mean, hunting, ending)
+
+
+def _ending(end: StepEnd, settles_to: Response) -> str:
+    """Say where a motion that was followed ends; empty where it could not be followed."""
+    if end.course.ending is not Ending.REACHED_END:
+        return ""
+    if end.rests:
+        return "where it rests"
+    orbit = settles_to.motion.orbit
+    if orbit is None:
+        return "where it hunts evenly" if end.settled else "without having settled"
+    count = round(end.course.duration / orbit.period)
+    told = f"{count} times the period of what it settles to after the step"
+    if not end.settled:
+        return f"{told}, without having settled"
+    return f"{told}; it comes to the mirror image of what stands below" if end.mirrored else told
+
+
+def _hunting(mechanism: Mechanism, settles_to: Response, output: str, seen: float | None) -> Hunting | None:
+    """Return how an output hunts; None if it rests, grows, or is driven."""
+    settled = settles_to.motion
+    if mechanism.frequency is not None or settled.rest is not None or settles_to.kind is MotionKind.DIVERGING:
+        return None
+    size = settled.peak_to_peak.get(output)
+    amplitude = seen if size is None else 0.5 * size
+    if not amplitude:
+        return None
+    period = None if settled.orbit is None else settled.orbit.period
+    peaks = () if settled.window is None else settled.window.peaks.get(output, ())
+    frequency = max(peaks, key=lambda each: each[1], default=(None, 0.0))[0]
+    return Hunting(amplitude, period, 1.0 / period if period else frequency)
 
 
 def _step(mechanism: Mechanism, name: str) -> Step:
@@ -158,29 +222,3 @@ def _follower(mechanism: Mechanism, reference: str, name: str | None) -> str:
         there = near_match(name, followers) or f"{listed(followers)} does"
         raise MechanismError(f"no controller {name!r} follows {reference!r}; {there}")
     return name or followers[0]
-
-
-def _lengths(mechanism: Mechanism, response: Response, at: float) -> Iterator[float]:
-    """Yield how long a motion is followed, s, each time longer."""
-    flow, motion = flow_of(mechanism), response.motion
-    if motion.orbit is None and motion.rest is None and flow.period and motion.drive_periods:
-        yield at + motion.drive_periods * flow.period
-    unit = max(time_scale(flow, flow.rest()), 0.0 if motion.orbit is None else motion.orbit.period)
-    yield from (at + each * unit for each in STRETCHES)
-
-
-def _has_settled(motion: MechanismMotion, response: Response, output: str) -> bool:
-    settled, course = response.motion, motion.course
-    if settled.rest is not None:
-        # What creeps to rest for ever stands still to rounding.
-        late = motion.output(output, np.linspace(0.5, 1.0, SEEN) * course.duration)
-        still = float(np.ptp(late)) <= STILL * abs(late).max()
-        return still or rest_after(motion.flow, course) is not None
-    orbit = settled.orbit
-    if orbit is None:
-        return True
-    cycle = np.array(extremes(orbit.course, orbit.flow.outputs[output].signal))
-    found = turning_points(course, motion.flow.outputs[output].signal)
-    last = found.values[found.times >= course.duration - orbit.period]
-    missed = abs(cycle - (last.min(), last.max())).max()
-    return bool(orbit.period < course.duration and missed <= SETTLED * (cycle[1] - cycle[0]))

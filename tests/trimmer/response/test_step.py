@@ -143,8 +143,21 @@ def test_what_hunts_has_the_error_of_its_mean() -> None:
     )
     assert found.measures.final_error == pytest.approx(0.0, abs=1e-12)
     assert abs(found.motion.final["motor"][0] - 0.5) > 1e-4
-    assert found.motion.duration > orbit.period
+    assert found.motion.duration == pytest.approx(0.01 + 20 * orbit.period, rel=1e-9)
+    assert found.hunting.amplitude == pytest.approx(0.0025134134275286435, rel=1e-9)
+    assert found.hunting.frequency == pytest.approx(1.1193332784204075, rel=1e-10)
+    assert found.hunting.period == orbit.period
     assert (found.measures.largest_control, found.measures.largest_demand) == pytest.approx((2.0, 28.0))
+
+
+def test_a_motion_that_rests_is_shown_until_little_moves() -> None:
+    found = step_response(Mechanism.from_toml_text(SAMPLED), "path")
+    assert (found.ending, found.hunting) == ("where it rests", None)
+    still = found.motion.output("angle", [found.shown_until, found.motion.duration])
+    assert abs(still - 0.5).max() < 0.002 * 0.5
+    assert 0.2 < found.shown_until < 1.0 < found.motion.duration
+    given = step_response(Mechanism.from_toml_text(SAMPLED), "path", duration=0.4)
+    assert (given.ending, given.shown_until) == ("", 0.4)
 
 
 @pytest.mark.parametrize(

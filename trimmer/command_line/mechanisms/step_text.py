@@ -28,21 +28,29 @@ def as_text(response: StepResponse) -> str:
         ("largest control", found.largest_control, force),
         ("largest demand", found.largest_demand, force),
     ]
+    if response.hunting is not None:
+        rows += [
+            ("hunting, amplitude", response.hunting.amplitude, unit),
+            ("hunting, frequency", response.hunting.frequency, "Hz"),
+            ("hunting, period", response.hunting.period, "s"),
+        ]
     motion, step = response.motion, response.step
+    ending = motion.message + (f", {response.ending}" if response.ending else "")
     events = ((event.part, event.kind.value) for event in motion.events)
     return "\n".join(
         [
             f"{response.output} of {response.controller} follows {response.reference}, "
             f"a step of {step.size:g} {unit} at {step.at:g} s",
-            *table(("", "measured", ""), [(what, _number(value), unit) for what, value, unit in rows]),
-            *summary_lines(motion.duration, motion.message, events)[:-1],
+            *table(("", "measured", ""), [(what, _number(what, value), unit) for what, value, unit in rows]),
+            *summary_lines(motion.duration, ending, events)[:-1],
             response.settles_to.message,
         ]
     )
 
 
-def _number(value: float | None) -> str:
-    return "never" if value is None else f"{value:.6g}"
+def _number(what: str, value: float | None) -> str:
+    never = "not known" if what.startswith("hunting") else "never"
+    return never if value is None else f"{value:.6g}"
 
 
 def as_json(response: StepResponse) -> str:
@@ -55,6 +63,8 @@ def as_json(response: StepResponse) -> str:
             "step": response.step.size,
             "at": response.step.at,
             **vars(response.measures),
+            "hunting": None if response.hunting is None else vars(response.hunting),
+            "ends": response.ending or None,
             "settles_to": response_json(response.settles_to),
             **motion_json(response.motion),
         }

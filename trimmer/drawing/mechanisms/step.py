@@ -19,9 +19,10 @@ SIZE = (7.6, 6.6)
 def step_figure(response: StepResponse) -> Figure:
     """Draw how a controlled mechanism follows a step."""
     course, flow, step = response.motion.course, response.motion.flow, response.step
-    figure = new_figure(*SIZE)
+    until, figure = response.shown_until, new_figure(*SIZE)
     above, below = figure.subplots(2, height_ratios=[3, 2], sharex=True)
-    times = np.union1d(np.linspace(0.0, course.duration, POINTS), course.log.start)
+    times = np.union1d(np.linspace(0.0, until, POINTS), course.log.start)
+    times = times[times <= until]
     states, rows = course.states(times), np.searchsorted(course.log.start, times, side="right") - 1
     output, control = flow.outputs[response.output].signal, control_signal(flow.modes, response.controller)
     wanted = np.where(times >= step.at, step.size, 0.0)
@@ -32,7 +33,7 @@ def step_figure(response: StepResponse) -> Figure:
     ):
         values = along(course, signal, rows, states)
         axes.plot(times, values, label=plain_label(name), linewidth=1.2, **line(number))
-    above.set_xlim(0.0, course.duration)
+    above.set_xlim(0.0, until)
     length, force = response.units
     finish(above, ("time", "s"), (WORDS.get(length, "signals"), length), [])
     finish(below, ("time", "s"), (WORDS.get(force, "control"), force), strips_of(flow, course))

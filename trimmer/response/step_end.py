@@ -1,0 +1,155 @@
+"""How long a controlled mechanism is followed after a step: until it rests, or what it does swings evenly.
+
+What hunts slowly is followed for some of its periods; what hunts without repeating until two stretches of it,
+one after the other, are alike. A motion that comes to rest is followed until it does.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trimmer.hybrid.advance import Ending
+from trimmer.motion.extremes import extremes, turning_points
+from trimmer.motion.signals import along
+from trimmer.response.asymptotic import asymptotic_rest
+from trimmer.response.self_excited import at_rest, time_scale
+from trimmer.response.solved import rest_after
+
+if TYPE_CHECKING:
+    from trimmer.arrays import Reals
+    from trimmer.contact.flow import MechanismFlow
+    from trimmer.motion.course import Course
+    from trimmer.response.orbit import Orbit
+
+STRETCHES = (5, 20, 80, 320, 1280)
+"""How long is followed at most, in periods of the slowest mode."""
+CYCLES = (5, 20, 80)
+"""The same in periods of a cycle."""
+MOST_EVENTS = 5000
+"""Events after which no further stretch is followed of what was not seen to rest."""
+ALIKE = 0.1
+"""Share by which two stretches of a motion that hunts may differ in size."""
+ON_CYCLE = 1e-3
+"""Share of its size by which a motion may still miss the cycle that it settles to."""
+STILL = 1e-12
+"""Share of its largest value by which an output moves at most that has come to rest."""
+SEEN = 1000
+"""Instants at which it is looked at."""
+
+
+@dataclass(frozen=True, eq=False)
+class StepEnd:
+    """A motion through a step, and what an output does at its end.
+
+    Attributes:
+        flow: What moves.
+        course: The motion.
+        rests: Whether it comes to rest.
+        lowest, highest: Of the output at rest, in the last period of the cycle, or in the last half.
+        mean: Its mean there.
+        settled: Whether it rests, or swings evenly.
+        mirrored: Whether it swings as the mirror image of the cycle does.
+    """
+
+    flow: MechanismFlow
+    course: Course
+    rests: bool
+    lowest: float
+    highest: float
+    mean: float
+    settled: bool
+    mirrored: bool = False
+
+    @property
+    def amplitude(self) -> float:
+        """Half of peak to peak at the end; 0 at rest."""
+        return 0.0 if self.rests else 0.5 * (self.highest - self.lowest)
+
+
+def followed(
+    flow: MechanismFlow,
+    output: str,
+    at: float,
+    wanted: float,
+    *,
+    cycle: Orbit | None = None,
+    rests: bool | None = None,
+) -> StepEnd:
+    """Follow a motion from its start through a step until it has settled, or the wait is over.
+
+    Args:
+        flow: What moves.
+        output: The output that is looked at.
+        at: Time of the step, s.
+        wanted: What the output shall be at last.
+        cycle: The cycle that it settles to, if that is known.
+        rests: Whether it is known that it comes to rest, or that it does not; None if neither is.
+    """
+    unit = time_scale(flow, flow.rest())
+    lengths = [each * unit for each in STRETCHES] if cycle is None else [n * cycle.period for n in CYCLES]
+    for length in lengths:
+        course = flow.timed(flow.rest(), at + length)
+        if course.ending is Ending.REACHED_END and rests is not False and cycle is None:
+            value = _at_rest(flow, course, output, unit, known=rests is True)
+            if value is not None:
+                return StepEnd(flow, course, True, value, value, value, settled=True)
+        begin = at + 0.5 * length if cycle is None else course.duration - cycle.period
+        end = _end(flow, course, output, begin, wanted, cycle)
+        if end.settled or course.ending is not Ending.REACHED_END or len(course.events) > MOST_EVENTS:
+            break
+    return end
+
+
+def _at_rest(flow: MechanismFlow, course: Course, output: str, unit: float, *, known: bool) -> float | None:
+    """Return where an output rests; None if it was not seen to.
+
+    Where rest is known to come, it is there once the output stands still; else an integral may run on, and
+    tear out later what sticks.
+    """
+    late = read_at(flow, course, output, np.linspace(0.5, 1.0, SEEN) * course.duration)
+    still = known and float(np.ptp(late)) <= STILL * abs(late).max()
+    rest = None if still else rest_after(flow, course) or asymptotic_rest(flow, course, unit)
+    if rest is not None and rest.asymptotic:
+        return rest.measures.outputs[output].mean
+    return float(late[-1]) if still or rest is not None or at_rest(course, unit) else None
+
+
+def read_at(flow: MechanismFlow, course: Course, output: str, times: Reals) -> Reals:
+    """Return an output at times that do not decrease, in its unit, (n,)."""
+    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    return along(course, flow.outputs[output].signal, rows, course.states(times))
+
+
+def _end(
+    flow: MechanismFlow, course: Course, output: str, begin: float, wanted: float, cycle: Orbit | None
+) -> StepEnd:
+    """Return what an output does from a time on, s, beside a cycle or beside itself."""
+    signal, until = flow.outputs[output].signal, course.duration
+    points = turning_points(course, signal)
+    edges = read_at(flow, course, output, np.array([begin, 0.5 * (begin + until)]))
+    spans = [points.values[(points.times >= start)] for start in (begin, 0.5 * (begin + until))]
+    lowest, highest = (float(f(np.append(spans[0], edges[0]))) for f in (np.min, np.max))
+    mirrored, mean = False, _mean(flow, course, output, begin)
+    if cycle is None:
+        first = points.values[(points.times >= begin) & (points.times <= 0.5 * (begin + until))]
+        sizes = [float(np.ptp(np.append(each, edges[1]))) for each in (first, spans[1])]
+        settled = min(sizes) > (1.0 - ALIKE) * max(sizes)
+        return StepEnd(flow, course, False, lowest, highest, mean, settled)
+    own = np.array(extremes(cycle.course, cycle.flow.outputs[output].signal))
+    apart = [abs(each - (lowest, highest)).max() for each in (own, 2 * wanted - own[::-1])]
+    settled, mirrored = min(apart) <= ON_CYCLE * np.ptp(own), bool(apart[1] < apart[0])
+    if settled:
+        exact = cycle.measures.outputs[output].mean
+        mean = 2 * wanted - exact if mirrored else exact
+    return StepEnd(flow, course, False, lowest, highest, mean, bool(settled), mirrored)
+
+
+def _mean(flow: MechanismFlow, course: Course, output: str, begin: float) -> float:
+    """Return the mean of an output from a time on, s, to a node of quadrature."""
+    nodes = course.nodes
+    late = nodes.times >= begin
+    values = along(course, flow.outputs[output].signal, nodes.rows[late], nodes.states[late])
+    return float(nodes.weights[late] @ values / nodes.weights[late].sum())
