@@ -46,7 +46,7 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
         from trimmer.contact.control_loops import instability_told
         from trimmer.mechanism.controls.idle import idle_controllers
 
-        for told in idle_controllers(mechanism):
+        for told in idle_controllers(mechanism.controllers):
             note(f"{arguments.file}: {told}")
         if told := instability_told(mechanism):
             note(f"{arguments.file}: {told}")

@@ -44,4 +44,4 @@ path = { step = 1.0 }
 )
 def test_what_never_acts_is_told(kind: str, told: str) -> None:
     mechanism = Mechanism.from_toml_text(MACHINE.replace("KIND", kind))
-    assert list(idle_controllers(mechanism)) == ([f"controllers.axis {told}"] if told else [])
+    assert list(idle_controllers(mechanism.controllers)) == ([f"controllers.axis {told}"] if told else [])

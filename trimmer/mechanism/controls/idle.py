@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
 
 from trimmer.mechanism.controls.controllers import Cascade, Controller, Pid, TransferController
 from trimmer.mechanism.place_text import place_text
 
-if TYPE_CHECKING:
-    from trimmer.mechanism.mechanism import Mechanism
 
-
-def idle_controllers(mechanism: Mechanism) -> Iterator[str]:
+def idle_controllers(controllers: Mapping[str, Controller]) -> Iterator[str]:
     """Yield a sentence on each controller that never acts, or never follows its reference."""
-    for name, each in mechanism.controllers.items():
+    for name, each in controllers.items():
         if reason := _reason(each):
             yield f"{place_text(('controllers', name))} {reason}"
 
