@@ -22,8 +22,8 @@ _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 __all__ += ["__version__"]
 ROOMS = (
     *("balance", "branches", "choices", "design", "elements", "ensembles", "errors", "files", "fitting"),
-    *("linear", "loops", "maps", "mechanism", "motion", "orbits", "response", "runners", "signals"),
-    *("spectra", "thesis", "uncertainty"),
+    *("linear", "loops", "maps", "mechanism", "motion", "orbits", "proof", "response", "runners"),
+    *("signals", "spectra", "thesis", "uncertainty"),
 )
 """Packages and modules with public names that are not at the top."""
 

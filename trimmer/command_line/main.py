@@ -15,7 +15,7 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 
 import trimmer
-from trimmer.command_line import completion, derive, linear, parameters, simulate
+from trimmer.command_line import check, completion, derive, linear, parameters, simulate
 from trimmer.command_line.command import Command
 from trimmer.command_line.help_text import EXIT_CODES, HelpText, epilog
 from trimmer.command_line.loops import identify, limit_cycles, orbits
@@ -36,7 +36,7 @@ _OWN = (
     *(orbits.COMMAND, simulate.COMMAND, spectrum.COMMAND, overlay.COMMAND),
     *(init.COMMAND, respond.COMMAND, step.COMMAND, follow.COMMAND, sweep.COMMAND),
     *(motion_maps.COMMAND, sample.COMMAND, fit.COMMAND),
-    *(parameters.COMMAND, derive.COMMAND, completion.COMMAND),
+    *(check.COMMAND, parameters.COMMAND, derive.COMMAND, completion.COMMAND),
 )
 """Commands of this package, which are found without a look at what else is installed."""
 _SEVERAL = 5

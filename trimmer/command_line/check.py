@@ -1,0 +1,43 @@
+"""``trimmer check``: verify a proof again, without what computed it."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from trimmer.command_line.command import Command, Example
+from trimmer.command_line.file_options import file_to_read
+from trimmer.errors import TrimmerError
+
+
+def _configure(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "file", type=file_to_read, metavar="FILE", help="proof, a JSON file that Proof.write has written"
+    )
+
+
+def _run(arguments: Namespace) -> int:
+    from trimmer.proof.proof import check_proof
+
+    proof = check_proof(arguments.file)
+    if not proof:
+        raise TrimmerError(f"{arguments.file}: not proven ({proof.verdict}): {proof.reason}")
+    print(f"Proven again. {proof.theorem}")
+    return 0
+
+
+COMMAND = Command(
+    "check",
+    "verify a proof by ball arithmetic again, from the data in its file alone",
+    _configure,
+    _run,
+    examples=(
+        Example(
+            "trimmer check examples/proofs/thesis-limit-cycles.json",
+            "whether the thesis's loop has these two limit cycles and no other",
+        ),
+        Example(
+            "trimmer check examples/proofs/delayed-relay.json",
+            "the same of a relay behind a delay, whose limit cycle is easily missed",
+        ),
+    ),
+)

@@ -1,0 +1,10 @@
+"""Proofs by ball arithmetic of what was computed, and their check without what computed it.
+
+``prove`` takes results and writes down the statement with its data; ``proof`` holds and reads proofs. The
+check imports nothing of the solvers: ``balls``, exact numbers; ``described``, describing functions;
+``proportional`` and ``plane``, all solutions of harmonic balance; ``cycles`` holds a list against them.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,104 @@
+"""Exact numbers and balls: every real number below is exact or an interval that encloses it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
+
+PRECISION = 192
+"""Bits of the midpoints of balls; 53 would be those of doubles."""
+I = acb(0, 1)  # noqa: E741
+with ctx.workprec(PRECISION):
+    PI = arb.pi()
+
+
+def exact(value: float) -> fmpq:
+    """Return a double as the quotient of whole numbers that it is."""
+    return fmpq(*float(value).as_integer_ratio())
+
+
+def hull(lower: float | arb, upper: float | arb) -> arb:
+    """Return a ball around everything between two ends."""
+    return arb(lower).union(arb(upper))
+
+
+def about(radius: float | arb) -> arb:
+    """Return the ball from -radius to radius."""
+    return hull(-arb(radius), arb(radius))
+
+
+def real(value: fmpq | int) -> arb:
+    """Return an exact number as a ball."""
+    return arb(value)
+
+
+def along_axis(polynomial: fmpq_poly) -> tuple[fmpq_poly, fmpq_poly]:
+    """Return real and imaginary part of a polynomial in s at s = j omega, as polynomials in omega."""
+    parts: tuple[list[fmpq], list[fmpq]] = ([], [])
+    for power, each in enumerate(polynomial.coeffs()):
+        sign = -1 if power % 4 in (2, 3) else 1
+        parts[power % 2].append(sign * each)
+        parts[1 - power % 2].append(fmpq(0))
+    return fmpq_poly(parts[0]), fmpq_poly(parts[1])
+
+
+def in_balls(parts: tuple[fmpq_poly, fmpq_poly], reversed_to: int | None = None) -> acb_poly:
+    """Return a polynomial in omega with complex balls, or omega**n times it as a polynomial in 1/omega."""
+    size = max(len(each.coeffs()) for each in parts)
+    filled = [each.coeffs() + [fmpq(0)] * (size - len(each.coeffs())) for each in parts]
+    values = [acb(arb(above), arb(beside)) for above, beside in zip(*filled, strict=True)]
+    if reversed_to is not None:
+        values = [acb(0)] * (reversed_to + 1 - len(values)) + values[::-1]
+    return acb_poly(values)
+
+
+def fraction_of(plant: dict[str, list]) -> tuple[fmpq_poly, fmpq_poly]:  # type: ignore[type-arg]
+    """Return numerator and denominator of a plant without common factors, exact.
+
+    Args:
+        plant: ``numerator`` and ``denominator``, of falling powers; or matrices ``A``, ``B``, ``C``, ``D``.
+    """
+    if "numerator" in plant:
+        given = plant["numerator"], plant["denominator"]
+        sides = [fmpq_poly([exact(each) for each in side[::-1]]) for side in given]
+    else:
+        sides = _from_states(plant["A"], plant["B"], plant["C"], plant["D"][0][0])
+    common = sides[0].gcd(sides[1])
+    return sides[0] // common, sides[1] // common
+
+
+def _from_states(
+    A: Sequence[Sequence[float]], B: Sequence[Sequence[float]], C: Sequence[Sequence[float]], D: float
+) -> list[fmpq_poly]:
+    """Return det(sI - A + BC) - (1 - D) det(sI - A), and det(sI - A)."""
+    size = len(A)
+    entries = [[exact(each) for each in row] for row in A]
+    column, row = [exact(each[0]) for each in B], [exact(each) for each in C[0]]
+    fed_back = [[entries[i][k] - column[i] * row[k] for k in range(size)] for i in range(size)]
+    below, above = fmpq_mat(entries).charpoly(), fmpq_mat(fed_back).charpoly()
+    return [above - below + exact(D) * below, below]
+
+
+def positive_roots(polynomial: fmpq_poly) -> list[tuple[arb, int]] | None:
+    """Isolate the positive roots of a polynomial that is not zero, each with its multiplicity.
+
+    Returns:
+        Of rising size; None if balls do not tell whether a root is positive.
+    """
+    found: list[tuple[arb, int]] = []
+    for factor, multiplicity in polynomial.numer().factor_squarefree()[1]:
+        low = next(place for place, each in enumerate(factor.coeffs()) if each)
+        shifted = factor.right_shift(low) if low else factor
+        step = max(1, int(shifted.deflation()[1]))
+        deflated = shifted.deflation()[0] if step > 1 else shifted
+        isolated: Any = deflated.complex_roots() if deflated.degree() > 0 else []
+        for root, _ in isolated:
+            if not root.imag.is_zero():
+                continue
+            if not (root.real > 0 or root.real < 0):
+                return None
+            if root.real > 0:
+                found.append((root.real.root(step), int(multiplicity)))
+    return sorted(found, key=lambda each: float(each[0].mid()))

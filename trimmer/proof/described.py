@@ -1,0 +1,167 @@
+"""Describing functions in balls, from the closed forms alone.
+
+An element is a sum of terms in parallel. What is linear in it goes to the plant. The rest is, with u = 1/A:
+square waves, (4/pi) c u; corners, w f(x u) with f of a saturation of slope 1; relays with thresholds; plays.
+
+Notation of plays: the load rests against the pin until the phase atan(1/gamma), gamma = omega M/D, and
+flies freely for the angle t. With c = gamma/sqrt(1 + gamma^2), s = 1/sqrt(1 + gamma^2), E = exp(-t/gamma)
+that takes
+
+    gap u = c gamma (1 - E) - c sin t + s (1 - cos t),
+    N = 1 - t/pi - w (1 - exp(-2jt))/(2j pi) - (2j/pi) k (1 - E exp(-jt)),
+
+w = -(1 + j gamma)/(1 - j gamma), k = gamma^2/(1 + gamma^2); gamma = 0 is friction-controlled backlash. The
+first integrates the velocity of the load relative to the pin, the second is 1 plus the integral of
+(2/pi) exp(-j phase of impact) over gap u (Gelb and Vander Velde, 1968).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from flint import acb, arb, fmpq
+
+from trimmer.proof.balls import PI, I, exact, hull
+
+
+@dataclass
+class Parts:
+    """What an element is made of, all numbers exact.
+
+    Attributes:
+        gain: Linear part of N.
+        damping: N holds j omega times this.
+        square: Real and imaginary part of c.
+        corners: Weight w and threshold x of each.
+        relays: Level, inputs at which it switches on and off.
+        plays: Weight, gap, time constant (None: infinite), and the frequency at which N is frozen, or None.
+    """
+
+    gain: fmpq = field(default_factory=lambda: fmpq(0))
+    damping: fmpq = field(default_factory=lambda: fmpq(0))
+    square: tuple[fmpq, fmpq] = field(default_factory=lambda: (fmpq(0), fmpq(0)))
+    corners: list[tuple[fmpq, fmpq]] = field(default_factory=list)
+    relays: list[tuple[fmpq, fmpq, fmpq]] = field(default_factory=list)
+    plays: list[tuple[fmpq, fmpq, fmpq | None, fmpq | None]] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, terms: list[dict]) -> Parts:  # type: ignore[type-arg]
+        """Add the terms of a file."""
+        parts = cls()
+        for term in terms:
+            weight = fmpq(1)
+            for factor in term["factors"]:
+                weight *= exact(factor)
+            parts._add(term, weight)
+        return parts
+
+    def _add(self, term: dict, weight: fmpq) -> None:  # type: ignore[type-arg]
+        kind = term["kind"]
+        if kind in ("relay", "preload"):
+            level, slope = weight * exact(term["level"]), exact(term.get("slope", 0.0))
+            on = exact(term.get("dead_zone", 0.0)) + exact(term.get("hysteresis", 0.0))
+            off = exact(term.get("dead_zone", 0.0)) - exact(term.get("hysteresis", 0.0))
+            self.gain += weight * slope
+            if on == 0:
+                self.square = (self.square[0] + level, self.square[1])
+            else:
+                self.relays.append((level, on, off))
+        elif kind == "Coulomb friction":
+            self.square = (self.square[0], self.square[1] + weight * exact(term["force"]))
+        elif kind == "viscous friction":
+            self.damping += weight * exact(term["damping"])
+        elif kind == "saturation":
+            self.corners.append((weight * exact(term["slope"]), exact(term["threshold"])))
+        elif kind == "dead zone":
+            self.gain += weight * exact(term["slope"])
+            self.corners.append((-weight * exact(term["slope"]), exact(term["threshold"])))
+        elif kind == "backlash":
+            lag = term["time_constant"]
+            frozen = term.get("frozen_omega")
+            self.plays.append(
+                (
+                    weight,
+                    exact(term["gap"]),
+                    None if lag is None else exact(lag),
+                    None if frozen is None else exact(frozen),
+                )
+            )
+        else:
+            raise ValueError(f"the kind {kind!r} of an element is none that has a closed form here")
+
+
+def corner(x: arb) -> tuple[arb, arb]:
+    """Enclose f and its derivative, f = (2/pi)(asin x + x sqrt(1 - x^2)) up to x = 1 and 1 beyond."""
+    ends = [_corner_at(each) for each in (x.lower(), x.upper())]
+    slope = (4 / PI) * (1 - x * x).nonnegative_part().sqrt() if not x > 1 else arb(0)
+    return ends[0].union(ends[1]), slope if x < 1 else slope.union(arb(0))
+
+
+def _corner_at(x: arb) -> arb:
+    if not x < 1:
+        return arb(1)
+    return (2 / PI) * (x.asin() + x * (1 - x * x).sqrt())
+
+
+def ideal_play(flight: arb) -> tuple[acb, acb]:
+    """Enclose N of friction-controlled backlash and its derivative by the flight."""
+    sine, cosine = flight.sin_cos()
+    gain = acb(1 - (flight - sine * cosine) / PI, -sine * sine / PI)
+    return gain, acb(-2 * sine * sine / PI, -2 * sine * cosine / PI)
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A play whose load goes on by itself: gap u and N, with their derivatives by flight and gamma."""
+
+    ratio: arb
+    ratio_by_flight: arb
+    ratio_by_gamma: arb
+    gain: acb
+    gain_by_flight: acb
+    gain_by_gamma: acb
+
+
+def carried_play(t: arb, gamma: arb) -> Carried:
+    """Enclose the motion behind a play; gamma may reach down to 0."""
+    sine, cosine = t.sin_cos()
+    ends = gamma.lower().max(arb(0)), gamma.upper()
+    square = (1 + ends[0] ** 2).union(1 + ends[1] ** 2)
+    root = square.rsqrt()
+    s, c = root, (ends[0] / (1 + ends[0] ** 2).sqrt()).union(ends[1] / (1 + ends[1] ** 2).sqrt())
+    decay = _decay(t, gamma)
+    turned = acb(cosine, -sine)
+    w = -(acb(s, c) ** 2)
+    k = c * c
+    twice = (1 - turned * turned) / (2 * I)
+    velocity = c * decay - c * cosine + s * sine
+    by_gamma = root**3 * (gamma * (1 - decay) - sine - gamma * (1 - cosine)) + c * (1 - decay)
+    by_gamma -= root * t * decay
+    gain_by_gamma = (2 * I / PI) * (acb(s, c) * s) ** 2 * twice
+    gain_by_gamma -= (2 * I / PI) * (2 * c * s**3 * (1 - decay * turned) - t * s * s * decay * turned)
+    return Carried(
+        c * gamma * (1 - decay) - c * sine + s * (1 - cosine),
+        velocity,
+        by_gamma,
+        1 - t / PI - w * twice / PI - (2 * I / PI) * k * (1 - decay * turned),
+        (2 / PI) * acb(c, -s) * turned * velocity,
+        gain_by_gamma,
+    )
+
+
+def _decay(t: arb, gamma: arb) -> arb:
+    """Enclose exp(-t/gamma) by its values at the ends; towards gamma = 0 for t and gamma from 0 on."""
+    first, last, least, largest = t.lower(), t.upper(), gamma.lower(), gamma.upper()
+    if not least > 0:
+        return hull(0, (-first.max(arb(0)) / largest).exp())
+    ends = [(-each / divisor).exp() for each in (first, last) for divisor in (least, largest)]
+    return ends[0].union(ends[1]).union(ends[2]).union(ends[3])
+
+
+def thrown_play(t: arb) -> tuple[arb, arb, acb, acb]:
+    """Enclose gap u, its derivative by the flight, N and its derivative, with an infinite time constant."""
+    sine, cosine = t.sin_cos()
+    turned = acb(cosine, -sine)
+    gain = 1 - t / PI - (1 - turned * turned) / (2 * I * PI) - (2 * I / PI) * (1 - turned)
+    velocity = 1 - cosine
+    return t - sine, velocity, gain, (2 / PI) * turned * velocity

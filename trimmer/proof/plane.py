@@ -1,0 +1,398 @@
+"""1 + N G = 0 in the plane of flight and omega: boxes without a solution, and boxes with exactly one.
+
+In place of the amplitude stands the flight t of the element that needs the largest amplitude, from 0 (an
+infinite one) to pi (the smallest): of a play, the angle in which its load flies; a relay that switches on at
+x is taken as a play of 2x, 1/A = (1 - cos t)/(2x). N is then analytic, with finite slopes, over the closed
+range. With F = den + N num: a box is without a solution if F in its middle is larger than its slopes allow
+it to change; it has exactly one if Krawczyk's operator maps it into itself (R. Krawczyk, Computing 4, 1969).
+Frequencies from 0 on and up to infinity are boxes too, in omega and in 1/omega. Where F vanishes in a corner,
+as behind an integrator, the curves of N and -1/G are of different orders there (``is_parted_from``).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from flint import acb, acb_poly, arb, fmpq, fmpq_poly
+
+from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, real
+from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
+from trimmer.proof.undecided import UndecidedError
+
+LAST = math.nextafter(math.pi, 4.0)
+"""The end of the flights, rounded up."""
+MOST_BOXES = 60000
+SMALLEST = 1e-9
+"""Width of a box, relative, below which it is left undecided."""
+CORNER = 0.05
+
+
+@dataclass(frozen=True)
+class Gain:
+    """N and u = 1/A with their derivatives by flight and omega."""
+
+    value: acb
+    by_flight: acb
+    by_omega: acb
+    inverse: arb
+
+
+class Element:
+    """N over flight and omega."""
+
+    def __init__(self, parts: Parts) -> None:
+        """Choose what the flight is of.
+
+        Raises:
+            UndecidedError: if the closed forms do not cover the element.
+        """
+        self.parts = parts
+        limits = [(gap / 2, place) for place, (_, gap, _, _) in enumerate(parts.plays)]
+        limits += [(on, -1 - place) for place, (_, on, _) in enumerate(parts.relays)]
+        if not limits:
+            raise UndecidedError("N turns with the amplitude down to amplitude 0, which is not covered")
+        self.limit, place = max(limits)
+        self.moving = [each for each in parts.plays if each[2] != 0]
+        self.still = [each for each in parts.plays if each[2] == 0]
+        alone = len(parts.plays) + len(parts.relays) == 1
+        has_square = bool(parts.square[0] or parts.square[1])
+        if self.moving and not alone:
+            raise UndecidedError("a play with a time constant beside plays or relays is not covered")
+        if place < 0:
+            off = parts.relays[-1 - place][2]
+            others = has_square or parts.corners or not alone
+            if off >= 0 and others:
+                raise UndecidedError("a relay that rests beside others is not covered below its threshold")
+        self.turns_with_omega = any(lag is not None and frozen is None for _, _, lag, frozen in self.moving)
+        self.vanishes = not (has_square or parts.corners or self.moving) and alone
+
+    def at(self, t: arb, omega: arb) -> Gain:
+        """Enclose N and u over flights and omega."""
+        zero = acb(0)
+        if self.moving:
+            weight, gap, lag, frozen = self.moving[0]
+            u, by_t, by_omega, first = _moving(t, omega, lag, frozen)
+            scale = 1 / real(gap)
+            u, by_t, by_omega = u * scale, by_t * scale, by_omega * scale
+            factor = real(weight)
+            value, slope, other = first[0] * factor, first[1] * factor, first[2] * factor
+        else:
+            scale = 1 / (2 * real(self.limit))
+            u, by_t, by_omega = (1 - t.cos()) * scale, t.sin() * scale, arb(0)
+            value = slope = other = zero
+        by_u = zero
+        square = acb(real(self.parts.square[0]), real(self.parts.square[1])) * 4 / PI
+        value, by_u = value + square * u, by_u + square
+        for size, threshold in self.parts.corners:
+            share, steep = corner(u * real(threshold))
+            value, by_u = value + real(size) * share, by_u + real(size * threshold) * steep
+        for level, on, off in self.parts.relays:
+            turned, by_t_of = self._relay(t, u, by_t, on, off)
+            value, slope = value + real(level) * turned, slope + real(level) * by_t_of
+        for size, gap, _, _ in self.still:
+            flight, stretch = self._flight(t, gap)
+            gain, by_flight = ideal_play(flight)
+            value, slope = value + real(size) * gain, slope + real(size) * by_flight * stretch
+        return Gain(value, slope + by_u * by_t, other + by_u * by_omega, u)
+
+    def is_parted_from(self, num: fmpq_poly, den: fmpq_poly, omega: float) -> bool:
+        """Return whether -1/G and N are apart up to omega, within ``CORNER`` of the flight where N vanishes.
+
+        A play has N = l^2 (a l - j b)/pi there, with l = pi - t, a near 2/3 and b near 1; a relay
+        (2/pi)(r u - j w u^2), w its on less its off, r near 2. So Re(N)^2/|Im N|^3, or |Im N|/Re(N)^2, is
+        within bounds, and the same of -1/G, a power of omega times a bounded function, must be outside.
+        """
+        weight = self.parts.relays[0][0] if self.parts.relays else self.parts.plays[0][0]
+        (a, b), (p, q) = along_axis(num), along_axis(den)
+        parts = [(a * p + b * q) * -weight, (a * q - b * p) * -weight, (a * a + b * b) * weight * weight]
+        if parts[0].is_zero() or parts[1].is_zero():
+            return True
+        powers = [next(place for place, each in enumerate(part.coeffs()) if each) for part in parts]
+        reach = hull(0, omega)
+        along, beside, size = (
+            in_balls((part.right_shift(power) if power else part, fmpq_poly([0])))(acb(reach)).real
+            for part, power in zip(parts, powers, strict=True)
+        )
+        if along < 0 or beside > 0:
+            return True
+        corner_size = real(fmpq(exact(CORNER)))
+        if self.still:
+            ratio, power = along**2 * size / abs(beside) ** 3, 2 * powers[0] + powers[2] - 3 * powers[1]
+            near = (real(fmpq(2, 3)) - 2 * corner_size**2 / 15).union(real(fmpq(2, 3)))
+            bounds = PI * near**2 / (1 - corner_size**2 / 6).union(arb(1)) ** 6
+        else:
+            _, on, off = self.parts.relays[0]
+            ratio, power = abs(beside) * size / along**2, powers[1] + powers[2] - 2 * powers[0]
+            bounds = PI * real(on - off) / (8 * (1 - corner_size**4 / 16).union(arb(1)))
+        if power >= 0:
+            return bool(ratio * arb(omega) ** power < bounds or (power == 0 and ratio > bounds))
+        return bool(ratio * arb(omega) ** power > bounds)
+
+    def _flight(self, t: arb, gap: fmpq) -> tuple[arb, arb]:
+        """Enclose the flight behind a play of a smaller gap: sin(m/2) = sqrt(q) sin(t/2)."""
+        share = gap / (2 * self.limit)
+        if share == 1:
+            return t, arb(1)
+        root, (sine, cosine) = real(share).sqrt(), (t / 2).sin_cos()
+        return 2 * (root * sine).asin(), root * cosine / (1 - real(share) * sine * sine).sqrt()
+
+    def _relay(self, t: arb, u: arb, by_t: arb, on: fmpq, off: fmpq) -> tuple[acb, acb]:
+        """Enclose (2/pi) u (exp(-j asin(on u)) + exp(j asin(off u))) and its derivative by t."""
+        roots = [self._root(t, u, by_t, each) for each in (on, off)]
+        both, slopes = roots[0][0] + roots[1][0], roots[0][1] + roots[1][1]
+        width = real(on - off)
+        value = acb(u * both, -width * u * u) * 2 / PI
+        return value, acb(by_t * both + u * slopes, -2 * width * u * by_t) * 2 / PI
+
+    def _root(self, t: arb, u: arb, by_t: arb, x: fmpq) -> tuple[arb, arb]:
+        """Enclose sqrt(1 - (x u)^2), which is cos(t/2) sqrt(1 + sin(t/2)^2) where t belongs to x."""
+        if abs(x) == self.limit and not self.moving:
+            sine, cosine = (t / 2).sin_cos()
+            root = (1 + sine * sine).sqrt()
+            return cosine * root, -sine * root / 2 + cosine * sine * cosine / (2 * root)
+        root = (1 - (real(x) * u) ** 2).sqrt()
+        return root, -real(x * x) * u * by_t / root
+
+
+def _moving(
+    t: arb, omega: arb, lag: fmpq | None, frozen: fmpq | None
+) -> tuple[arb, arb, arb, tuple[acb, acb, acb]]:
+    """Return gap u and its derivatives by t and omega, and N with the same."""
+    if lag is None:
+        ratio, slope, gain, by_flight = thrown_play(t)
+        return ratio, slope, arb(0), (gain, by_flight, acb(0))
+    rate = arb(0) if frozen is not None else real(lag)
+    motion = carried_play(t, real(lag * frozen) if frozen is not None else real(lag) * omega)
+    gains = (motion.gain, motion.gain_by_flight, motion.gain_by_gamma * rate)
+    return motion.ratio, motion.ratio_by_flight, motion.ratio_by_gamma * rate, gains
+
+
+@dataclass(frozen=True)
+class Box:
+    """Flights and omegas between ends that are doubles."""
+
+    t: tuple[float, float]
+    omega: tuple[float, float]
+
+    @property
+    def balls(self) -> tuple[arb, arb]:
+        """Both as balls."""
+        return hull(*self.t), hull(*self.omega)
+
+    def halves(self, along_t: bool) -> tuple[Box, Box]:
+        """Divide it, the omegas in their geometric middle."""
+        if along_t:
+            middle = self.t[0] + 0.4871 * (self.t[1] - self.t[0])
+            return Box((self.t[0], middle), self.omega), Box((middle, self.t[1]), self.omega)
+        lower, upper = self.omega
+        middle = lower * (upper / lower) ** 0.4871 if lower > 0 else 0.4871 * upper
+        return Box(self.t, (lower, middle)), Box(self.t, (middle, upper))
+
+
+Solved = tuple[arb, arb]
+
+
+class Plane:
+    """F over the plane, and what was found in it."""
+
+    def __init__(self, num: fmpq_poly, den: fmpq_poly, parts: Parts) -> None:
+        """Take den + N num, the linear part of the element already in den."""
+        self.num, self.den, self.element = num, den, Element(parts)
+        self.sides = in_balls(along_axis(num)), in_balls(along_axis(den))
+        self.order = den.degree()
+        self.found: list[tuple[Box, Solved]] = []
+        self.examined = 0
+
+    def solutions(self, omegas: tuple[float, float] | None) -> Iterator[tuple[arb, arb]]:
+        """Enclose amplitude and omega of all solutions, at all frequencies or in a range.
+
+        Raises:
+            UndecidedError: where balls do not tell.
+        """
+        lowest, highest = omegas or (self._quiet_below(), self._quiet_above())
+        self._search(Box((0.0, LAST), (lowest, highest)), self._solve)
+        for _, (t, omega) in self.found:
+            if t < 0 or t > PI:
+                continue
+            if not (t > 0 and t < PI):
+                raise UndecidedError("a solution stands at the smallest or an infinite amplitude")
+            yield 1 / self.element.at(t, omega).inverse, omega
+
+    def _search(self, start: Box, settled: Callable[[Box], bool | None]) -> None:
+        waiting = [start]
+        while waiting:
+            self.examined += 1
+            box = waiting.pop()
+            answer = settled(box)
+            if answer is None:
+                continue
+            width = box.t[1] - box.t[0]
+            if width < SMALLEST or self.examined > MOST_BOXES:
+                u = float(self.element.at(*box.balls).inverse.mid())
+                raise UndecidedError(
+                    f"the curves of N and -1/G touch, coincide or end near {box.omega[1]:.9g} rad/s and "
+                    f"amplitude {1 / u if u else math.inf:.6g}, as near as balls tell"
+                )
+            waiting += box.halves(answer)
+
+    def _slopes(self, box: Box) -> tuple[acb, acb, acb, arb, arb]:
+        """Enclose F in the middle, its derivatives over the box, and the box about its middle."""
+        t, omega = box.balls
+        middles = 0.5 * (box.t[0] + box.t[1]), 0.5 * (box.omega[0] + box.omega[1])
+        reach = [ball - arb(middle) for ball, middle in zip((t, omega), middles, strict=True)]
+        shift = acb_poly([acb(arb(middles[1])), 1])
+        num, den = (each(shift) for each in self.sides)
+        here, around = self.element.at(*(arb(each) for each in middles)), self.element.at(t, omega)
+        step = acb(reach[1])
+        over = num(step)
+        by_omega = den.derivative()(step) + around.value * num.derivative()(step) + around.by_omega * over
+        middle = den(acb(0)) + here.value * num(acb(0))
+        return middle, around.by_flight * over, by_omega, reach[0], reach[1]
+
+    def _solve(self, box: Box) -> bool | None:
+        """Settle a box (None), or say whether to divide its flights."""
+        middle, by_t, by_omega, t, omega = self._slopes(box)
+        if _is_apart(middle, by_t, by_omega, t, omega):
+            return None
+        wide = [0.5 * (each[1] - each[0]) for each in (box.t, box.omega)]
+        larger = Box(
+            (box.t[0] - wide[0], box.t[1] + wide[0]),
+            (max(box.omega[0] - wide[1], 0.5 * box.omega[0]), box.omega[1] + wide[1]),
+        )
+        enclosed = self._krawczyk(larger)
+        if enclosed is not None:
+            if not any(_is_inside(enclosed, other) for other, _ in self.found):
+                self.found.append((larger, enclosed))
+            return None
+        if box.omega[1] > 4.0 * box.omega[0]:
+            return False
+        sizes = [float(abs(slope).upper() * each.rad()) for slope, each in ((by_t, t), (by_omega, omega))]
+        return not sizes[0] < sizes[1]
+
+    def _krawczyk(self, box: Box) -> Solved | None:
+        """Enclose the solution in a box if it has exactly one."""
+        image = self._image(box)
+        ends_of = (box.t, box.omega)
+        if image is None or not all(
+            each > arb(ends[0]) and each < arb(ends[1]) for each, ends in zip(image, ends_of, strict=True)
+        ):
+            return None
+        for _ in range(6):
+            ends = [(float(each.lower()), float(each.upper())) for each in image]
+            ends = [(math.nextafter(a, -math.inf), math.nextafter(b, math.inf)) for a, b in ends]
+            following = self._image(Box(*ends))
+            if following is None:
+                break
+            both = [each.intersection(other) for each, other in zip(image, following, strict=True)]
+            if not both[0].rad() < 0.9 * image[0].rad() and not both[1].rad() < 0.9 * image[1].rad():
+                break
+            image = (both[0], both[1])
+        return image
+
+    def _image(self, box: Box) -> Solved | None:
+        middle, by_t, by_omega, t, omega = self._slopes(box)
+        a, b = complex(by_t.mid()), complex(by_omega.mid())
+        size = max(abs(a), abs(b))
+        if not (math.isfinite(size) and size):
+            return None
+        # The inverse of the middle of the derivative, in doubles: any will do.
+        determinant = a.real * b.imag - b.real * a.imag
+        if not determinant:
+            return None
+        rows = ((b.imag / determinant, -b.real / determinant), (-a.imag / determinant, a.real / determinant))
+        centers = 0.5 * (box.t[0] + box.t[1]), 0.5 * (box.omega[0] + box.omega[1])
+        image = []
+        for place, (first, second) in enumerate(rows):
+            step = first * middle.real + second * middle.imag
+            of_t = (1 if place == 0 else 0) - (first * by_t.real + second * by_t.imag)
+            of_omega = (1 if place == 1 else 0) - (first * by_omega.real + second * by_omega.imag)
+            image.append(arb(centers[place]) - step + of_t * t + of_omega * omega)
+        return image[0], image[1]
+
+    def _quiet_below(self) -> float:
+        """Return an omega below which there is no solution."""
+        omega = 0.25 * _root_bound([self.num, self.den])
+        in_corner = self.den[0] == 0 and self.element.vanishes
+        first = CORNER if in_corner and self.element.parts.relays else 0.0
+        last = LAST - CORNER if in_corner and self.element.still else LAST
+        for _ in range(12):
+            parted = not in_corner or self.element.is_parted_from(self.num, self.den, omega)
+            if parted and self._is_quiet(Box((first, last), (0.0, omega)), self._low_strip):
+                return omega
+            omega /= 16.0
+        raise UndecidedError("nothing excludes solutions towards frequency 0")
+
+    def _quiet_above(self) -> float:
+        """Return an omega above which there is no solution."""
+        omega = 4.0 / _root_bound([_backwards(self.num), _backwards(self.den)])
+        for _ in range(12):
+            if self._is_quiet(Box((0.0, LAST), (0.0, 1.0 / omega)), self._high_strip):
+                return omega
+            omega *= 16.0
+        raise UndecidedError("nothing excludes solutions towards infinite frequency")
+
+    def _is_quiet(self, start: Box, settled: Callable[[Box], bool | None]) -> bool:
+        waiting = [start]
+        while waiting:
+            box = waiting.pop()
+            if settled(box) is not None:
+                if box.t[1] - box.t[0] < 1e-3:
+                    return False
+                waiting += box.halves(True)
+        return True
+
+    def _low_strip(self, box: Box) -> bool | None:
+        return None if _is_apart(*self._slopes(box)) else True
+
+    def _high_strip(self, box: Box) -> bool | None:
+        """Take omega**-n F as a function of 1/omega."""
+        t, inverse = box.balls
+        num, den = (in_balls(along_axis(each), self.order)(acb(inverse)) for each in (self.num, self.den))
+        if self.element.turns_with_omega:
+            # |N| < 1 + 1/pi + 4/pi by its closed form, at any gamma.
+            value = real(self.element.moving[0][0]) * acb(about(3), about(3))
+            value += self._rest_of_moving(t)
+        else:
+            middle = 0.5 * (box.t[0] + box.t[1])
+            here, around = self.element.at(arb(middle), arb(1)), self.element.at(t, arb(1))
+            value = here.value + around.by_flight * (t - arb(middle))
+        return None if not (den + value * num).contains(0) else True
+
+    def _rest_of_moving(self, t: arb) -> acb:
+        """Enclose what is beside a play with a time constant: gap u lies between 0 and pi."""
+        u = hull(0, PI) / real(self.element.moving[0][1])
+        square = acb(real(self.element.parts.square[0]), real(self.element.parts.square[1])) * 4 / PI * u
+        corners = [real(weight) * hull(0, 1) for weight, _ in self.element.parts.corners]
+        return square + sum(corners, arb(0))
+
+
+def _is_apart(middle: acb, by_t: acb, by_omega: acb, t: arb, omega: arb) -> bool:
+    """Return whether F vanishes nowhere in a box: its part along F in the middle stays positive."""
+    along = acb(middle.mid()).conjugate()
+    return bool((along * middle).real + (along * by_t).real * t + (along * by_omega).real * omega > 0)
+
+
+def _is_inside(enclosed: Solved, box: Box) -> bool:
+    t, omega = box.balls
+    return bool(t.contains(enclosed[0]) and omega.contains(enclosed[1]))
+
+
+def _backwards(polynomial: fmpq_poly) -> fmpq_poly:
+    return fmpq_poly(polynomial.coeffs()[::-1])
+
+
+def _root_bound(polynomials: list[fmpq_poly]) -> float:
+    """Return about the size of the smallest roots that are not 0; it only says where to begin."""
+    smallest = math.inf
+    for each in polynomials:
+        sizes = [(power, _log(value)) for power, value in enumerate(each.coeffs()) if value]
+        first, size = sizes[0]
+        for power, other in sizes[1:]:
+            smallest = min(smallest, math.exp((size - other) / (power - first)))
+    return smallest if math.isfinite(smallest) else 1.0
+
+
+def _log(value: fmpq) -> float:
+    return float(abs(arb(value)).log().mid())

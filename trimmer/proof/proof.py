@@ -1,0 +1,124 @@
+"""A proof: what is proven of given data, in a file that is verified again without what computed it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from trimmer.errors import MissingPackageError, TrimmerError
+from trimmer.files import read_content, write_atomically
+from trimmer.json_data import DataError, parsed_json
+from trimmer.messages import shown_value
+from trimmer.proof.outcome import Outcome, Verdict
+
+_FORMAT = 1
+
+
+class ProofFileError(TrimmerError, ValueError):
+    """A file is no proof that can be verified; the message says which, and what is wrong."""
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What ball arithmetic says of a statement.
+
+    Attributes:
+        statement: What kind of statement it is: ``limit cycles``, ``orbit`` or ``special point``.
+        verdict: ``proven``, ``undecided`` or ``refuted``; it equals the word.
+        theorem: What is proven, a sentence; empty if nothing is.
+        reason: Why nothing is proven, or what is wrong, without a full stop; empty if it is proven.
+        data: What the statement is about, and all that is needed to verify it again.
+    """
+
+    statement: str
+    verdict: Verdict
+    theorem: str
+    reason: str
+    data: dict[str, Any] = field(repr=False, compare=False)
+
+    def __bool__(self) -> bool:
+        """Return whether it is proven."""
+        return self.verdict is Verdict.PROVEN
+
+    def write(self, path: Path | str) -> None:
+        """Write it as JSON, for ``trimmer check``.
+
+        Raises:
+            FileWriteError: see ``trimmer.files.write_atomically``.
+        """
+        head = {"trimmer proof": _FORMAT, "statement": self.statement, "verdict": str(self.verdict)}
+        told = {**head, "theorem": self.theorem, "reason": self.reason, "data": self.data}
+        write_atomically(path, json.dumps(told, indent=1, allow_nan=False) + "\n")
+
+
+def proof_of(statement: str, data: dict[str, Any]) -> Proof:
+    """Check a statement about data.
+
+    Raises:
+        MissingPackageError: if python-flint is not installed.
+    """
+    outcome = _checks()[statement](data)
+    return Proof(statement, outcome.verdict, outcome.theorem, outcome.reason, data)
+
+
+def check_proof(path: Path | str) -> Proof:
+    """Verify the theorem of a file again, from its data alone.
+
+    Returns:
+        What comes out: proven only if the file says so, and its theorem is, word for word, what is proven.
+
+    Raises:
+        ProofFileError: if the file cannot be read, or is no proof.
+        MissingPackageError: if python-flint is not installed.
+    """
+    told = _read(Path(path))
+    statement, data = told["statement"], told["data"]
+    try:
+        proof = proof_of(statement, data)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise ProofFileError(
+            f"{path}: its data are not those of a proof ({error!r}); write the proof again"
+        ) from error
+    if not proof:
+        return proof
+    if told["verdict"] != Verdict.PROVEN or told["theorem"] != proof.theorem:
+        reason = f"the file says another theorem than its data, which give: {proof.theorem}"
+        return Proof(statement, Verdict.REFUTED, "", reason, data)
+    return proof
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        told = parsed_json(read_content(path))
+    except OSError as error:
+        raise ProofFileError(f"{path}: it cannot be read ({error.strerror})") from error
+    except DataError as error:
+        raise ProofFileError(f"{path}: {error}") from error
+    if not isinstance(told, dict) or told.get("trimmer proof") != _FORMAT:
+        raise ProofFileError(f'{path}: it is no proof, which begins with "trimmer proof": {_FORMAT}')
+    wanted = {"statement": str, "verdict": str, "theorem": str, "data": dict}
+    for name, kind in wanted.items():
+        if not isinstance(told.get(name), kind):
+            raise ProofFileError(f"{path}: {name} is missing, or of another type; write the proof again")
+    if told["statement"] not in _STATEMENTS:
+        raise ProofFileError(
+            f"{path}: statement {shown_value(told['statement'])} is none that can be checked: "
+            f"{', '.join(_STATEMENTS)}"
+        )
+    return told
+
+
+_STATEMENTS = ("limit cycles",)
+
+
+def _checks() -> dict[str, Callable[[dict[str, Any]], Outcome]]:
+    try:
+        from trimmer.proof.cycles import check_limit_cycles
+    except ImportError as error:
+        raise MissingPackageError(
+            "proofs need python-flint, which is not installed: install it with 'pip install trimmer[proof]'"
+        ) from error
+    return {"limit cycles": check_limit_cycles}

@@ -1,0 +1,147 @@
+"""1 + N G = 0 where N keeps its direction: the amplitude drops out of the phase, and all is one-dimensional.
+
+With N = c n(u), c fixed, and F = den + c n num: at each omega > 0 at which den and num are not both zero,
+F = 0 asks that Im(c num conj(den)) = 0, a polynomial with exact coefficients, and n = -Re(den/(c num)). Its
+positive roots are isolated, so nothing is left out from frequency 0 to infinity; then n(u) = k is solved for
+all u > 0, in pieces in which n is monotone, and beyond the last corner, where it is linear, at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+
+from flint import acb, arb, fmpq, fmpq_poly
+
+from trimmer.proof.balls import PI, along_axis, hull, in_balls, positive_roots, real
+from trimmer.proof.described import Parts, corner
+from trimmer.proof.undecided import UndecidedError
+
+Solution = tuple[arb, arb]
+"""Amplitude and omega, rad/s."""
+MOST_PIECES = 4000
+UNEVEN = 0.4871
+"""Where an interval is divided: a solution stands on no such place by chance."""
+
+
+def keeps_direction(parts: Parts) -> bool:
+    """Return whether N is a real function of the amplitude times a constant."""
+    if parts.plays or any(on != off for _, on, off in parts.relays):
+        return False
+    return parts.square[1] == 0 or not (parts.corners or parts.relays)
+
+
+def solutions(num: fmpq_poly, den: fmpq_poly, given: fmpq_poly, parts: Parts) -> Iterator[Solution]:
+    """Enclose all solutions of den + N num = 0 with N not zero.
+
+    Args:
+        num: Numerator.
+        den: Denominator with the linear part of the element in it.
+        given: The denominator without it.
+        parts: The element.
+
+    Raises:
+        UndecidedError: where balls do not tell.
+    """
+    direction = parts.square if parts.square[1] else (fmpq(1), fmpq(0))
+    (a, b), (p, q) = along_axis(num), along_axis(den)
+    a, b = direction[0] * a - direction[1] * b, direction[0] * b + direction[1] * a
+    phase = b * p - a * q
+    if phase.is_zero():
+        raise UndecidedError("the phase is right at every frequency, so that solutions are not isolated")
+    for pair in (along_axis(num), along_axis(given), *([(p, q)] if _never_zero(parts) else [])):
+        phase = _without_roots_of(phase, pair[0].gcd(pair[1]))
+    roots = positive_roots(phase)
+    if roots is None:
+        raise UndecidedError("a root of the phase is too near to zero")
+    above, below = in_balls((p, q)), in_balls((a, b))
+    for omega, multiplicity in roots:
+        if multiplicity > 1:
+            raise UndecidedError(f"-1/G touches the direction of N at {float(omega.mid()):.9g} rad/s")
+        divisor = below(acb(omega))
+        if divisor.contains(0):
+            raise UndecidedError(f"G is too small at {float(omega.mid()):.9g} rad/s")
+        wanted = (-above(acb(omega)) / divisor).real
+        for inverse in _inverse_amplitudes(parts, wanted):
+            yield 1 / inverse, omega
+
+
+def _never_zero(parts: Parts) -> bool:
+    return not (parts.corners or parts.relays)
+
+
+def _without_roots_of(polynomial: fmpq_poly, common: fmpq_poly) -> fmpq_poly:
+    while (shared := polynomial.gcd(common)).degree() > 0:
+        polynomial = polynomial // shared
+    return polynomial
+
+
+def _inverse_amplitudes(parts: Parts, wanted: arb) -> Iterator[arb]:
+    """Solve n(u) = wanted for all u > 0."""
+    slope = real(parts.square[0]) * 4 / PI if parts.square[1] == 0 else 4 / PI
+
+    def gain(u: arb) -> tuple[arb, arb]:
+        value, by_u = slope * u, slope
+        for weight, threshold in parts.corners:
+            share, steep = corner(u * real(threshold))
+            value, by_u = value + real(weight) * share, by_u + real(weight * threshold) * steep
+        for level, on, _ in parts.relays:
+            x = u * real(on)
+            root = (1 - x * x).nonnegative_part().sqrt()
+            silent = x > 1
+            value += 0 if silent else real(level) * 4 / PI * u * root
+            by_u += arb(0) if silent else real(level) * 4 / PI * (1 - 2 * x * x) / root
+        return value, by_u
+
+    kinks = sorted({1 / each for _, each in parts.corners} | {1 / on for _, on, _ in parts.relays})
+    ends = [arb(0), *(real(each) for each in kinks)]
+    for lower, upper in pairwise(ends):
+        yield from _roots_between(gain, wanted, lower, upper)
+    rest = wanted - sum((real(weight) for weight, _ in parts.corners), arb(0))
+    if slope == 0:
+        if rest.contains(0):
+            raise UndecidedError("N may be right at every small amplitude")
+        return
+    beyond = rest / slope
+    if beyond > ends[-1]:
+        yield beyond
+    elif not beyond < ends[-1] and ends[-1] > 0:
+        raise UndecidedError("a solution stands at a corner of the element")
+    elif beyond.contains(0):
+        raise UndecidedError("G is too large or the amplitude too large to tell")
+
+
+def _roots_between(
+    gain: Callable[[arb], tuple[arb, arb]], wanted: arb, lower: arb, upper: arb
+) -> Iterator[arb]:
+    waiting, pieces = [(lower, upper)], 0
+    while waiting:
+        pieces += 1
+        if pieces > MOST_PIECES:
+            raise UndecidedError("N nearly touches what is wanted")
+        first, last = waiting.pop()
+        value, slope = gain(hull(first, last))
+        if not (value - wanted).contains(0):
+            continue
+        if slope > 0 or slope < 0:
+            ends = [gain(each)[0] - wanted for each in (first, last)]
+            if (ends[0] < 0 and ends[1] > 0) or (ends[0] > 0 and ends[1] < 0):
+                yield _narrowed(gain, wanted, hull(first, last))
+                continue
+            if (ends[0] < 0 and ends[1] < 0) or (ends[0] > 0 and ends[1] > 0):
+                continue
+        middle = (first + UNEVEN * (last - first)).mid()
+        waiting += [(first, middle), (middle, last)]
+
+
+def _narrowed(gain: Callable[[arb], tuple[arb, arb]], wanted: arb, around: arb) -> arb:
+    """Narrow the only root in an interval by Newton's method."""
+    for _ in range(60):
+        middle = arb(around.mid())
+        slope = gain(around)[1]
+        value = gain(middle)[0] - wanted
+        following = around.intersection(middle - value / slope)
+        if not following.rad() < 0.9 * around.rad():
+            break
+        around = following
+    return around

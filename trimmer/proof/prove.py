@@ -1,0 +1,52 @@
+"""Prove what was computed: the check gets a statement with its data, and nothing of what computed it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from trimmer.arguments import require_instances
+from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
+from trimmer.balance.loop_first import takes_a_loop
+from trimmer.loops.loops import ClosedLoop
+from trimmer.proof.outcome import Verdict
+from trimmer.proof.proof import Proof, proof_of
+from trimmer.proof.terms import element_data, plant_data
+
+
+@takes_a_loop
+def prove_limit_cycles(
+    loop: ClosedLoop,
+    limit_cycles: Sequence[LimitCycle] | HarmonicBalance,
+    omega_range: tuple[float, float] | None = None,
+) -> Proof:
+    """Prove that a list of limit cycles is that of harmonic balance: no more, no less.
+
+    All solutions of 1 + N(A, omega) G(j omega) = 0 are enclosed in balls from the coefficients and the closed
+    forms alone: where N keeps its direction by the roots of a polynomial, else by boxes of the whole plane.
+
+    Args:
+        loop: The closed loop, as for ``limit_cycles``; its numbers are taken as exact.
+        limit_cycles: The list, or the result of ``harmonic_balance``.
+        omega_range: Lowest and highest angular frequency, rad/s, within which the list is complete; all if
+            not given.
+
+    Returns:
+        Proven, if there are exactly these, each within 1e-9 of its amplitude and omega. Refuted, if one is
+        missing or is none. Undecided, with the reason, where balls do not tell.
+
+    Raises:
+        WrongTypeError: if an argument is of another type.
+        MissingPackageError: if python-flint is not installed.
+    """
+    listed = limit_cycles.limit_cycles if isinstance(limit_cycles, HarmonicBalance) else limit_cycles
+    cycles = require_instances("limit_cycles", listed, LimitCycle, "a LimitCycle")
+    data = {
+        "plant": plant_data(loop.system),
+        "element": element_data(loop.element),
+        "omega_range": None if omega_range is None else [float(each) for each in omega_range],
+        "limit_cycles": [{"amplitude": float(each.amplitude), "omega": float(each.omega)} for each in cycles],
+    }
+    if data["element"] is None:
+        reason = f"{loop.element!r} has no closed form that the check knows"
+        return Proof("limit cycles", Verdict.UNDECIDED, "", reason, data)
+    return proof_of("limit cycles", data)
