@@ -20,6 +20,7 @@ TITLES = {
     "mechanism": "Mechanism",
     "motion": "Exact simulation of loops",
     "orbits": "Exact orbits of loops",
+    "proof": "Proofs by ball arithmetic",
     "response": "Motion of mechanisms",
     "runners": "Processes and clusters",
     "signals": "Signals",
