@@ -18,6 +18,7 @@ from hypothesis.internal.conjecture import providers
 from hypothesis.internal.conjecture.providers import Constants, HypothesisProvider
 
 from tests.digits import rests_on_digits
+from tests.kernels import warm_up
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -104,6 +105,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if rests_on_digits(item.path):
             item.add_marker("digits")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Compile a share of what all processes need, before the first of them begins with its tests."""
+    warm_up(len(session.items))
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

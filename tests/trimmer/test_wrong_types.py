@@ -6,6 +6,7 @@ import itertools
 import math
 import traceback
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 import control
@@ -21,7 +22,6 @@ PLAY = trimmer.FrictionBacklash(4e-5)
 DRIVE = trimmer.Drive(1.5e-3, 700.0)
 LOOP, TRIMMER = trimmer.ClosedLoop(SYSTEM, PLAY), trimmer.TrimmerLoop(THESIS, PLAY, DRIVE)
 CYCLE = trimmer.limit_cycles(SYSTEM, PLAY)[-1]
-MOTION = trimmer.simulate(TRIMMER, 0.001)
 SAMPLES = np.sin(np.arange(200.0))
 SIGNAL = trimmer.Signal(SAMPLES, 1000.0)
 MOVING = trimmer.Signal(SAMPLES, 1000.0, "x", "m")
@@ -29,6 +29,21 @@ SPECTRUM = trimmer.spectra.amplitude_spectrum(SAMPLES, 1000.0)
 FRICTION = trimmer.CoulombFriction(1.0)
 STATIC = trimmer.StaticElement(np.sin)
 SEARCH = trimmer.OrbitSearch(trimmer.orbits.Simulations.NEVER)
+
+
+@cache
+def motion() -> trimmer.Motion:
+    """Moved when a test asks: while tests are collected, each process would compile what moves it."""
+    return trimmer.simulate(TRIMMER, 0.001)
+
+
+def output(**given: object) -> object:
+    return motion().output(**given)
+
+
+def state(**given: object) -> object:
+    return motion().state(**given)
+
 
 ANYTHING = {"text": "1.0", "an object": object(), "a class": trimmer.FrictionBacklash, "complex": 1j}
 ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
@@ -98,15 +113,15 @@ CALLS = {
         "inputs": [0.0, 1.0],
         "initial_state": 0.0,
     },
-    trimmer.energy_balance: {"motion": MOTION},
+    trimmer.energy_balance: {"motion": motion},
     trimmer.ClosedLoop: {"system": SYSTEM, "element": PLAY},
     trimmer.OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
     trimmer.TrimmerLoop: {"parameters": THESIS, "element": PLAY, "drive": DRIVE, "frictions": ()},
     trimmer.loops.BodyFriction: {"between": trimmer.thesis.CUTTER_RELATIVE_TO_GUARD, "law": FRICTION},
     trimmer.simulate: {"loop": LOOP, "duration": 0.001, "initial_state": np.zeros(8), "impulse": 1e-6}
     | {"element_output": 0.0, "event_limit": 10, "step_limit": 1000},
-    MOTION.output: {"times": 0.0},
-    MOTION.state: {"times": 0.0},
+    output: {"times": 0.0},
+    state: {"times": 0.0},
     trimmer.forced_orbit: {"loop": TRIMMER, "settling": 8},
     trimmer.multi_harmonic_balance: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "orders": (1, 3)},
     trimmer.periodic_orbits: {"system": SYSTEM, "element": PLAY, "guesses": (CYCLE,), "search": SEARCH},
@@ -217,6 +232,10 @@ NONSENSE = [
 NONSENSE += [np.full(3, np.nan), np.array([]), b"x", 10**400, [[1.0], [1.0, 2.0]], float, [math.nan]]
 
 
+def right(call) -> dict[str, object]:
+    return {name: motion() if value is motion else value for name, value in CALLS[call].items()}
+
+
 def wrong(argument: str) -> list[object]:
     """What is of a wrong type for an argument."""
     return [
@@ -234,7 +253,7 @@ def test_a_wrong_type_is_named(call, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     for argument, value in ((name, value) for name in CALLS[call] for value in wrong(name)):
         with pytest.raises((ValueError, TypeError)) as caught:
-            call(**{**CALLS[call], argument: value})
+            call(**{**right(call), argument: value})
         last = traceback.extract_tb(caught.value.__traceback__)[-1]
         assert Path(last.filename).is_relative_to(PACKAGE), ("raised by another package", argument, value)
         assert last.line is not None
@@ -250,7 +269,7 @@ def test_nonsense_works_or_is_refused_on_purpose(call, tmp_path, monkeypatch) ->
     monkeypatch.chdir(tmp_path)
     for argument, value in itertools.product(CALLS[call], NONSENSE):
         try:
-            call(**{**CALLS[call], argument: value})
+            call(**{**right(call), argument: value})
         except (trimmer.TrimmerError, ValueError) as error:
             last = traceback.extract_tb(error.__traceback__)[-1]
             assert Path(last.filename).is_relative_to(PACKAGE), (argument, value)
