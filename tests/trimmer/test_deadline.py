@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trimmer.design.made import oscillator
+from tests.trimmer.design.made import OSCILLATOR, oscillator
+from tests.trimmer.runners.cells import double, zero
 from trimmer import SerialRunner, follow, respond
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.settings import FollowSettings
@@ -18,14 +19,13 @@ from trimmer.design.motions import FEWEST, periods_within
 from trimmer.design.settings import DesignSettings
 from trimmer.design.study import Study
 from trimmer.design.verdict import DesignOutcome
-from trimmer.examples import example_text
 from trimmer.runners import ProcessRunner
 from trimmer.runners.runner import Runner
 from trimmer.runners.timed import TimedRunner
 
 PAST = Deadline(0.0, 1.0)
 FEW = DesignSettings(
-    starts=2, cells=3, cell_periods=60, neighbours=3, trials=2, most_points=6, range_points=3
+    starts=2, cells=2, cell_periods=20, neighbours=3, trials=1, most_points=3, range_points=2
 )
 
 
@@ -37,22 +37,14 @@ def test_a_deadline_passes_and_is_shared() -> None:
     assert hour.share(0.25).end == pytest.approx(hour.begun + 900.0)
 
 
-def _zero(cell: int) -> int:
-    return 0
-
-
-def _double(cell: int) -> int:
-    return 2 * cell
-
-
 @pytest.mark.parametrize("runner", [SerialRunner(), ProcessRunner(2, chunk=2)])
 def test_cells_after_the_deadline_are_left_out_or_replaced(runner: Runner) -> None:
     told: list[tuple[int, int]] = []
     whole = TimedRunner(runner, NEVER, told=lambda *each: told.append(each))
-    assert sorted(whole.results(_double, range(1, 6))) == [2, 4, 6, 8, 10]
+    assert sorted(whole.results(double, range(1, 6))) == [2, 4, 6, 8, 10]
     assert told == [(done, 5) for done in range(1, 6)]
-    assert list(TimedRunner(runner, PAST).results(_double, range(1, 6))) == []
-    assert list(TimedRunner(runner, PAST, _zero).results(_double, range(1, 6))) == [0] * 5
+    assert list(TimedRunner(runner, PAST).results(double, range(1, 6))) == []
+    assert list(TimedRunner(runner, PAST, zero).results(double, range(1, 6))) == [0] * 5
 
 
 def test_starts_and_orbits_end_at_the_deadline() -> None:
@@ -74,25 +66,30 @@ def test_as_many_periods_are_followed_as_there_is_time_for() -> None:
 
 
 @pytest.fixture(scope="module")
-def trimmer() -> DesignFile:
-    text = example_text("thesis-play").replace("gap = 40e-6", 'gap = "30 um..50 um"')
-    return design_file_of_text(text[: text.index("[targets]")] + WANTED, "open.toml")
+def stopped() -> DesignFile:
+    text = OSCILLATOR.replace("mass = 0.5", 'mass = "0.4 kg..0.6 kg"')
+    return design_file_of_text(text + WANTED, "open.toml")
 
 
-WANTED = '[targets]\nstroke_at_least = "5 mm"\n'
+WANTED = """
+[stops]
+wall = { between = ["ground", "block"], stiffness = 2e4, damping = 50.0, gap = 4e-3 }
+[targets]
+stroke_at_least = "20 mm"
+"""
 
 
-def test_without_time_a_design_has_its_verdict_and_says_what_it_lacks(trimmer: DesignFile) -> None:
-    cut = Study(trimmer, FEW, SerialRunner(), deadline=PAST).whole()
+def test_without_time_a_design_has_its_verdict_and_says_what_it_lacks(stopped: DesignFile) -> None:
+    cut = Study(stopped, FEW, SerialRunner(), deadline=PAST).whole()
     assert cut.verdict.outcome is DesignOutcome.MISSED and cut.motion is not None
     assert {stage for stage, _ in cut.cut} == set(Stage)
     assert (cut.ranges, cut.remedies, cut.sensitivities, cut.maps, cut.paths) == (None, None, None, (), ())
     assert cut.motions.neighbours is None and cut.motions.starts == 1
 
 
-def test_with_time_enough_a_design_is_that_without_a_limit(trimmer: DesignFile) -> None:
+def test_with_time_enough_a_design_is_that_without_a_limit(stopped: DesignFile) -> None:
     free, timed = (
-        Study(trimmer, FEW, SerialRunner(), deadline=each).whole() for each in (NEVER, Deadline.after(3600.0))
+        Study(stopped, FEW, SerialRunner(), deadline=each).whole() for each in (NEVER, Deadline.after(3600.0))
     )
     assert free.cut == timed.cut == ()
     assert free.settings == timed.settings and free.verdict == timed.verdict

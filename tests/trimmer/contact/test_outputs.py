@@ -34,12 +34,12 @@ def asked(mechanism: Mechanism) -> Mechanism:
 MADE = [(made, seed) for made in (random_mechanism, with_curves) for seed in range(1, 9)]
 
 
-@pytest.mark.parametrize(("made", "seed"), quick(MADE, 2, 10))
+@pytest.mark.parametrize(("made", "seed"), quick(MADE, 1, 15))
 def test_extremes_and_rms_are_those_of_another_integrator(
     made: Callable[[int], Mechanism], seed: int
 ) -> None:
     mechanism = asked(made(seed))
-    duration = 1.7 / mechanism.frequency
+    duration = 1.1 / mechanism.frequency
     motion, brute = simulate(mechanism, duration), BruteForce().from_rest(mechanism, duration)
     measures = Measures(motion.course, motion.flow, 1, 1).outputs
     determined = {
