@@ -118,56 +118,13 @@ const explorableModel = (formulas) => {
 {
   const section = document.querySelector(".explorable");
   if (section) {
-    const SVG = "http://www.w3.org/2000/svg";
     const { solve, locus, contour, motion } = explorableModel(explorableFormulas);
-    section.replaceChildren(document.getElementById("explorable-tools").content.cloneNode(true));
-    const form = section.querySelector("form");
-    const sliders = [...form.querySelectorAll("input[type=range]")];
-    const result = section.querySelector("output.cycles");
-    const panels = [...section.querySelectorAll("svg")];
+    const { sliders, result, panels, written, draw, frame, path, follow } = slidersOf(section);
+    const frames = panels.map((svg) => frame(svg, svg.dataset.limits.split(" ").map(Number)));
 
-    const valueOf = (slider) => (slider.dataset.logarithmic ? 10 ** Number(slider.value) : Number(slider.value));
-    const written = (value, digits = 3) => Number(value.toPrecision(digits)).toLocaleString("en-GB", { maximumSignificantDigits: digits, useGrouping: false });
-    const draw = (name, attributes) => {
-      const element = document.createElementNS(SVG, name);
-      for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-      return element;
-    };
-
-    // A panel maps its limits, kept as data, to its box; curves outside are cut off by the nested svg.
-    const frames = panels.map((svg) => {
-      const [left, right, bottom, top] = svg.dataset.limits.split(" ").map(Number);
-      const box = { x: 46, y: 8, width: 300, height: 208 };
-      const place = ([x, y]) => [(x - left) / (right - left) * box.width, (top - y) / (top - bottom) * box.height];
-      const ticks = (first, last) => {
-        const rough = (last - first) / 5;
-        const power = 10 ** Math.floor(Math.log10(rough));
-        const step = power * [1, 2, 5, 10].find((each) => each * power >= rough);
-        return Array.from({ length: Math.floor(last / step) - Math.ceil(first / step) + 1 }, (_, i) => (Math.ceil(first / step) + i) * step);
-      };
-      const grid = draw("g", { class: "grid" });
-      for (const x of ticks(left, right)) {
-        const at = box.x + place([x, 0])[0];
-        grid.append(draw("path", { d: `M${at},${box.y}v${box.height}` }));
-        grid.append(Object.assign(draw("text", { x: at, y: box.y + box.height + 15, class: "middle" }), { textContent: written(x).replace("-", "−") }));
-      }
-      for (const y of ticks(bottom, top)) {
-        const at = box.y + place([0, y])[1];
-        grid.append(draw("path", { d: `M${box.x},${at}h${box.width}` }));
-        grid.append(Object.assign(draw("text", { x: box.x - 6, y: at + 4, class: "end" }), { textContent: written(y).replace("-", "−") }));
-      }
-      const inner = draw("svg", { x: box.x, y: box.y, width: box.width, height: box.height, overflow: "hidden" });
-      svg.append(grid, inner);
-      return { inner, place };
-    });
-
-    const path = (frame, points, name) => draw("path", {
-      class: name,
-      d: points.map((point, i) => `${i ? "L" : "M"}${frame.place(point).map((each) => each.toFixed(2)).join(",")}`).join(""),
-    });
-    const dots = (frame, cycles) => cycles.map((cycle) => {
+    const dots = (within, cycles) => cycles.map((cycle) => {
       const [real, imaginary] = cycle.inverse;
-      const [cx, cy] = frame.place([real / (real ** 2 + imaginary ** 2), -imaginary / (real ** 2 + imaginary ** 2)]);
+      const [cx, cy] = within.place([real / (real ** 2 + imaginary ** 2), -imaginary / (real ** 2 + imaginary ** 2)]);
       return draw("circle", { class: cycle.stable ? "stable" : "unstable", cx, cy, r: 4.5 });
     });
 
@@ -184,20 +141,15 @@ const explorableModel = (formulas) => {
       return lines.join("\n");
     };
 
-    const show = () => {
-      const settings = Object.fromEntries(sliders.map((slider) => [slider.name, valueOf(slider)]));
-      for (const slider of sliders) {
-        const text = `${written(valueOf(slider) * Number(slider.dataset.factor))} ${slider.dataset.unit}`.trim();
-        slider.nextElementSibling.textContent = text;
-        slider.setAttribute("aria-valuetext", text);
-      }
+    follow((values) => {
+      const settings = Object.fromEntries(sliders.map((slider, i) => [slider.name, values[i]]));
       const cycles = solve(settings);
       const shown = cycles.findLast((cycle) => cycle.stable) ?? cycles.at(-1);
       const [curve, line] = [locus(settings), contour(settings, shown?.omega ?? 2 * Math.PI * 735)];
-      for (const frame of frames.slice(0, 2)) {
-        const [x, y] = frame.place([-1, 0]);
-        frame.inner.replaceChildren(path(frame, curve, "plant"), path(frame, line, "element"),
-          draw("path", { class: "critical", d: `M${x - 5},${y}h10M${x},${y - 5}v10` }), ...dots(frame, cycles));
+      for (const plane of frames.slice(0, 2)) {
+        const [x, y] = plane.place([-1, 0]);
+        plane.inner.replaceChildren(path(plane, curve, "plant"), path(plane, line, "element"),
+          draw("path", { class: "critical", d: `M${x - 5},${y}h10M${x},${y - 5}v10` }), ...dots(plane, cycles));
       }
       const last = frames[2];
       const phases = Array.from({ length: 241 }, (_, i) => i / 120 * Math.PI);
@@ -206,11 +158,6 @@ const explorableModel = (formulas) => {
       const wrapped = [...load.map(([phase, y]) => [phase - 2 * Math.PI, y]), ...load];
       last.inner.replaceChildren(path(last, pin, "pin"), ...(shown ? [path(last, wrapped, "load")] : []));
       result.textContent = told(cycles, shown);
-    };
-
-    form.addEventListener("input", show);
-    form.addEventListener("reset", () => setTimeout(show));
-    form.addEventListener("submit", (event) => event.preventDefault());
-    show();
+    });
   }
 }

@@ -7,7 +7,7 @@ from typing import Any
 
 from jinja2 import Environment
 
-from report.design import comparison, sentences, sentences_around, tables, words
+from report.design import comparison, sentences, sentences_around, sliders, tables, words
 from report.design.comparison import ComparisonReport
 from report.design.quantities import percent, place_words, shown, written
 from report.design.report import DesignReport
@@ -15,7 +15,7 @@ from report.pages.displayed import formula
 from report.pages.environment import MarkdownEnvironment
 
 PIECES = (
-    *("verdict", "ranges", "maps", "motions", "contacts", "spectrum", "exposure", "branches"),
+    *("verdict", "ranges", "maps", "sliders", "motions", "contacts", "spectrum", "exposure", "branches"),
     *("sensitivity", "mechanism", "linear", "provenance", "equations"),
 )
 
@@ -52,7 +52,7 @@ def environment() -> Environment:
     made.globals.update(
         {
             name: vars(module)[name]
-            for module in (comparison, tables, sentences, sentences_around, words)
+            for module in (comparison, tables, sentences, sentences_around, sliders, words)
             for name in _own(module)
         }
     )

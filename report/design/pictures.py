@@ -97,9 +97,8 @@ def _acceleration(design: Design) -> Iterator[Figure]:
     motion = design.motion
     if motion is None or motion.kind is MotionKind.REST or not motion.hand_arm:
         return
-    bounded = [each.part for each in design.file.targets if each.measure is Measure.RMS_ACCELERATION]
-    wanted = [name for name in bounded if name in motion.hand_arm]
-    body = design.file.held or max(wanted or motion.hand_arm, key=lambda name: motion.rms_acceleration[name])
+    body = motion.body_felt(design.file.held, design.file.targets)
+    assert body is not None
     rms = shown(motion.rms_acceleration[body], "m/s²")
     lines = "each line an exact one" if motion.repeats else "of samples, as the motion does not repeat"
     yield drawn(

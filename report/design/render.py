@@ -12,8 +12,11 @@ from report.pages.html import Look, page, with_drawings
 from report.pages.pdf import Head, typeset
 from report.pages.pieces import Converter
 
-STYLES = ("page.css", "tables.css", "print.css")
-SCRIPTS = ("search.js", "design/find.js", "contents.js", "zoom.js", "figures.js", "page.js")
+STYLES = ("page.css", "tables.css", "sliders.css", "print.css")
+SCRIPTS = (
+    *("search.js", "design/find.js", "contents.js", "sliders.js", "design/solved.js"),
+    *("zoom.js", "figures.js", "page.js"),
+)
 
 
 def rendered(
@@ -46,7 +49,8 @@ def rendered(
 
 def _html(document: Report, body: str, figures: Mapping[str, Figure]) -> str:
     svg = {name: with_variables(each.svg) for name, each in figures.items()}
-    look = Look(STYLES, SCRIPTS, [each.svg for each in figures.values()])
+    moved = document.explorable.script if document.explorable else ""
+    look = Look(STYLES, SCRIPTS, [each.svg for each in figures.values()], moved)
     return page("design/page.html.j2", look, with_drawings(body, svg), document=document)
 
 

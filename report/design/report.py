@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import final
 
 from report.design.origin import Origin
+from report.design.sliders import Sliders, sliders
 from report.pages.derivation import DerivationStep
 from report.pages.figure import Figure
 from trimmer.design.design import Design
@@ -55,6 +57,11 @@ class Report:
         """The line below the title."""
         return self.origin.line
 
+    @property
+    def explorable(self) -> Sliders | None:
+        """What a reader can move; None where there is nothing."""
+        return None
+
 
 @final
 @dataclass(frozen=True)
@@ -63,3 +70,8 @@ class DesignReport(Report):
 
     design: Design
     equations: Equations | None
+
+    @cached_property
+    def explorable(self) -> Sliders | None:
+        """The sliders over the motions that were solved for; None if there are none."""
+        return sliders(self.design) if self.design.grid is not None else None

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Self, final
 
+from report.pages.explorable import Panel, Slider
 from report.pages.figure import Figure
 
 
@@ -208,40 +209,6 @@ class Robustness(ExtraChapter):
     def named(self) -> Mapping[str, str]:
         """Claims whose findings survive or not."""
         return {row.claim: "how far it holds" for row in self.survivals}
-
-
-@dataclass(frozen=True)
-class Slider:
-    """A number that a reader can move.
-
-    Attributes:
-        name: What the script calls it.
-        label: What the reader is told it is, as plain text.
-        minimum: Least value; of the decimal logarithm if ``logarithmic``.
-        maximum: Largest value, likewise.
-        value: Value to begin with, likewise.
-        logarithmic: Whether the slider moves the decimal logarithm.
-        factor: From the SI unit to the unit that is shown.
-        unit: The unit that is shown, as plain text.
-    """
-
-    name: str
-    label: str
-    minimum: float
-    maximum: float
-    value: float
-    logarithmic: bool
-    factor: float
-    unit: str
-
-
-@dataclass(frozen=True)
-class Panel:
-    """A drawing of the explorable: title, least and largest x and y, and what it shows, as plain text."""
-
-    title: str
-    limits: tuple[float, float, float, float]
-    description: str
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
-from report.document.extras import Explorable, Panel, Slider
+from report.document.extras import Explorable
 from report.explorable.formulas import functions
 from report.explorable.script import script
 from report.judging.text import one_line
@@ -18,6 +18,7 @@ from report.numbers.linear_numbers import exact_values
 from report.pages.drawing.drawn import drawn
 from report.pages.drawing.plane import OMEGA, critical_point, inverse
 from report.pages.drawing.style import BLACK, LINES, panels
+from report.pages.explorable import Panel, Slider
 from report.pages.figure import Figure
 from trimmer import LimitCycle, ViscousBacklash, limit_cycles, response_at
 

@@ -16,11 +16,12 @@ from report.rendering.pictures.drawings import drawings
 from report.rendering.sources import sources
 from report.rendering.summary import GRADES, SYMBOLS
 
-STYLES = ("page.css", "tables.css", "student.css", "print.css")
+STYLES = ("page.css", "tables.css", "student.css", "sliders.css", "print.css")
 SCRIPTS = (
     "search.js",
     "claims.js",
     "contents.js",
+    "sliders.js",
     "explorable.js",
     "zoom.js",
     "figures.js",

@@ -25,7 +25,7 @@ from trimmer.runners.timed import TimedRunner
 
 PAST = Deadline(0.0, 1.0)
 FEW = DesignSettings(
-    starts=2, cells=2, cell_periods=20, neighbours=3, trials=1, most_points=3, range_points=2
+    starts=2, cells=2, cell_periods=20, neighbours=3, trials=1, most_points=3, range_points=2, grid=1
 )
 
 

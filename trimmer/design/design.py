@@ -18,6 +18,7 @@ from trimmer.design.ranges import RangeStudy
 from trimmer.design.remedies import Remedies
 from trimmer.design.sensitivity import Sensitivities
 from trimmer.design.settings import DesignSettings
+from trimmer.design.solved_grid import SolvedGrid
 from trimmer.design.spectrum import OutputSpectrum
 from trimmer.design.surroundings import Around
 from trimmer.design.varied_places import VariedNumber
@@ -35,6 +36,7 @@ class Stage(Choice):
     NEIGHBOURS = "motions of neighbours"
     MAP = "map"
     BRANCH = "branch"
+    SLIDERS = "motions behind the sliders"
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,7 @@ class Design:
         sensitivities: Of the first motion; None where it does not repeat.
         remedies: What would meet them; None where they are met or there are none.
         around: Whether the targets hold at neighbouring speeds, and as numbers scatter; None without targets.
+        grid: Motions over a grid of up to three numbers, which sliders show; None where there is none.
         deadline: After which nothing more was begun.
         cut: What was ended early or left out for it: stages, with the places that each is over.
     """
@@ -74,6 +77,7 @@ class Design:
     sensitivities: Sensitivities | None = None
     remedies: Remedies | None = None
     around: Around | None = None
+    grid: SolvedGrid | None = None
     deadline: Deadline = NEVER
     cut: tuple[tuple[Stage, tuple[str, ...]], ...] = ()
 

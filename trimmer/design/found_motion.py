@@ -170,6 +170,12 @@ class FoundMotion:
             case Measure.PERIOD:
                 return float(self.period_count) if self.period_count else float("inf")
 
+    def body_felt(self, held: str | None, targets: tuple[Target, ...]) -> str | None:
+        """Return the body whose acceleration is shown: the held one, a bounded one, or that shaken most."""
+        bounded = [each.part for each in targets if each.measure is Measure.RMS_ACCELERATION]
+        wanted = [name for name in bounded if name in self.hand_arm] or self.hand_arm
+        return held or max(wanted, key=lambda name: self.rms_acceleration[name], default=None)
+
     def value(self, target: Target) -> float:
         """Return what a target bounds, in its unit."""
         return self.measure(target.measure, target.part)

@@ -20,6 +20,7 @@ class DesignSettings:
         machines: Machines of a series that are looked at, if numbers scatter.
         remedy_starts: Starts from which a change is tried that meets the targets.
         most_points: Orbits of each branch, at most.
+        grid: Steps of each number that sliders move.
         range_points: Points at which a range is looked at, if there is one; for several see ``ranges``.
     """
 
@@ -33,6 +34,7 @@ class DesignSettings:
     machines: int = 8
     remedy_starts: int = 4
     most_points: int = 300
+    grid: int = 8
     range_points: int = 17
 
     @property

@@ -41,7 +41,7 @@ def pairs_of_targets(
     found: dict[Pair, tuple[Target, ...]] = {}
     for target in targets:
         places = dict.fromkeys(_ranked(target, sensitivities, remedies))
-        numbers = (known.get(place) or _number(mechanism, place) for place in places)
+        numbers = (known.get(place) or number_drawn(mechanism, place) for place in places)
         strongest = list(itertools.islice((each for each in numbers if each is not None), 2))
         if len(strongest) == 2:
             first, second = sorted(strongest, key=lambda each: each.place)
@@ -58,7 +58,7 @@ def _ranked(target: Target, sensitivities: Sensitivities | None, remedies: Remed
         yield from (each.place for each in sensitivities.ranked(asked))
 
 
-def _number(mechanism: Mechanism, place: str) -> VariedNumber | None:
+def number_drawn(mechanism: Mechanism, place: str) -> VariedNumber | None:
     """Return a number with the range over which is drawn; None if the mechanism cannot have all of it."""
     value = mechanism.value(place)
     lowest, highest = sorted(share * value for share in RANGE)

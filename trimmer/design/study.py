@@ -22,6 +22,7 @@ from trimmer.design.remedies import Remedies
 from trimmer.design.remedy_search import remedies
 from trimmer.design.sensitivity import Sensitivities, sensitivities
 from trimmer.design.settings import USUAL, DesignSettings
+from trimmer.design.solved_grid import MovedNumber, SolvedGrid, numbers_to_move, solved_grid
 from trimmer.design.spectrum import OutputSpectrum, spectra
 from trimmer.design.strongest import pairs_of_targets
 from trimmer.design.surroundings import Around, Condition, conditions_of, study_around
@@ -42,8 +43,9 @@ SPENT = {
     Stage.SENSITIVITIES: 0.4,
     Stage.REMEDIES: 0.62,
     Stage.NEIGHBOURS: 0.67,
-    Stage.MAP: 0.78,
-    Stage.BRANCH: 0.82,
+    Stage.MAP: 0.76,
+    Stage.BRANCH: 0.79,
+    Stage.SLIDERS: 0.84,
 }
 """Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
 MOST_PATHS = 3
@@ -107,12 +109,14 @@ class Study:
         maps = study.maps(varied, pairs)
         numbers = tuple(dict.fromkeys(each for pair in pairs for each in pair))
         paths = study.paths(motions, numbers[:MOST_PATHS] or varied)
+        grid = study.grid(motions, numbers_to_move(self.file.mechanism, varied, numbers, found))
         return replace(
             study._design(motions, linear, ranges, around),
             sensitivities=of,
             remedies=found,
             paths=paths,
             maps=maps,
+            grid=grid,
         )
 
     def short(self) -> Design:
@@ -290,6 +294,21 @@ class Study:
             share = begun + (SPENT[Stage.MAP] - begun) * number / len(wanted)
             found.append(self._map(first, second, targets, self.deadline.share(share)))
         return tuple(each for each in found if each is not None)
+
+    def grid(self, motions: Motions, moved: tuple[MovedNumber, ...]) -> SolvedGrid | None:
+        """Return motions over a grid of numbers, for sliders."""
+        file, first = self.file, motions.first
+        if not file.is_tried or first is None or not moved:
+            return None
+        shaken = None if file.switched else first.body_felt(file.held, file.targets)
+        settings, switched = self.settings, file.switched
+
+        def make(runner: TimedRunner) -> SolvedGrid | None:
+            targets, mechanism = file.targets, file.mechanism
+            return solved_grid(mechanism, moved, targets, shaken, settings, runner, switched=switched)
+
+        depends = (moved, file.targets, shaken, settings.cell_periods, settings.grid)
+        return self._made(Stage.SLIDERS, tuple(each.number.place for each in moved), depends, make, None)
 
     def _map(
         self, first: VariedNumber, second: VariedNumber, targets: tuple[Target, ...], deadline: Deadline

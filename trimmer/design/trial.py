@@ -141,7 +141,7 @@ class TrialWork:
         found = switching(mechanism)
         measures = Measures(found.motion.course, found.motion.flow, 1, 1)
         kind = MotionKind.UNDECIDED if found.rest is None else MotionKind.REST
-        every = tuple((each, _of_switching(found.closings, measures, each)) for each in self.asked)
+        every = tuple((each, of_switching(found.closings, measures, each)) for each in self.asked)
         return Trial(values, kind, None, every)
 
     def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:
@@ -171,7 +171,7 @@ class TrialWork:
         return Trial(values, settled.kind, count, found)
 
 
-def _of_switching(closings: Mapping[str, Closing], measures: Measures, asked: MeasureOfPart) -> float:
+def of_switching(closings: Mapping[str, Closing], measures: Measures, asked: MeasureOfPart) -> float:
     """Return a measure from start to rest; times of a contact that does not close are infinite."""
     if asked.measure is Measure.STROKE:
         return measures.peak_to_peak[asked.part]

@@ -49,7 +49,14 @@ only_drive_period = true
 """
 """Two bodies with play and friction, an open gap, and a held body."""
 COARSE = DesignSettings(
-    starts=2, cells=4, cell_periods=60, neighbours=3, trials=3, most_points=12, range_points=5
+    starts=2,
+    cells=4,
+    cell_periods=60,
+    neighbours=3,
+    trials=3,
+    most_points=12,
+    range_points=5,
+    grid=2,
 )
 
 

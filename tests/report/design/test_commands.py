@@ -32,6 +32,7 @@ TINY = DesignSettings(
     cells=3,
     cell_periods=40,
     neighbours=3,
+    grid=1,
     trials=2,
     most_points=8,
     range_points=3,

@@ -43,7 +43,7 @@ from trimmer.mechanism.place_text import quoted
 ROOT = Path(__file__).parents[3]
 TINY = DesignSettings(
     starts=1, cells=2, cell_periods=30, neighbours=3, trials=1, most_points=4, range_points=3,
-    most_periods=100,
+    most_periods=100, grid=1,
 )  # fmt: skip
 NASTY = (
     "a ![x](http://127.0.0.1:9/beacon.png) b",

@@ -19,7 +19,15 @@ from trimmer.design.settings import DesignSettings
 from trimmer.examples import example_text, examples
 
 TINY = DesignSettings(
-    starts=1, cells=2, cell_periods=20, neighbours=3, trials=1, most_points=4, range_points=3, most_periods=40
+    starts=1,
+    cells=2,
+    cell_periods=20,
+    neighbours=3,
+    trials=1,
+    most_points=4,
+    range_points=3,
+    most_periods=40,
+    grid=1,
 )
 KEYS = ("title", "frequency", "held", "author")
 SECTION = r"(?ms)^\[{}\]\n.*?(?=^\[|\Z)"

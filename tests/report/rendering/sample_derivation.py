@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from report.derivation.waveform_svg import WaveformPiece, waveform_svg
-from report.document.extras import Explorable, Panel, Slider
+from report.document.extras import Explorable
 from report.judging.spread import Follows
+from report.pages.explorable import Panel, Slider
 from report.pages.figure import CodeLines, Figure
 
 CODE = CodeLines(

@@ -16,7 +16,7 @@ from trimmer.design.settings import DesignSettings
 from trimmer.design.varied_places import varied_places
 from trimmer.examples import example_text
 
-FEW = DesignSettings(cells=4, cell_periods=60)
+FEW = DesignSettings(cells=4, cell_periods=60, grid=1)
 
 
 @dataclass

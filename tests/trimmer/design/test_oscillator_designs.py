@@ -44,7 +44,7 @@ NUMBERS = {
 TARGET = Target("stroke_at_least", Measure.STROKE, "block", 0.02)
 RUNNER = TimedRunner(SerialRunner(), NEVER)
 FEW = DesignSettings(
-    starts=2, seed=5, most_periods=300, cell_periods=200, trials=16, most_points=4, neighbours=3
+    starts=2, seed=5, most_periods=300, cell_periods=200, trials=16, most_points=4, neighbours=3, grid=1
 )
 
 
