@@ -258,6 +258,7 @@ def test_a_whole_and_a_short_look_have_their_stages() -> None:
         "neighbours",
         "branch",
         "branch",
+        "sliders",
     ]
     assert [each for each in made.keeper.names if each != "row"] == expected  # type: ignore[attr-defined]
     assert told[:2] == [(Stage.MOTIONS, (), 0, 1), (Stage.MOTIONS, (), 1, 1)]
