@@ -10,10 +10,12 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict
 from datetime import date
+from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
 
 from scripts.mutation import __doc__ as description
+from scripts.mutation.child import load
 from scripts.mutation.claims import Judged
 from scripts.mutation.judging import Judge, unaltered
 from scripts.mutation.line_map import digest, read_map, record, unrecorded
@@ -26,7 +28,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = PROJECT / "build" / "mutation"
 CLAIMS = "claims.json"
 MAPPED = "0"
-"""Folder of the copy in which tests are recorded; those in which mutants are made have the next numbers."""
+"""Folder of the copy that is loaded; those in which sources are changed have the next numbers."""
 MEASURED = PROJECT / "report" / "data" / "mutation.json"
 """What the report's chapter on the method prints."""
 
@@ -54,12 +56,21 @@ def _act(wanted: argparse.Namespace) -> None:
 
 def record_map(processes: int, tests: str) -> None:
     """Record which test file runs which line, where that is not known."""
-    for file in record(copied(PROJECT, FOLDER / MAPPED), FOLDER, processes, tests):
+    for file in record(_loaded(), FOLDER, processes, tests):
         print(f"{file.seconds:6.1f} s  {file.path}  {file.failed and 'FAILS: ' + file.failed}", flush=True)
+
+
+@cache
+def _loaded() -> Tree:
+    """Return the copy whose project and tests are loaded once, for all processes."""
+    tree = copied(PROJECT, FOLDER / MAPPED)
+    load(tree.root, tree.numba)
+    return tree
 
 
 def judge_mutants(wanted: argparse.Namespace) -> None:
     """Judge what has no outcome yet, in as many copies of the project as there are processes."""
+    loaded = _loaded()
     trees = [copied(PROJECT, FOLDER / str(number)) for number in range(1, wanted.processes + 1)]
     if missing_files := unrecorded(trees[0].root, FOLDER):
         raise SystemExit(
@@ -76,7 +87,7 @@ def judge_mutants(wanted: argparse.Namespace) -> None:
     missing = [mutant for mutant in mutants if _is_open(before.get(mutant.key), wanted.again)]
     free: SimpleQueue[Judge] = SimpleQueue()
     for tree in trees:
-        free.put(Judge(tree, line_map, known, wanted.both, wanted.every))
+        free.put(Judge(tree, loaded, line_map, known, wanted.both, wanted.every))
 
     def judge(mutant: Mutant) -> tuple[Mutant, Outcome]:
         with_tree = free.get()

@@ -1,4 +1,4 @@
-"""Work in a process of its own, with limits, forked from one that has loaded the libraries."""
+"""Work in a process of its own, with limits, forked from one that has loaded libraries and tests."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Any
+
+from scripts.mutation.collected import TREE, forget
 
 LIBRARIES = (
     *(
@@ -62,19 +64,26 @@ class Place:
         root: Folder of the project's copy.
         numba: Folder of Numba's machine code.
         printed: File that gets what the process prints.
+        loaded: Whether it is the copy whose project and tests the server has loaded, and they are to be used.
     """
 
     root: Path
     numba: Path
     printed: Path
+    loaded: bool = False
 
 
 def context() -> multiprocessing.context.ForkServerContext:
-    """Return what begins processes; the server that they are forked from has loaded the libraries."""
+    """Return what begins processes; the server that they are forked from has loaded libraries and tests."""
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", PYTHONHASHSEED="0", MPLBACKEND="agg")
     server = multiprocessing.get_context("forkserver")
-    server.set_forkserver_preload(list(LIBRARIES))
+    server.set_forkserver_preload([*LIBRARIES, "scripts.mutation.collected"])
     return server
+
+
+def load(root: Path, numba: Path) -> None:
+    """Let the server load the project and the tests of a copy, before it begins its first process."""
+    os.environ.update({TREE: str(root), "NUMBA_CACHE_DIR": str(numba)})
 
 
 def run(work: Callable[..., Any], arguments: tuple[Any, ...], place: Place, limit: float) -> Ended:
@@ -153,6 +162,8 @@ def _move(place: Place) -> None:
     os.environ.update(paths)
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(place.root))
+    if not place.loaded:
+        forget()
     if "numba" in sys.modules:  # It has read the environment already.
         sys.modules["numba"].core.config.CACHE_DIR = str(place.numba)
 

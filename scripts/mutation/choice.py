@@ -22,8 +22,8 @@ def chosen(mutant: Mutant, known: LineMap, root: Path) -> list[TestFile]:
     """Return the test files that may notice a mutant, the fastest first.
 
     Those that run one of its lines; for compiled code, which is not seen line by line, those that enter
-    compiled code made of its source or that name its module. If there is none, those that import the source:
-    code may have run in another process.
+    compiled code made of its source or that name its module. If there is none, as for what a module computes
+    when it is imported, those that run anything of the source, or else of one that imports it.
     """
     of_report = mutant.path.startswith("report/")
     lines = range(mutant.lines[0], mutant.lines[1] + 1)
@@ -33,6 +33,7 @@ def chosen(mutant: Mutant, known: LineMap, root: Path) -> list[TestFile]:
         # A function's first line is run when its module is imported, so lines say nothing here.
         found = [file for file in usable if _enters(file, mutant.path, root)]
     found = found or [file for file in usable if mutant.path in file.lines]
+    found = found or [file for file in usable if not _importing(mutant.path, root).isdisjoint(file.lines)]
     named = [file for file in found if _names(file, mutant.path, root)]
     return within([*named, *(file for file in found if file not in named)], LONGEST)
 
@@ -62,11 +63,18 @@ def compiled_sources(root: Path) -> frozenset[str]:
     found = {"trimmer/arrays.py"}
     for path in (root / "trimmer").rglob("*.py"):
         text, name = path.read_text("utf-8"), path.relative_to(root).as_posix()
-        if "kept(" in text or "@compiled" in text or "@inlined" in text:
+        if re.search(r"from trimmer[.]hybrid[.]compilation import .*\b(kept|compiled|inlined)\b", text):
             folder = name.rpartition("/")[0]
             beside = re.findall(rf"from {folder.replace('/', '[.]')}[.](\w+) import", text)
             found |= {name, *(f"{folder}/{module}.py" for module in beside)}
     return frozenset(found)
+
+
+@cache
+def _importing(path: str, root: Path) -> frozenset[str]:
+    """Return the sources that import one."""
+    sources = (each for each in root.rglob("*.py") if "tests" not in each.relative_to(root).parts)
+    return frozenset(each.relative_to(root).as_posix() for each in sources if _imports(each, path))
 
 
 def _enters(file: TestFile, path: str, root: Path) -> bool:
@@ -79,8 +87,12 @@ def _enters(file: TestFile, path: str, root: Path) -> bool:
 
 
 def _names(file: TestFile, path: str, root: Path) -> bool:
+    return _imports(root / file.path, path)
+
+
+def _imports(importing: Path, path: str) -> bool:
     module = path.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-    return bool(re.search(rf"(from|import) {re.escape(module)}\b", _text(root / file.path)))
+    return bool(re.search(rf"(from|import) {re.escape(module)}\b", _text(importing)))
 
 
 @cache

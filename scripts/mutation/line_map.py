@@ -107,7 +107,7 @@ def digest(path: Path) -> str:
 
 def _record(tree: Tree, folder: Path, path: str) -> TestFile:
     printed = folder / "printed" / f"{path.replace('/', '-')}.txt"
-    ended = run(recorded, (path,), Place(tree.root, tree.numba, printed), LIMIT)
+    ended = run(recorded, (path,), Place(tree.root, tree.numba, printed, loaded=True), LIMIT)
     failed, lines, entries = ended.value if isinstance(ended.value, tuple) else (str(ended.value), {}, ())
     digests = {name: digest(tree.root / name) for name in (path, *lines)}
     numbers = {name: frozenset(each) for name, each in lines.items()}

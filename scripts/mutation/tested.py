@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-PACKAGES = ("derivations", "trimmer", "report", "tests")
+from scripts.mutation.collected import ENTERED, PACKAGES
+
 OPTIONS = ("-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--no-header", "--tb=line")
 
 
@@ -33,8 +34,8 @@ def _failed(files: Sequence[str], *options: str) -> tuple[str, ...]:
 def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
     """Run a test file; return what failed, the lines that it ran by source, and which compiled code.
 
-    Compiled functions are not seen line by line; instead it is written down which entry of compiled code was
-    called.
+    What is loaded already runs no lines of a module's level. Compiled functions are not seen line by line;
+    instead it is written down which entry of compiled code was called.
     """
     import coverage
 
@@ -42,7 +43,6 @@ def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
     measured = coverage.Coverage(data_file=None, config_file=False, include=own)
     measured.start()
     try:
-        entries = _watch_entries()
         failed = failure([file])
     finally:
         measured.stop()
@@ -52,26 +52,7 @@ def recorded(file: str) -> tuple[str, Mapping[str, list[int]], list[str]]:
         for name in data.measured_files()
         if Path(name).is_relative_to(root)
     }
-    return failed, lines, sorted(entries)
-
-
-def _watch_entries() -> set[str]:
-    from trimmer.hybrid import compilation
-
-    called: set[str] = set()
-    original = compilation.kept
-
-    def kept(entry: Callable[..., Any], *rest: Any, **options: Any) -> Callable[..., Any]:
-        compiled = original(entry, *rest, **options)
-
-        def call(*arguments: Any) -> Any:
-            called.add(f"{entry.__module__.replace('.', '/')}.py")
-            return compiled(*arguments)
-
-        return call
-
-    compilation.kept = kept
-    return called
+    return failed, lines, sorted(ENTERED)
 
 
 class _Watch:

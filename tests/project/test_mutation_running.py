@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,8 +13,9 @@ from scipy.stats import norm
 
 from scripts.mutation.choice import chosen
 from scripts.mutation.line_map import LineMap, TestFile
-from scripts.mutation.mutants import Mutant, drawn
+from scripts.mutation.mutants import Mutant, drawn, mutants_of, places_of
 from scripts.mutation.operators import Kind
+from scripts.mutation.patching import patch_of
 from scripts.mutation.records import Noticed, Outcome, Records
 from scripts.mutation.summary import count, identity, read_equivalent
 from scripts.mutation.tree import copied
@@ -69,6 +71,41 @@ def test_a_mutant_is_made_in_the_copy_and_taken_back(project: Path, tmp_path: Pa
     assert copy.read_text("utf-8") == SOURCE
     assert copy.stat().st_mtime_ns == times
     assert subprocess.run(command, cwd=tree.root, capture_output=True, check=True).stdout == b"12\n"
+
+
+LOADED = """
+from functools import cache
+
+
+class Plate:
+    def __init__(self, width):
+        self.width = width
+
+    @property
+    def area(self):
+        return area(self.width, 2)
+
+
+@cache
+def area(a, b=3):
+    return a * b
+"""
+
+
+def test_a_function_that_is_loaded_gets_its_changed_code(tmp_path: Path, monkeypatch) -> None:
+    path = tmp_path / "plates.py"
+    path.write_text(LOADED, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    import plates
+
+    changes = [each for place in places_of(tmp_path, path) for each in mutants_of(place)]
+    product = next(each for each in changes if each.kind is Kind.ARITHMETIC)
+    default = next(each for each in changes if each.kind is Kind.DEFAULT)
+    assert patch_of(default, path.read_bytes()) is None
+    patch = patch_of(product, path.read_bytes())
+    assert patch is not None and patch.apply(tmp_path)
+    assert plates.Plate(6).area == 3.0
+    assert not replace(patch, name="volume", source="def volume(): pass", line=1).apply(tmp_path)
 
 
 WORK = """
