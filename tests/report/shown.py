@@ -55,7 +55,7 @@ def headed(things: Mapping[str, Any]) -> str:
 
 
 def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]:
-    """Return the contents of the files by their names: findings by chapter, derivation, and first pages."""
+    """Return the contents of the files by their names: findings by chapter, first pages, and so on."""
     steps = {step.id: step for step in number_steps(known)}
     first = overview(known)
     pages = {
@@ -75,7 +75,27 @@ def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]
         )
         for chapter in sorted({each.section[0] for each in findings.values()})
     }
-    return {**chapters, "steps": headed(steps), "overview": headed(pages), "twin": headed(seen)}
+    others = {"steps": headed(steps), "overview": headed(pages), "twin": headed(seen)}
+    return {**chapters, **others, "items": items_of(findings), "second-ways": ways_of(findings)}
+
+
+def items_of(findings: Mapping[str, Finding]) -> str:
+    """Return which claims judge each printed thing that has a name: parts of one name count once."""
+    judging: dict[str, dict[str, None]] = {}
+    for name, finding in findings.items():
+        for part in finding.parts:
+            if not f"{part.item}, ".startswith(f"{name}, "):
+                judging.setdefault(part.item, {})[name] = None
+    return "".join(f"# {item}\n{', '.join(claims)}\n" for item, claims in sorted(judging.items()))
+
+
+def ways_of(findings: Mapping[str, Finding]) -> str:
+    """Return by what each part is confirmed, in words: a part must not have the second way of another."""
+    ways = {
+        name: [part.method.partition("; confirmed by ")[2] or "-" for part in finding.parts]
+        for name, finding in findings.items()
+    }
+    return "".join(f"# {name}\n{chr(10).join(each)}\n" for name, each in ways.items())
 
 
 def _renew() -> None:

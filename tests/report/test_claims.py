@@ -100,6 +100,18 @@ def test_what_is_wrong_says_what_it_changes(findings):
     ] == []
 
 
+def test_each_slip_of_a_wrong_part_gives_what_is_printed(claims, findings):
+    """Else the part would be as wrong, and nothing would say why; one that is lost in the copy needs none."""
+    pairs = [
+        (claim_id, part, judged)
+        for claim_id, claim in claims.items()
+        for part, judged in zip(claim.parts, findings[claim_id].parts, strict=True)
+        if judged.verdict.is_wrong and not isinstance(part, Uncheckable) and part.slip is not None
+    ]
+    assert len(pairs) > 50
+    assert [(claim_id, part.label) for claim_id, part, judged in pairs if judged.slip != part.slip.name] == []
+
+
 def test_what_cannot_be_checked_names_what_is_missing(claims):
     missing = [
         (claim_id, part.missing)

@@ -12,7 +12,7 @@ from report.numbers.twin.closed_loop import FILE as LOOP_FILE
 from report.numbers.twin.closed_loop import FORCE as LOOP_FORCE
 from report.numbers.twin.closed_loop import LOOP_COURSES
 from report.numbers.twin.grids import COURSES, FRICTION_MAP, GRIDS, SPEED_MAP, Grid
-from report.numbers.twin.kept_branch import FILE, read_branches
+from report.numbers.twin.kept_branch import FILE, read_branches, write_branches
 from report.numbers.twin.kept_files import FOLDER, KeptDataError, digest_of, digest_of_files
 from report.numbers.twin.kept_map import MEASURES, path_of, read_map
 from report.numbers.twin.map_numbers import MapNumbers
@@ -20,7 +20,7 @@ from report.numbers.twin.mechanism import FORCE, GAP, twin
 from report.twin import make_maps
 from report.twin.cell_check import CellDifferenceError, check_cell, check_cells, name_of, seed_of
 from report.twin.chapter import of_check
-from trimmer import Mechanism
+from trimmer import FollowSettings, Mechanism, follow
 
 MOST_BYTES = 1_500_000
 
@@ -212,6 +212,24 @@ def test_reach_and_shares_of_a_map_by_hand(friction):
     assert numbers.from_where_on(40e-6) == pytest.approx(numbers.second[begin])
     assert numbers.from_where_on(300e-6) == float("inf")
     assert numbers.within((0.0, 10e-6), (0.0, 0.1)).sum() == 4
+
+
+def test_branches_are_kept_with_those_that_part_from_them(tmp_path):
+    course, begun = COURSES[0], read_branches(COURSES, FILE)[0].states[0]
+    interval, settings = (GAP, course.start, course.stop), FollowSettings(most_points=2, quiet=True)
+    branch = follow(course.subject, *interval, state=begun, settings=settings)
+    path = tmp_path / "branches.json"
+    write_branches([(course, replace(branch, branches=(branch,)))], path)
+    kept = read_branches((course,), path)
+    assert len(kept) == 2
+    for each in kept:
+        assert each.values == pytest.approx([point.value for point in branch.points], rel=1e-9)
+        strokes = [point.outputs[course.output].peak_to_peak for point in branch.points]
+        assert each.strokes == pytest.approx(strokes, rel=1e-4)
+        assert each.stable.tolist() == [point.stable for point in branch.points]
+        assert each.states[-1] == pytest.approx(branch.points[-1].state, rel=1e-9)
+    with pytest.raises(KeptDataError):
+        read_branches((replace(course, stop=22e-6),), path)
 
 
 def test_branches_of_a_loop_with_another_number_are_refused():
