@@ -65,8 +65,8 @@ def with_place(flow: Flow, shot: Shot, periods: int, multipliers: Complexes, mar
         direction = vectors[:, np.argmin(abs(values - multipliers[each]))].real
         missed = shot.miss + ROUNDING * np.linalg.norm(matrix)
         step = MISPLACED * missed / distance[each] * direction / abs(direction).max()
-        for side in (1.0, -1.0):
-            start = flow.at(begin.state + side * step * shot.sizes, begin.phase, like=begin)
+        for misplaced in (step, -step):
+            start = flow.at(begin.state + misplaced * shot.sizes, begin.phase, like=begin)
             beside = Return(flow, periods).shoot(start, sizes=shot.sizes)
             moved = np.inf if beside is None else abs(multipliers_of(beside)[0] - multipliers[each]).min()
             found[each] = max(found[each], moved)
