@@ -244,3 +244,21 @@ def test_two_controllers_act_on_one_machine_in_the_frame_of_another_body() -> No
     times = np.linspace(0.0, 0.5, 501)
     expected = 0.3 * control.step_response(closed, times, input=0).outputs[0, 0]
     assert simulate(both, 0.5).output("angle", times) == pytest.approx(expected, abs=1e-9)
+
+
+def test_the_force_of_a_link_is_measured_with_its_stiffness_and_its_damping() -> None:
+    inertia, stiffness, damping, kp, wanted = 5e-4, 0.05, 1e-3, 2.0, 0.01
+    mechanism = Mechanism(
+        bodies={"load": Body(inertia=inertia)},
+        links={"guide": Link(("ground", "load"), stiffness, damping)},
+        outputs={"force": Output(kind=OutputKind.FORCE, part="guide")},
+        controllers={"c": Pid(measure="force", acts=("ground", "load"), reference="path", kp=kp)},
+        references={"path": StepReference(wanted)},
+    )
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        force = stiffness * y[0] + damping * y[1]
+        return [y[1], (kp * (wanted - force) - force) / inertia]
+
+    end = solve_ivp(rates, (0.0, 0.6), [0.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-15).y[:, -1]
+    assert simulate(mechanism, 0.6).final["load"] == pytest.approx(tuple(end), rel=1e-9)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import control
 import numpy as np
 import pytest
 
 from trimmer import CoulombFriction, FrictionBacklash, Relay, ViscousBacklash, ViscousFriction
+from trimmer.elements import ControlElement
 
 STEPS = 200_001
 BIAS = 1e-3
@@ -38,6 +40,13 @@ def test_a_play_passes_the_mean_as_it_is() -> None:
     assert slope(load(-BIAS), load(BIAS)) == pytest.approx(1.0, rel=1e-6)
     assert FrictionBacklash(1.0).mean_gain(1.3) == 1.0
     assert ViscousBacklash(1.0, 0.2).mean_gain([1.3, 5.0]).tolist() == [1.0, 1.0]
+
+
+def test_of_python_control_only_what_has_no_memory_tells_it() -> None:
+    clipped = ControlElement(control.saturation_nonlinearity(0.5))
+    lower, upper = (np.clip(bias + 1.7 * np.sin(PHASES), -0.5, 0.5) for bias in (-BIAS, BIAS))
+    assert clipped.mean_gain(1.7) == pytest.approx(slope(lower, upper), rel=1e-3)
+    assert np.isnan(ControlElement(control.friction_backlash_nonlinearity(1.0)).mean_gain(1.7))
 
 
 def test_friction_does_not_pass_the_mean() -> None:
