@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterator
+from dataclasses import is_dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Any
@@ -28,10 +29,16 @@ def _called(name: str, thing: Any) -> Iterator[tuple[str, Callable[..., Any]]]:
             yield f"{name}.{key}", method
 
 
+def _told(default: Any) -> str:
+    """Return a default as text; settings by their name, as theirs are told for themselves."""
+    told, kind = str(getattr(default, "__name__", repr(default))), type(default)
+    return f"{kind.__name__}(...)" if is_dataclass(kind) and told.startswith(f"{kind.__name__}(") else told
+
+
 def defaults() -> dict[str, str]:
     """Return the default of each argument that has one, by the name of what is called and its own."""
     return {
-        f"{name}({each.name})": getattr(each.default, "__name__", repr(each.default))
+        f"{name}({each.name})": _told(each.default)
         for public, thing in sorted(public_names().items())
         for name, called in _called(public, thing)
         for each in inspect.signature(called).parameters.values()
