@@ -191,7 +191,7 @@ def of_settled(settled: SettledMotion) -> FoundMotion | None:
         return of_orbit(settled.orbit, settled)
     if settled.rest is not None:
         return _made(settled.rest.flow, settled.rest.course, settled, None, 1)
-    if settled.window is None:
+    if settled.window is None or not settled.window.flow.period:
         return None
     flow = settled.window.flow
     course = flow.course(settled.window.end, WINDOW)

@@ -146,8 +146,9 @@ class TrialWork:
 
     def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:
         """Return what a machine without a drive does: over a period of its own, or where it rests."""
-        kind, course, orbit, _ = came_to(flow, flow.rest())
-        if course is None:
+        found = came_to(flow, flow.rest())
+        kind, course, orbit = found.kind, found.course, found.orbit
+        if course is None or found.returns > 1:
             return self._failed(values)
         measures, count = Measures(course, flow, 1, 1), None if orbit is None else 1
         return Trial(

@@ -61,9 +61,7 @@ class Basin(Tabular, Drawn):
         """What each motion is, numbered from 1, as in the legend; one that stands for a kind says so."""
         inputs = self.result.inputs
         told = (
-            waited_for(
-                described(motion), f"{motion.periods} drive periods" if inputs.driven else inputs.waited
-            )
+            waited_for(described(motion), f"{motion.periods} drive periods" if inputs.driven else inputs.over)
             for motion in self.motions
         )
         all_of_it = (" (all such)" if stands_for_its_kind(motion) else "" for motion in self.motions)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.errors import DivergingMotionError
+from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.system import NOTHING
-from trimmer.maps.measures import Measures, chosen, of_orbit
+from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
 from trimmer.response.response import MotionKind
-from trimmer.response.self_excited import self_excited
+from trimmer.response.self_excited import STRETCHES, self_excited
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -20,29 +21,71 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.response.orbit import Orbit
 
+RETURNS = 128
+"""Returns, at most, over which a motion is measured that does not repeat."""
 
-def came_to(flow: Flow, start: Instant) -> tuple[MotionKind, Course | None, Orbit | None, bool]:
-    """Return what a start without a drive settles to: kind, motion, orbit, and whether others are beside it.
+
+@dataclass(frozen=True, eq=False)
+class CameTo:
+    """What a start without a drive settles to.
+
+    Attributes:
+        kind: What it is.
+        course: The motion over a period, or some returns of what does not repeat; None if it grows.
+        returns: Number of these returns; 1 for a period.
+        orbit: The orbit, if it repeats.
+        neutral: Whether others are beside it.
+        lyapunov: Largest Lyapunov exponent, 1/s, of what does not repeat.
+    """
+
+    kind: MotionKind
+    course: Course | None = None
+    returns: int = 1
+    orbit: Orbit | None = None
+    neutral: bool = False
+    lyapunov: float | None = None
+
+
+def came_to(flow: Flow, start: Instant, most_periods: int = sum(STRETCHES)) -> CameTo:
+    """Return what a start without a drive settles to.
+
+    Args:
+        flow: What moves.
+        start: Where it begins.
+        most_periods: Periods of the slowest mode to wait.
 
     Raises:
         OrbitNotFoundError: if it cannot be followed.
     """
     try:
-        found = self_excited(flow, start)
+        found = self_excited(flow, start, most_periods)
     except DivergingMotionError:
-        return MotionKind.DIVERGING, None, None, False
+        return CameTo(MotionKind.DIVERGING)
     rest = found.rest or (found.solved.rest if found.solved is not None else None)
     if rest is not None:
-        return MotionKind.REST, rest.course, None, rest.family
+        return CameTo(MotionKind.REST, rest.course, neutral=rest.family)
     if found.orbit is not None:
-        return MotionKind.PERIODIC, found.orbit.course, found.orbit, found.orbit.neutral
-    return MotionKind.UNDECIDED, None, None, False
+        return CameTo(MotionKind.PERIODIC, found.orbit.course, orbit=found.orbit, neutral=found.orbit.neutral)
+    returns = found.returns
+    if returns is None or not returns.count:
+        return CameTo(MotionKind.UNDECIDED)
+    course = flow.timed(returns.course.begin, returns.seen(RETURNS))
+    kind = MotionKind.CHAOTIC if returns.chaotic else MotionKind.UNDECIDED
+    return CameTo(
+        kind,
+        course,
+        min(returns.count, RETURNS),
+        lyapunov=returns.exponent.value if returns.exponent else None,
+    )
 
 
-def measured(flow: Flow, course: Course, keys: tuple[str, ...]) -> Measures:
-    """Return the measures of a motion over one period of its own, with further ones."""
-    found = of_orbit(flow, course, 1)
-    return replace(found, chosen=chosen(flow, course, 1, 1, keys)) if keys else found
+def measured(flow: Flow, found: CameTo, keys: tuple[str, ...]) -> Measures | None:
+    """Return the measures of a motion over one period of its own, or over returns, with further ones."""
+    if found.course is None or found.course.ending is not Ending.REACHED_END:
+        return None
+    count = found.returns
+    own = of_orbit(flow, found.course, 1) if count == 1 else of_window(flow, found.course, count)
+    return replace(own, chosen=chosen(flow, found.course, 1, count, keys)) if keys else own
 
 
 def begins_alike(flow: Flow, course: Course) -> Reals:

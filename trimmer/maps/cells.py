@@ -62,7 +62,8 @@ class CellMotion:
         period_count: Drive periods after which it repeats; 0 if it does not.
         periods: Drive periods that were waited; 0 without a drive.
         largest_multiplier: Largest modulus of the Floquet multipliers; None where there is no exact orbit.
-        lyapunov: Growth of small distances per drive period, as a logarithm; None where it was not measured.
+        lyapunov: Growth of small distances per drive period, or per s without a drive, as a logarithm; None
+            where it was not measured.
         states: At the start of each period of the orbit, (period_count, n) as tuples; of a motion that does
             not repeat only the last one.
         measures: Over the period, or over the last ``WINDOW`` drive periods; None where the motion failed or
@@ -130,28 +131,29 @@ class CellWork:
             _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings), keys))
         for start in starts:
             if not flow.period:
-                _add(motions, _by_itself(flow, start, keys))
+                _add(motions, _by_itself(flow, start, self.settings))
                 continue
             _add(motions, _motion(flow, partial(_settled, flow, start, self.settings), keys))
         return CellResult(cell.number, tuple(motions))
 
 
-def _by_itself(flow: Flow, start: Instant, keys: tuple[str, ...]) -> CellMotion:
+def _by_itself(flow: Flow, start: Instant, settings: Settings) -> CellMotion:
     try:
-        kind, course, orbit, neutral = came_to(flow, start)
+        found = came_to(flow, start, settings.most_periods)
+        orbit, course = found.orbit, found.course
         if course is None:
-            return CellMotion(kind)
-        rests = orbit is None
+            return CellMotion(found.kind)
         return CellMotion(
-            kind,
-            0 if rests else 1,
+            found.kind,
+            0 if orbit is None else 1,
             largest_multiplier=None
             if orbit is None
             else float(abs(orbit.nontrivial_multipliers).max(initial=0.0)),
-            states=_tuples((course.begin.state if rests else begins_alike(flow, course))[None]),
-            measures=measured(flow, course, keys),
-            neutral=neutral,
-            holding=course.begin.statuses if rests else (),
+            lyapunov=found.lyapunov,
+            states=_tuples((course.begin.state if orbit is None else begins_alike(flow, course))[None]),
+            measures=measured(flow, found, settings.measures),
+            neutral=found.neutral,
+            holding=course.begin.statuses if found.kind is MotionKind.REST else (),
         )
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
         return _failed(error)

@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike
 
 from trimmer.arguments import finite_number, require_instance, shown
 from trimmer.errors import MapError, TrimmerError, WrongTypeError
+from trimmer.mechanism.drives import clocks_in, sines_in
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
-from trimmer.response.self_excited import STRETCHES
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1
@@ -31,7 +31,7 @@ class Settings:
     """How long each cell is looked at, and from where.
 
     Attributes:
-        most_periods: Drive periods to wait at most.
+        most_periods: Drive periods to wait at most; without a drive periods of the slowest mode.
         starts: Starts of each cell: rest, or the mechanism's own start, and then random ones.
         seed: Seed of the random starts; each cell has its own numbers.
         measures: Keys of measures beside those that all maps have; see ``trimmer.motion.chosen``.
@@ -67,15 +67,19 @@ class MapInputs:
     @property
     def driven(self) -> bool:
         """Whether periods of a drive are counted, of which the clock of a sampled controller is one."""
-        controllers = getattr(self.subject, "controllers", {}).values()
-        return self.subject.frequency is not None or any(each.sample is not None for each in controllers)
+        return is_driven(self.subject)
 
     @property
     def waited(self) -> str:
         """How long a motion is waited for at most, in words."""
         if self.driven:
             return f"{self.settings.most_periods} drive periods"
-        return f"{sum(STRETCHES)} periods of its slowest mode"
+        return f"{self.settings.most_periods} periods of its slowest mode"
+
+    @property
+    def over(self) -> str:
+        """The same where it may have been less, since chaos without a drive is told as soon as it is sure."""
+        return self.waited if self.driven else f"up to {self.waited}"
 
     @property
     def count(self) -> int:
@@ -167,6 +171,13 @@ def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings
         for value in lists[axis]:
             _check_value(mechanism, places, axis, value, others)
     return inputs
+
+
+def is_driven(subject: Subject) -> bool:
+    """Say whether something has a drive; a sine of a reference and the clock of a controller are such."""
+    mechanism = subject if isinstance(subject, Mechanism) else None
+    clocked = mechanism is not None and bool(clocks_in(mechanism) or sines_in(mechanism))
+    return clocked or subject.frequency is not None
 
 
 def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:

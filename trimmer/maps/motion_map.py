@@ -10,12 +10,13 @@ from trimmer.arguments import file_path, whole_number
 from trimmer.errors import MapError
 from trimmer.maps import checkpoint
 from trimmer.maps.cells import Cell, CellResult, CellWork
-from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
+from trimmer.maps.inputs import MapInputs, Settings, checked_inputs, is_driven
 from trimmer.maps.result import MotionMap
 from trimmer.motion.chosen import chosen_measure
 from trimmer.progress import progress_bar
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.pace import pace_of
+from trimmer.response.self_excited import STRETCHES
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner, SerialRunner
 
@@ -33,11 +34,15 @@ class MapInterruptedError(KeyboardInterrupt):
     """A map was interrupted; the message says how many cells are done, and how to go on."""
 
 
+MOST_PERIODS = 300
+"""Drive periods that are waited if no number is given."""
+
+
 def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with a default)
     mechanism: Mechanism | Loop,
     values: Mapping[str, ArrayLike],
     *,
-    most_periods: int = 300,
+    most_periods: int | None = None,
     starts: int = 1,
     seed: int = 0,
     measures: Iterable[str] = (),
@@ -56,7 +61,8 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     Args:
         mechanism: The mechanism or loop; it has a drive, or it is a mechanism with controllers.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
-        most_periods: Drive periods to wait at most in each cell; 16 samples for one, where these alone drive.
+        most_periods: Drive periods to wait at most in each cell, 300 if not given; 16 samples for one, where
+            these alone drive. Without a drive periods of the slowest mode, 1700 if not given.
         starts: Starts of each cell; those after the first are random.
         seed: Seed of the random starts; each cell has its own numbers.
         measures: Keys of further measures, such as ``contacts.bridge.impact_speed``: those of the JSON of
@@ -78,8 +84,9 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
         FileWriteError: if the file cannot be written.
         MapInterruptedError: after an interrupt.
     """
+    require_subject(mechanism)
     settings = Settings(
-        whole_number("most_periods", most_periods, 2) * pace_of(mechanism),
+        _waited(mechanism) if most_periods is None else _periods(mechanism, most_periods),
         whole_number("starts", starts, 1),
         whole_number("seed", seed, 0),
         tuple(measures),
@@ -98,6 +105,14 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     for result in _computed(inputs, done, runner, target, quiet):
         done[result.number] = result
     return MotionMap(inputs, tuple(done[number] for number in range(inputs.count)))
+
+
+def _waited(mechanism: Mechanism | Loop) -> int:
+    return _periods(mechanism, MOST_PERIODS) if is_driven(mechanism) else sum(STRETCHES)
+
+
+def _periods(mechanism: Mechanism | Loop, most_periods: int) -> int:
+    return whole_number("most_periods", most_periods, 2) * pace_of(mechanism)
 
 
 def _computed(

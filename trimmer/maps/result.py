@@ -98,7 +98,10 @@ class MotionMap(Tabular, Drawn):
 
     @cached_property
     def lyapunov(self) -> Reals:
-        """Growth of small distances per drive period, as a logarithm; NaN where not measured, (n2, n1)."""
+        """Growth of small distances per drive period, or s without a drive, as a logarithm, (n2, n1).
+
+        NaN where it was not measured.
+        """
         return self._of_each(lambda motion: motion.lyapunov)
 
     @cached_property
@@ -190,7 +193,7 @@ class MotionMap(Tabular, Drawn):
     def counts(self) -> Mapping[str, int]:
         """Cells by what their first motion is in words, such as ``period 3``, the most frequent first."""
         kinds = Counter(described(cell.motions[0]) for cell in self.cells)
-        waited = self.inputs.waited
+        waited = self.inputs.over
         return {waited_for(name, waited): count for name, count in kinds.most_common()}
 
     @property
@@ -206,7 +209,7 @@ class MotionMap(Tabular, Drawn):
             return ""
         cells = "1 cell is" if chaotic == 1 else f"{chaotic} cells are"
         return (
-            f"{cells} chaotic over the {self.inputs.waited} that were waited: such chaos may be transient "
+            f"{cells} chaotic over the {self.inputs.over} that were waited: such chaos may be transient "
             "and end in a motion that repeats"
         )
 

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Rounding of a sum as a share of the moduli of its terms."""
+BARELY = 1e-13
+"""Share of the sizes of states up to which a sum of them is not told from zero."""
 ILL = 1e8
 """Condition of the eigenvectors beyond which free motions are not told apart, as where two become one."""
 NOTHING = 1e-10
@@ -137,6 +139,38 @@ class LinearMotion:
         """Whether it is shown that no event ends the mode."""
         functions = _mode(self.flow, self.instant).functions
         return all(self._stays_positive(function.row) for function in functions)
+
+    @property
+    def dies_away(self) -> bool:
+        """Whether it is shown that it comes to rest in its mode, though what ends this falls towards zero.
+
+        So a friction slides ever slower to where an integral of a controller leads.
+        """
+        dying = not self.waves.any() and not self.lasting.any()
+        return dying and all(self._stays_above(each.row) for each in _mode(self.flow, self.instant).functions)
+
+    def _stays_above(self, row: Reals) -> bool:
+        """Say whether a functional, (N,), stays positive while it falls to its constant part, or to zero."""
+        constant, _, free = self.seen_by(row)
+        rounding = BARELY * float(
+            abs(row[: self.flow.size]) @ self._reached + abs(row[self.flow.size :]).sum()
+        )
+        others, slowest = float(abs(free).sum()), int(np.argmax(self.rates.real)) if len(free) else -1
+        if abs(constant) > rounding or slowest < 0:
+            return constant > others + rounding
+        last = free[slowest]
+        return bool(self.rates[slowest].imag == 0 and 2 * last.real > others + rounding)
+
+    @property
+    def _reached(self) -> Reals:
+        """Scale of each state, (n,), of a velocity that at which the displacements pass in a fast mode."""
+        sizes, layout = self.sizes.copy(), self.flow.modes.system.layout
+        for kind in layout.rates:
+            turned = (layout.lengths * sizes)[layout.kinds[0]].max(initial=0.0) * abs(self.rates).max(
+                initial=0.0
+            )
+            sizes[kind] = np.maximum(sizes[kind], turned / layout.lengths[kind])
+        return sizes
 
     @property
     def _time(self) -> float:

@@ -24,11 +24,12 @@ from trimmer.response.pace import pace_of
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
-from trimmer.response.self_excited import SelfExcited, self_excited, time_scale
+from trimmer.response.self_excited import self_excited, time_scale
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import Start, instant_of
+from trimmer.response.unrepeated import unrepeated
 from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 
 MOST_PERIODS = 1000
@@ -50,7 +51,7 @@ def respond(
     *,
     state: Start = None,
     starts: int = 1,
-    most_periods: int = MOST_PERIODS,
+    most_periods: int | None = None,
     box: Mapping[str, tuple[float, ...]] | None = None,
     seed: int = 0,
     deadline: Deadline = NEVER,
@@ -68,8 +69,9 @@ def respond(
         state: Where the first start begins, at t = 0: displacement, m, and velocity, m/s, by body, or states
             of a loop by name; or all states, (n,); rest, or the start of the mechanism, if not given.
         starts: Number of starts; those after the first one are random.
-        most_periods: Drive periods to wait for a motion to settle; 16 samples for one, where these alone
-            drive.
+        most_periods: Drive periods to wait for a motion to settle, 1000 if not given; 16 samples for one,
+            where these alone drive. Without a drive periods of the slowest mode, 1700 if not given, and up to
+            27 300 where little happens in them.
         box: Largest modulus of displacement, m, and velocity, m/s, of each body, or of each state of a loop,
             in random starts; what they reach in the first motion if not given.
         seed: Of the random starts; the same one gives the same starts.
@@ -82,7 +84,8 @@ def respond(
     """
     require_subject(mechanism)
     whole_number("starts", starts, 1)
-    whole_number("most_periods", most_periods, 1)
+    if most_periods is not None:
+        whole_number("most_periods", most_periods, 1)
     whole_number("seed", seed, 0)
     flow = flow_of(mechanism)
     if diverges_by_pull(mechanism):
@@ -103,12 +106,12 @@ class _Search:
     """The starts of one mechanism, and the stable orbits that they met."""
 
     flow: Flow
-    most_periods: int
+    most_periods: int | None
     known: list[Orbit]
 
     @property
     def _most_periods(self) -> int:
-        return self.most_periods * pace_of(self.flow.subject)
+        return (self.most_periods or MOST_PERIODS) * pace_of(self.flow.subject)
 
     def motion(self, instant: Instant) -> SettledMotion:
         """Return what a start settles to."""
@@ -165,7 +168,7 @@ class _Search:
     def _by_itself(self, instant: Instant) -> tuple[SettledMotion, float]:
         """Return what a start settles to without a drive, and how long it was followed, s."""
         try:
-            found = self_excited(self.flow, instant)
+            found = self_excited(self.flow, instant, self.most_periods)
         except OrbitNotFoundError as error:
             grows = isinstance(error, DivergingMotionError)
             kind = MotionKind.DIVERGING if grows else MotionKind.UNDECIDED
@@ -177,7 +180,7 @@ class _Search:
         if found.orbit is not None:
             told = f"It settles to {found.orbit.sentence}."
             return _settled(found.orbit, 0, None, told), found.waited
-        return _of_kind(MotionKind.UNDECIDED, 0, _unsettled(found)), found.waited
+        return unrepeated(self.flow, found, self.most_periods), found.waited
 
     def _agrees(self, instant: Instant, orbit: Orbit | None, periods: int) -> bool:
         """Return whether a neighbouring start settles to the same orbit, or to none as well."""
@@ -212,15 +215,6 @@ def _slowness(orbit: Orbit) -> str:
 
 def _of_kind(kind: MotionKind, periods: int, told: str) -> SettledMotion:
     return SettledMotion(kind, None, None, periods, None, 1, 1.0, False, told)
-
-
-def _unsettled(found: SelfExcited) -> str:
-    if found.passed is None:
-        return f"Nothing repeats within {found.waited:.6g} s; another start may settle."
-    return (
-        f"Within {found.waited:.6g} s it settles to nothing that repeats; it passes an unstable motion with "
-        f"a period of {found.passed.period:.9g} s."
-    )
 
 
 def _pulled(starts: int) -> SettledMotion:

@@ -88,7 +88,10 @@ class SettledMotion(Shown):
 
     @cached_property
     def lyapunov(self) -> Estimate | None:
-        """Largest Lyapunov exponent per drive period; None where no distance is left, or without drive."""
+        """Largest Lyapunov exponent per drive period, per s without a drive.
+
+        None where no distance is left, and of an orbit without a drive.
+        """
         if self._lines is not None and self._lines.motion.flow.period:
             return Estimate(0.0, 0.0)
         if self.window is not None:

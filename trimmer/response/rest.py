@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
@@ -39,7 +39,12 @@ class Rest:
     @cached_property
     def course(self) -> Course:
         """The motion, in which nothing moves, over a drive period; over 1 s without a drive."""
-        return self.flow.timed(self.instant, self.flow.period or 1.0)
+        course = self.flow.timed(self.instant, self.flow.period or 1.0)
+        if course.ending is Ending.REACHED_END or self.flow.period:
+            return course
+        # Friction bears just what it can, so that rounding says at each instant whether it holds.
+        row = course.log.first(1)
+        return replace(course, end=self.instant, ending=Ending.REACHED_END, duration=1.0, log=row)
 
     @cached_property
     def measures(self) -> Measures:

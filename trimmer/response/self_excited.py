@@ -6,6 +6,7 @@ for state and period. The motion begins in the middle of a segment, where nothin
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,21 +14,31 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.hybrid.advance import Ending, Instant
-from trimmer.hybrid.system import NOTHING
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.one_orbit import SAME
+from trimmer.response.arrival import has_arrived, what_happened
 from trimmer.response.asymptotic import asymptotic_rest, runs_on
+from trimmer.response.dying_away import rest_dying_away
 from trimmer.response.growth import grew, state_sizes
 from trimmer.response.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.response import MotionKind
 from trimmer.response.rest import Rest
+from trimmer.response.returns import Returns
 from trimmer.response.shooting import CLOSED, Patience, Return, Shot, sizes_of, solve
 from trimmer.response.solved import Solved, solved
 
 STRETCHES = (20, 80, 320, 1280)
 """Lengths of the motion that is searched for a recurrence, in periods of the slowest mode."""
+FURTHER = (5120, 20480)
+"""Those that follow where little has happened until then, if no number of periods is given."""
+LITTLE = 2000
+"""Events that are little for so long a time."""
+CLOSELY = 1e-7
+"""Distance of two states as a share of their sizes at which a recurrence comes before chaos is asked for."""
+SURELY = 1000
+"""Returns of one stretch from which chaos is told; else it is to be seen in two stretches."""
 NEAR = 0.1
 """Distance of two states as a share of their sizes at which Newton's method is tried."""
 RESTING = 1e-9
@@ -50,6 +61,8 @@ class SelfExcited:
         rest: Where it rests.
         solved: What it comes to, if no event comes any more.
         passed: An unstable orbit that it passes.
+        unit: Period of the slowest mode, s, in which ``most_periods`` counts.
+        returns: The last stretch that was followed, where nothing repeats.
     """
 
     waited: float
@@ -57,6 +70,8 @@ class SelfExcited:
     rest: Rest | None = None
     solved: Solved | None = None
     passed: Orbit | None = None
+    unit: float = 0.0
+    returns: Returns | None = None
 
 
 def self_excited_orbit(flow: Flow, instant: Instant) -> Orbit:
@@ -73,6 +88,8 @@ def self_excited_orbit(flow: Flow, instant: Instant) -> Orbit:
     """
     found = self_excited(flow, instant)
     orbit = found.orbit or found.passed
+    if orbit is None and found.returns is not None and found.returns.chaotic:
+        orbit = next(iter(_recurring(flow, found.returns.course)), None)
     if orbit is not None:
         return orbit
     if found.rest is not None:
@@ -119,45 +136,110 @@ def orbit_by_itself(flow: Flow) -> Orbit:
     return orbit_of(flow, _once(flow, shot), 0)
 
 
-def self_excited(flow: Flow, instant: Instant) -> SelfExcited:
+def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) -> SelfExcited:
     """Return what a motion without a drive comes to.
+
+    Args:
+        flow: What moves.
+        instant: The start.
+        most_periods: Periods of the slowest mode to wait; as many as ``STRETCHES``, and ``FURTHER`` where
+            little happens, if not given.
 
     Raises:
         OrbitNotFoundError: if it cannot be followed, or grows.
     """
-    unit, waited, unstable = time_scale(flow, instant), 0.0, None
-    reached: list[tuple[float, Reals]] = []
-    for stretch in STRETCHES:
-        at_last = solved(flow, instant)
-        if at_last is not None:
-            return SelfExcited(waited, _repeating(at_last), at_last.rest, at_last)
-        if grows_for_ever(flow, instant):
-            raise DivergingMotionError(
-                "it diverges: a constant force meets what nothing holds or damps, and no event comes any "
-                "more, so that it grows for ever"
-            )
-        course = flow.timed(instant, stretch * unit)
-        if course.ending is Ending.DIVERGED:
-            waited += course.duration
-            raise DivergingMotionError(f"it diverges: within {waited:.6g} s {course.ending.value}")
-        if course.ending is not Ending.REACHED_END:
-            raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
+    unit, waited, known = time_scale(flow, instant), 0.0, list[Orbit]()
+    reached, returns, happened = list[tuple[float, Reals]](), list[Returns](), 0
+    for stretch in _stretches(most_periods):
+        if stretch in FURTHER and most_periods is None and happened > LITTLE:
+            break
+        found = _without_events(flow, instant, waited)
+        if found is not None:
+            return found
+        course = _followed(flow, instant, stretch * unit, waited)
         waited += course.duration
-        reached.append((waited, state_sizes(flow, flow.reduced(course.end.state[None]))))
         rest = _rest_after(flow, course, unit)
         if rest is not None:
             return SelfExcited(waited, rest=rest)
-        orbits = _recurring(flow, course)
-        orbit = next((each for each in orbits if each.stable or each.neutral), None)
+        if course.ending is not Ending.REACHED_END:
+            raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
+        happened += len(course.events)
+        reached.append((waited, state_sizes(flow, flow.reduced(_at_events(flow, course)))))
+        returns.append(Returns.of(flow, course))
+        orbit = _settled_to(flow, returns[-1], known)
         if orbit is not None:
             return SelfExcited(waited, orbit)
-        unstable = orbits[0] if orbits and unstable is None else unstable
+        if _is_chaotic(returns):
+            break
         instant = replace(course.end, phase=0.0)
-    if unstable is None and grew(reached):
+    unstable = next((each for each in known if not each.stable and not each.neutral), None)
+    if unstable is None and not returns[-1].chaotic and grew(reached):
         raise DivergingMotionError(
             f"it diverges: until {waited:.6g} s it grew in proportion to the time, and nothing held it"
         )
-    return SelfExcited(waited, passed=unstable)
+    return SelfExcited(waited, passed=unstable, unit=unit, returns=returns[-1])
+
+
+def _without_events(flow: Flow, instant: Instant, waited: float) -> SelfExcited | None:
+    """Return what a motion comes to in which no event comes any more; None if one may.
+
+    Raises:
+        DivergingMotionError: if it grows for ever.
+    """
+    at_last = solved(flow, instant)
+    if at_last is not None:
+        return SelfExcited(waited, _repeating(at_last), at_last.rest, at_last)
+    if grows_for_ever(flow, instant):
+        raise DivergingMotionError(
+            "it diverges: a constant force meets what nothing holds or damps, and no event comes any "
+            "more, so that it grows for ever"
+        )
+    return None
+
+
+def _followed(flow: Flow, instant: Instant, duration: float, waited: float) -> Course:
+    """Return the motion over a duration, s.
+
+    Raises:
+        DivergingMotionError: if it grows beyond all bounds.
+    """
+    course = flow.timed(instant, duration)
+    if course.ending is Ending.DIVERGED:
+        within = waited + course.duration
+        raise DivergingMotionError(f"it diverges: within {within:.6g} s {course.ending.value}")
+    return course
+
+
+def _is_chaotic(returns: list[Returns]) -> bool:
+    """Say whether a motion is chaotic over a long stretch, or over two."""
+    last = returns[-1]
+    return last.chaotic and (last.count >= SURELY or (len(returns) > 1 and returns[-2].chaotic))
+
+
+def _stretches(most_periods: int | None) -> Iterator[int]:
+    """Yield the lengths that are followed one after the other, in periods of the slowest mode."""
+    left = sum((*STRETCHES, *FURTHER)) if most_periods is None else most_periods
+    for stretch in (*STRETCHES, *FURTHER, left):
+        if left > 0:
+            yield min(stretch, left)
+        left -= stretch
+
+
+def _settled_to(flow: Flow, returns: Returns, known: list[Orbit]) -> Orbit | None:
+    """Return the orbit that a motion has come to; those that are found on the way become known.
+
+    Chaos comes near to itself too, and mostly in vain; so it is asked for first unless that was very near.
+    """
+    course = returns.course
+    near = _recurrences(course, sizes_of(course))
+    if near and (min(apart for *_, apart in near) <= CLOSELY or not returns.chaotic):
+        known += _recurring(flow, course)
+    return next((each for each in reversed(known) if has_arrived(each, course)), None)
+
+
+def _at_events(flow: Flow, course: Course) -> Reals:
+    """Return the states of a motion where something happens, and at its end, (rows, n)."""
+    return np.vstack([course.log.state[1:, : flow.size], course.end.state])
 
 
 def _rest_after(flow: Flow, course: Course, unit: float) -> Rest | None:
@@ -166,6 +248,10 @@ def _rest_after(flow: Flow, course: Course, unit: float) -> Rest | None:
     Raises:
         DivergingMotionError: if all stands still, but for an integral that cannot change it.
     """
+    fading = rest_dying_away(flow, course)
+    # Where friction bears just what it can, rounding makes it slip and stick without end.
+    if fading is not None or course.ending not in (Ending.REACHED_END, Ending.CHATTERING):
+        return fading
     if runs_on(flow, course.end):
         raise DivergingMotionError(
             "it diverges: an integral of a controller runs on for ever, and what it could move sticks"
@@ -222,7 +308,7 @@ def _recurring(flow: Flow, course: Course) -> list[Orbit]:
     """Return the orbits that recurrences of a motion lead to, up to the first that is stable."""
     sizes = sizes_of(course)
     found: list[Orbit] = []
-    for first, last in _recurrences(course, sizes):
+    for first, last, _ in _recurrences(course, sizes):
         log = course.log
         begin = log.start[first]
         middle = begin + 0.5 * (log.start[first + 1] - begin)
@@ -235,11 +321,17 @@ def _recurring(flow: Flow, course: Course) -> list[Orbit]:
         )
         duration = float(log.start[last] - begin)
         shot = solve(Return(flow, 0), flow.at(state, like=quiet), duration, FROM_NEARBY)
-        if shot is not None and shot.miss <= CLOSED and not at_rest(shot.course, shot.duration):
+        if shot is not None and shot.miss <= CLOSED and not _stands_still(shot, sizes):
             found.append(orbit_of(flow, _once(flow, shot), 0))
             if found[-1].stable:
                 break
     return found
+
+
+def _stands_still(shot: Shot, sizes: Reals) -> bool:
+    """Say whether a motion is a rest that Newton's method came to, beside the sizes of what it began with."""
+    states = np.vstack([shot.course.log.state[:, : len(sizes)], shot.course.nodes.states[:, : len(sizes)]])
+    return bool((np.ptp(states, axis=0) <= RESTING * sizes).all()) or at_rest(shot.course, shot.duration)
 
 
 def _once(flow: Flow, shot: Shot) -> Shot:
@@ -257,12 +349,9 @@ def _once(flow: Flow, shot: Shot) -> Shot:
     return shot
 
 
-def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:
-    """Return pairs of rows of the log at which the same event left nearly the same state, late ones first."""
-    log, count = course.log, len(sizes)
-    happened = log.kind != NOTHING
-    if not happened.any():  # A limit of a controller, or a knot of a curve, does not count.
-        happened = log.part >= 0
+def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int, float]]:
+    """Return pairs of rows at which an event left nearly the same state, and how near, late ones first."""
+    log, count, happened = course.log, len(sizes), what_happened(course.log)
     alike = happened & np.append(np.diff(log.start) > 0, False)
     found = []
     for last in np.flatnonzero(alike)[::-1]:
@@ -273,7 +362,7 @@ def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int]]:
         apart = abs((log.state[earlier, :count] - log.state[last, :count]) / sizes).max(axis=1, initial=0.0)
         near = earlier[apart < min(NEAR, CLOSE * apart.min(initial=np.inf) + SAME)]
         if len(near):
-            found.append((int(near[-1]), int(last)))
+            found.append((int(near[-1]), int(last), float(apart.min())))
         if len(found) == MOST_TRIED:
             break
     return found

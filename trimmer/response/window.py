@@ -1,4 +1,7 @@
-"""A motion that does not repeat, watched over some drive periods: sums, growth of distances, samples."""
+"""A motion that does not repeat, watched over some drive periods: sums, growth of distances, samples.
+
+Without a drive the mean time of a return stands for its period; rates are per s then.
+"""
 
 from __future__ import annotations
 
@@ -57,6 +60,7 @@ class Window:
         samples: Outputs at equal steps, (steps periods, outputs).
         together: Drive periods in a row.
         steps: Samples in a drive period.
+        unit: Period of the drive, or what stands for it, s.
     """
 
     flow: Flow
@@ -75,6 +79,12 @@ class Window:
     samples: Reals
     together: int = TOGETHER
     steps: int = SAMPLES
+    unit: float = 0.0
+
+    @property
+    def duration(self) -> float:
+        """Its length, s."""
+        return self.periods * self.unit
 
     @property
     def periods(self) -> int:
@@ -83,8 +93,9 @@ class Window:
 
     @cached_property
     def exponents(self) -> tuple[Estimate, ...]:
-        """The two largest Lyapunov exponents per drive period."""
-        return tuple(mean_of(series) for series in self.growth.T)
+        """The two largest Lyapunov exponents per drive period; per s without a drive."""
+        per = 1.0 if self.flow.period else self.unit
+        return tuple(mean_of(series / per) for series in self.growth.T)
 
     @cached_property
     def rms(self) -> Mapping[str, Estimate]:
@@ -104,8 +115,8 @@ class Window:
 
     @cached_property
     def advance(self) -> Mapping[str, float]:
-        """Shift of each output over a drive period in the mean, without which all else is measured."""
-        return {name: each.speed * self.flow.period for name, each in self.flow.outputs.items()}
+        """Shift of each output over a drive period, or in 1 s, without which all else is measured."""
+        return {name: each.speed * (self.flow.period or 1.0) for name, each in self.flow.outputs.items()}
 
     @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
@@ -135,7 +146,7 @@ class Window:
         from trimmer.spectra.peaks import peaks
         from trimmer.spectra.spectrum import amplitude_spectrum
 
-        rate, found = self.steps / self.flow.period, {}
+        rate, found = self.steps / self.unit, {}
         for name, series in zip(self.flow.outputs, self.samples.T, strict=True):
             lines = peaks(amplitude_spectrum(series, rate), MOST_LINES, LEAST) if np.ptp(series) else ()
             found[name] = tuple((line.frequency, line.amplitude) for line in lines)
@@ -146,7 +157,7 @@ class Window:
         """Frequencies, Hz, and power density of each output by Welch's method (Hann, half over)."""
         from scipy.signal import welch
 
-        rate = self.steps / self.flow.period
+        rate = self.steps / self.unit
         length = self.steps * min(SEGMENT * self.together // TOGETHER, self.periods)
         _, density = welch(self.samples, rate, nperseg=length, axis=0)
         outputs = self.flow.outputs
@@ -155,9 +166,17 @@ class Window:
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
-def watch(flow: Flow, instant: Instant, periods: int) -> Window | None:
-    """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once."""
-    return _Watch(flow.watched(instant, periods), instant, pace_of(flow.subject)).over(periods)
+def watch(flow: Flow, instant: Instant, periods: int, unit: float = 0.0) -> Window | None:
+    """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once.
+
+    Args:
+        flow: What moves.
+        instant: Where it is.
+        periods: Number of periods.
+        unit: What stands for one without a drive, s.
+    """
+    followed = flow.watched(instant, periods) if flow.period else flow
+    return _Watch(followed, instant, pace_of(flow.subject), unit).over(periods)
 
 
 def joined(first: Window, second: Window) -> Window:
@@ -170,10 +189,11 @@ def joined(first: Window, second: Window) -> Window:
 
 
 class _Watch:
-    def __init__(self, flow: Flow, instant: Instant, pace: int) -> None:
-        self.flow, self.instant = flow, instant
+    def __init__(self, flow: Flow, instant: Instant, pace: int, unit: float) -> None:
+        self.flow, self.instant, self.unit = flow, instant, flow.period or unit
         self.together, self.steps = TOGETHER * pace, max(SAMPLES // pace, 2)
-        self.harmonics = HARMONICS if pace == 1 else 1  # Those of samples say little of what moves.
+        # Those of samples say little of what moves, and without a drive there are none.
+        self.harmonics = (HARMONICS if pace == 1 else 1) if flow.period else 0
         self.outputs = flow.outputs.values()
         self.sizes = np.ones(flow.size)
         directions = np.random.default_rng(SEED).normal(size=(2, flow.size))
@@ -183,7 +203,7 @@ class _Watch:
     def over(self, periods: int) -> Window | None:
         begin, ending = self.instant, Ending.REACHED_END
         for row in range(-(-periods // self.together)):
-            course = self.flow.course(self.instant, self.together)
+            course = self._course()
             ending = course.ending
             if ending is not Ending.REACHED_END:
                 break
@@ -196,7 +216,13 @@ class _Watch:
         *columns, states, samples = zip(*self.seen, strict=True)
         series = [*map(np.array, columns), np.concatenate(states), np.concatenate(samples)]
         found = Window(self.flow, self.sizes, begin, self.instant, ending, *series)  # type: ignore[arg-type]
-        return replace(found, together=self.together, steps=self.steps)
+        return replace(found, together=self.together, steps=self.steps, unit=self.unit)
+
+    def _course(self) -> Course:
+        if self.flow.period:
+            return self.flow.course(self.instant, self.together)
+        course = self.flow.timed(self.instant, self.together * self.unit)
+        return replace(course, end=replace(course.end, phase=0.0))
 
     def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration

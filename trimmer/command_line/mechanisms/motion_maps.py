@@ -68,9 +68,9 @@ def _add_search_options(parser: ArgumentParser) -> None:
         "--periods",
         "--wait",
         type=int,
-        default=300,
         metavar="N",
-        help="drive periods to wait at most (default: 300)",
+        help="drive periods to wait at most (default: 300); without a drive periods of the slowest mode "
+        "(default: 1700)",
     )
     parser.add_argument(
         "--starts",

@@ -46,9 +46,9 @@ def _configure(parser: ArgumentParser) -> None:
         "--periods",
         "--wait",
         type=positive_whole,
-        default=1000,
         metavar="N",
-        help="drive periods to wait for a motion to settle (default: 1000)",
+        help="drive periods to wait for a motion to settle (default: 1000); without a drive periods of its "
+        "slowest mode (default: 1700, and more where little happens)",
     )
     add_json_option(parser)
     add_plot_option(parser, "the motion with contact and stick, phase plane and Poincaré section")

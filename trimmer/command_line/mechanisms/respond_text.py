@@ -72,6 +72,8 @@ def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
     yield from _facts(motion)
     driven = motion.orbit is None or motion.orbit.periods > 0
     of = "p/k of the drive" if driven else "multiples of its own frequency"
+    if motion.window is not None and not motion.window.flow.period:
+        of = "frequency"
     units = {name: each.unit for name, each in flow.outputs.items()}
     advance, unit = _advance(motion, units), _common(units.values())
     sizes = (with_unit(head, unit) for head in ("peak to peak", "rms", f"lines as {of}: amplitude"))
@@ -108,6 +110,8 @@ def _advance(motion: SettledMotion, units: Mapping[str, str]) -> dict[str, dict[
     if not any(shown.values()):
         return {}
     per = "period" if motion.orbit is not None else "drive period"
+    if motion.window is not None and not motion.window.flow.period:
+        per = "s"
     head = with_unit(f"advance per {per}", _common(units.values()))
     return {head: {name: f"{each:.9g}" for name, each in shown.items()}}
 
@@ -122,7 +126,8 @@ def _facts(motion: SettledMotion) -> Iterator[str]:
         yield "  no events; figures are exact, of all time"
     else:
         events = counted(f"{motion.events_per_period:.4g}", "event")
-        yield f"  {events} per drive period; figures are those of the window"
+        per = "drive period" if motion.window is None or motion.window.flow.period else "return"
+        yield f"  {events} per {per}; figures are those of the window"
 
 
 def rest_lines(rest: Rest) -> Iterator[str]:
@@ -160,8 +165,9 @@ def _number(estimate: Estimate) -> str:
 
 def _lines(motion: SettledMotion, name: str) -> str:
     """Return the largest lines of an output, in order of frequency."""
-    if motion.window is not None and pace_of(motion.window.flow.subject) > 1:
-        peaks = sorted(motion.window.peaks[name])[:LARGE_LINES]
+    window = motion.window
+    if window is not None and (pace_of(window.flow.subject) > 1 or not window.flow.period):
+        peaks = sorted(window.peaks[name])[:LARGE_LINES]
         return ", ".join(f"{frequency:.6g} Hz: {size:.6g}" for frequency, size in peaks) or "none"
     if motion.orbit is not None:
         lines = motion.orbit.measures.outputs[name].lines

@@ -54,7 +54,7 @@ def draw_map(
     else:
         draw_areas(axes, result, numbers, legend)
         lines = add_curves(axes, curves, hold=True)
-    add_legend(axes, [*legend_of(legend, result.inputs.waited), *lines])
+    add_legend(axes, [*legend_of(legend, result.inputs.over), *lines])
 
 
 def draw_areas(axes: Axes, result: MotionMap, numbers: Integers, legend: Sequence[Category]) -> None:
@@ -110,7 +110,7 @@ def draw_basin(basin: Basin, axes: Axes) -> None:
         raise MapError("only a basin over two initial values can be drawn: vary two")
     legend = [_of_basin(basin, number) for number in range(len(basin.motions))]
     draw_areas(axes, basin.result, basin.number, legend)
-    add_legend(axes, legend_of(legend, basin.result.inputs.waited))
+    add_legend(axes, legend_of(legend, basin.result.inputs.over))
 
 
 def _of_basin(basin: Basin, number: int) -> Category:

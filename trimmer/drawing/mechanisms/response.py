@@ -39,7 +39,9 @@ def response_figure(response: Response) -> Figure:
     for number, motion in enumerate(response.motions):
         _add_section(panels["section"], motion, f"{number + 1}: {motion.share:.0%} of the starts", number)
     _frame(panels["section"], panels["plane"])
-    panels["section"].set_title("at the start of each drive period", fontsize="small")
+    counted = response.motion.window is None or flow.period
+    times = "at the start of each drive period" if counted else "at equal steps of time"
+    panels["section"].set_title(times, fontsize="small")
     if len(response.motions) > 1:
         add_legend(panels["section"])
     head(figure, response.subject.title)
@@ -83,7 +85,10 @@ def shown(motion: SettledMotion) -> tuple[Flow, Course]:
         return flow, flow.timed(limit, SHOWN * (flow.period or slowest))
     if motion.window is None:
         raise ValueError("nothing was found that could be drawn")
-    return motion.window.flow, motion.window.flow.course(motion.window.end, SHOWN)
+    window = motion.window
+    if not window.flow.period:
+        return window.flow, window.flow.timed(window.end, SHOWN * window.unit)
+    return window.flow, window.flow.course(window.end, SHOWN)
 
 
 def _add_section(axes: Axes, motion: SettledMotion, label: str, number: int) -> None:

@@ -1,0 +1,178 @@
+"""Controlled machines that slide to rest for ever, hunt without a period, or are not waited for so long.
+
+Numbers of the first three are random draws, on which a fixed-step program of semi-implicit Euler, written
+without this package, rests where is told, or hunts on.
+"""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+
+from trimmer.maps.motion_map import motion_map
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.flows import flow_of
+from trimmer.response.respond import respond
+from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.response_json import response_json
+from trimmer.response.simulate import simulate
+from trimmer.runners.runner import SerialRunner
+
+SERVO = """
+[bodies]
+motor = {{ inertia = {motor} }}
+load = {{ inertia = {load} }}
+[plays]
+gear = {{ between = ["motor", "load"], stiffness = {stiffness}, damping = {damping}, gap = {gap} }}
+[frictions]
+bearing = {{ between = ["ground", "motor"], force = {force}, static = {static} }}
+[links]
+guide = {{ between = ["ground", "load"], damping = {guide} }}
+[outputs]
+angle = {{ {measured} = 1 }}
+speed = {{ velocity = {{ motor = 1 }} }}
+torque = {{ control = "axis" }}
+[controllers.axis]
+kind = "cascade"
+measure = "angle"
+speed = "speed"
+reference = "path"
+acts = ["ground", "motor"]
+{gains}
+[references]
+path = {{ step = {step}, at = 0.01 }}
+"""
+EXAMPLE = {
+    "motor": 2e-4,
+    "load": 5e-4,
+    "stiffness": 80.0,
+    "damping": 0.02,
+    "gap": np.radians(0.02),
+    "force": 5e-3,
+    "static": 7.5e-3,
+    "guide": 2e-3,
+    "measured": "load",
+    "gains": "kp = 52.0\nkv = 0.1\nti = 0.01\nlimit = 2.0",
+    "step": np.radians(30.0),
+}
+"""examples/two-mass-servo.toml with a tenth of its gap and another gain."""
+SLIDING = {
+    "motor": 1.781658475276871e-4,
+    "load": 2.852439206651769e-4,
+    "stiffness": 8.312563663021002,
+    "damping": 0.00899985144749412,
+    "gap": 7.05816379146396e-4,
+    "force": 0.04212440822290802,
+    "static": 0.04212440822290802,
+    "guide": 0.003606620886448464,
+    "measured": "motor",
+    "gains": "kp = 5.0393449832285\nkv = 0.03883337550838686\nti = 0.006394716248236446",
+    "step": 0.5,
+}
+"""It slides to the reference ever slower, and friction bears at last just what the integral gives."""
+
+
+def servo(**numbers: object) -> Mechanism:
+    return Mechanism.from_toml_text(SERVO.format(**(EXAMPLE | numbers)))
+
+
+@cache
+def chaos() -> SettledMotion:
+    return settled(servo())
+
+
+def settled(mechanism: Mechanism, most_periods: int | None = None) -> SettledMotion:
+    response = respond(mechanism, most_periods=most_periods)
+    json.dumps(response_json(response))
+    return response.motion
+
+
+@pytest.mark.parametrize("static", [1.0, 1.5])
+def test_what_slides_to_rest_ever_slower_rests_at_the_reference(static: float) -> None:
+    mechanism = servo(**(SLIDING | {"static": static * SLIDING["force"]}))
+    motion = settled(mechanism)
+    assert motion.kind is MotionKind.REST and motion.rest is not None
+    outputs = motion.rest.measures.outputs
+    assert outputs["angle"].mean == pytest.approx(0.5, abs=1e-13)
+    assert outputs["torque"].mean == pytest.approx(SLIDING["force"], rel=1e-9)
+    assert motion.rest.positions["motor"] - motion.rest.positions["load"] == pytest.approx(
+        SLIDING["gap"] / 2, rel=1e-9
+    )
+
+
+def test_a_rest_that_newton_finds_is_not_what_a_hunting_comes_to() -> None:
+    """A stiction PID of two bodies, draw 8: it slips on, and Newton's method finds a rest near by."""
+    text = """
+    [bodies]
+    motor = { inertia = 2.1231089280079342e-4 }
+    load = { inertia = 1.3544452511374191e-3 }
+    [plays.gear]
+    between = ["motor", "load"]
+    stiffness = 21.71227579167588
+    damping = 0.009375107984535168
+    gap = 1.5273111000938745e-3
+    [frictions]
+    bearing = { between = ["ground", "motor"], force = 0.04799365160983539, static = 0.06492462628955194 }
+    seal = { between = ["ground", "load"], force = 0.0050990591820492944, static = 0.006628776936664083 }
+    [links]
+    guide = { between = ["ground", "load"], damping = 8.716098899146588e-4 }
+    [outputs]
+    angle = { load = 1 }
+    [controllers.axis]
+    kind = "pid"
+    measure = "angle"
+    reference = "path"
+    acts = ["ground", "motor"]
+    kp = 0.3937288150615522
+    ki = 0.3093870218204383
+    kd = 0.02721069467230878
+    filter_time = 0.0010668802589755234
+    [references]
+    path = { step = 0.5, at = 0.01 }
+    """
+    motion = settled(Mechanism.from_toml_text(text), 1700)
+    assert motion.kind is MotionKind.UNDECIDED
+    assert motion.window is not None and motion.peak_to_peak["angle"] > 0.01
+    assert "1700 periods of its slowest mode; 17000 of them would be followed" in motion.message
+
+
+def test_hunting_that_is_chaotic_tells_how_far_it_goes() -> None:
+    """The exponent beside a second way: distances of two motions that are integrated apart."""
+    mechanism, motion = servo(), chaos()
+    assert motion.kind is MotionKind.CHAOTIC and motion.window is not None and motion.lyapunov is not None
+    low, high = motion.lyapunov.interval
+    flow, begins = flow_of(mechanism), motion.window.begin
+    grown = []
+    for place in range(40):
+        begin = flow.timed(begins, 1.0 + 0.7 * place).end
+        pair = begin, flow.at(begin.state * (1.0 + 1e-11), like=begin)
+        apart = [np.subtract(*(flow.timed(each, time).end.state for each in pair)) for time in (1.0, 2.5)]
+        grown.append(np.log(np.linalg.norm(apart[1]) / np.linalg.norm(apart[0])) / 1.5)
+    error = 3.0 * np.std(grown) / np.sqrt(len(grown))
+    assert low - error < np.mean(grown) < high + error
+    later = simulate(mechanism, 300.0)
+    swings = np.ptp(later.output("angle", np.linspace(200.0, 300.0, 100_001)))
+    assert motion.peak_to_peak["angle"] == pytest.approx(swings, rel=0.2)
+    assert motion.mean["angle"] == pytest.approx(EXAMPLE["step"], abs=1e-5)
+    assert "largest Lyapunov exponent" in motion.message and "may still be a transient" in motion.message
+
+
+def test_a_map_tells_the_chaos_of_a_cell_as_respond_does() -> None:
+    places = {"controllers.axis.kp": [20.0, 52.0]}
+    cells = motion_map(servo(), places, runner=SerialRunner()).cells
+    (rests,), (chaos,) = (cell.motions for cell in cells)
+    assert (rests.kind, chaos.kind) == (MotionKind.REST, MotionKind.CHAOTIC)
+    alone = chaos()
+    assert chaos.lyapunov is not None and alone.lyapunov is not None
+    assert chaos.lyapunov == pytest.approx(alone.lyapunov.value, rel=0.5)
+    assert chaos.measures is not None
+    assert chaos.measures.peak_to_peak["angle"] == pytest.approx(alone.peak_to_peak["angle"], rel=0.3)
+
+
+def test_a_slow_mode_is_waited_for_as_long_as_is_said() -> None:
+    few = settled(servo(), 2)
+    assert few.kind is MotionKind.UNDECIDED
+    assert "most_periods=20 (--periods 20)" in few.message

@@ -1,0 +1,67 @@
+"""What is known of a motion without a drive that repeats nothing: chaos or undecided, and how far it goes."""
+
+from __future__ import annotations
+
+from trimmer.hybrid.advance import Ending
+from trimmer.motion.flow import Flow
+from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.returns import Returns
+from trimmer.response.self_excited import STRETCHES, SelfExcited
+from trimmer.response.window import Window, watch
+
+RETURNS = 512
+"""Returns over which it is watched, or all of the last stretch that was followed if it has fewer."""
+
+
+def unrepeated(flow: Flow, found: SelfExcited, most_periods: int | None) -> SettledMotion:
+    """Return what is known of a motion in which nothing repeated, with its sizes over a window.
+
+    Args:
+        flow: What moves.
+        found: What was found.
+        most_periods: Periods of the slowest mode that were to be waited; None if no number was given.
+    """
+    returns = found.returns
+    chaotic = returns is not None and returns.chaotic
+    window = None if returns is None or not returns.count else _watched(flow, returns)
+    kind = MotionKind.CHAOTIC if chaotic else MotionKind.UNDECIDED
+    told = _told(found, window) if chaotic else _undecided(found, most_periods)
+    if window is not None and returns is not None:
+        begin = found.waited - returns.course.duration
+        told += f" Figures are those of {window.duration:.6g} s from {begin:.6g} s on."
+    return SettledMotion(kind, None, window, 0, None, 1, 1.0, False, told)
+
+
+def _watched(flow: Flow, returns: Returns) -> Window | None:
+    window = watch(flow, returns.course.begin, RETURNS, returns.seen(RETURNS) / RETURNS)
+    return window if window is not None and window.ending is Ending.REACHED_END else None
+
+
+def _told(found: SelfExcited, window: Window | None) -> str:
+    assert found.returns is not None and found.returns.exponent is not None
+    largest = found.returns.exponent if window is None else window.exponents[0]
+    return (
+        f"It is chaotic: nothing repeats within {found.waited:.6g} s, its largest Lyapunov exponent is "
+        f"{largest.value:.3g} +- {largest.uncertainty:.1g} per s, and a neighbouring motion leaves it. "
+        f"Its most frequent event comes every {found.returns.mean:.4g} s in the mean, {found.returns.count} "
+        "times at last; chaos for so long may still be a transient that ends."
+    )
+
+
+def _undecided(found: SelfExcited, most_periods: int | None) -> str:
+    searched = round(found.waited / found.unit) if found.unit else 0
+    told = f"Nothing repeats within {found.waited:.6g} s"
+    if found.passed is not None:
+        told = (
+            f"Within {found.waited:.6g} s it settles to nothing that repeats; it passes an unstable motion "
+            f"with a period of {found.passed.period:.9g} s"
+        )
+    if found.returns is not None and found.returns.slows_down:
+        return f"{told}: each return takes longer than that before, so that it slows down for ever."
+    if not searched:
+        return f"{told}."
+    longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
+    return (
+        f"{told}, {searched} periods of its slowest mode; {longer} of them would be followed with "
+        f"most_periods={longer} (--periods {longer}), and another start may settle."
+    )
