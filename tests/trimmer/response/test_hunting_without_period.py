@@ -163,13 +163,13 @@ def test_hunting_that_is_chaotic_tells_how_far_it_goes() -> None:
 def test_a_map_tells_the_chaos_of_a_cell_as_respond_does() -> None:
     places = {"controllers.axis.kp": [20.0, 52.0]}
     cells = motion_map(servo(), places, runner=SerialRunner()).cells
-    (rests,), (chaos,) = (cell.motions for cell in cells)
-    assert (rests.kind, chaos.kind) == (MotionKind.REST, MotionKind.CHAOTIC)
+    (rests,), (hunts,) = (cell.motions for cell in cells)
+    assert (rests.kind, hunts.kind) == (MotionKind.REST, MotionKind.CHAOTIC)
     alone = chaos()
-    assert chaos.lyapunov is not None and alone.lyapunov is not None
-    assert chaos.lyapunov == pytest.approx(alone.lyapunov.value, rel=0.5)
-    assert chaos.measures is not None
-    assert chaos.measures.peak_to_peak["angle"] == pytest.approx(alone.peak_to_peak["angle"], rel=0.3)
+    assert hunts.lyapunov is not None and alone.lyapunov is not None
+    assert hunts.lyapunov == pytest.approx(alone.lyapunov.value, rel=0.5)
+    assert hunts.measures is not None
+    assert hunts.measures.peak_to_peak["angle"] == pytest.approx(alone.peak_to_peak["angle"], rel=0.3)
 
 
 def test_a_slow_mode_is_waited_for_as_long_as_is_said() -> None:
