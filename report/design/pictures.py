@@ -54,12 +54,15 @@ def _diagram(design: Design) -> Figure:
     joints = [f"{joint.name} between {joint.ends[0]} and {joint.ends[1]}" for joint in joints_of(mechanism)]
     joined = f" {'; '.join(joints)}." if joints else ""
     round_ones = Kind.ROTATION in mechanism.kinds.values()
-    turning = "round ones turn; " if round_ones else ""
+    sliding = "boxes are bodies, which all move to the left and right alone; "
+    only_round = round_ones and Kind.TRANSLATION not in {mechanism.kinds[each] for each in mechanism.bodies}
+    sliding = "bodies are round, as they turn; " if only_round and not mechanism.structures else sliding
+    turning = "round ones turn; " if round_ones and "round" not in sliding else ""
     turning += "a bar is a point that the bodies joined to it move; " if mechanism.points else ""
     return drawn(
         "diagram",
         "The mechanism",
-        f"Drawn from the file: boxes are bodies, which all move to the left and right alone; {turning}"
+        f"Drawn from the file: {sliding}{turning}"
         "zigzags are springs, pots are dampers; a bar in a slot is a play, two plates that meet a stop, two "
         "that rub a dry friction; a circle is a pin that moves on its body as prescribed. Nothing is to "
         "scale.",

@@ -121,7 +121,8 @@ def _advance(motion: FoundMotion) -> str:
     """Return by how much outputs advance in the period; empty where none does."""
     if not motion.advances:
         return ""
-    each = listed([f"{name} by {shown(by, 'm')}" for name, by in motion.advances.items()])
+    units = motion.signals.units
+    each = listed([f"{name} by {shown(by, units.get(name, 'm'))}" for name, by in motion.advances.items()])
     return f", up to an advance of {each}"
 
 
@@ -247,7 +248,15 @@ def _advice(design: Design) -> str:
     told = "no change of one number or of two at once was found that meets all of them"
     if nearest is None:
         return told
+    if meets_at_its_point(nearest):
+        meets = f"{changes_words(nearest)} would meet all targets at its own point"
+        return f"{meets}, but there was no time to compute it {beside_words(design)}"
     return f"{told}{and_beside(design)}; nearest comes {changes_words(nearest)}"
+
+
+def meets_at_its_point(remedy: Remedy) -> bool:
+    """Say whether a change meets all targets, but was not looked at beside its point for want of time."""
+    return not remedy.beside and remedy.around.margin(Beside.POINT) >= 0
 
 
 def changes_words(remedy: Remedy) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -18,7 +18,6 @@ from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
-from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.problems import Problem, as_message_of_file, line_of
 from trimmer.mechanism.reading import bytes_of_file, content_of_text, mechanism_of_text
@@ -143,7 +142,6 @@ def _design_file(
     mechanism = mechanism_of_text(text, name, {**values, **set_values}, folder)
     for place, value in changes:
         mechanism = mechanism.with_value(place, value)
-    mechanism = _of_displacements(mechanism)
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)
@@ -155,17 +153,6 @@ def _design_file(
     scatter = content.get("uncertainty", {})
     digest = hashlib.sha256(raw).hexdigest()
     return DesignFile(name + told, mechanism, targets, held, ranges, lines, author, digest, scatter)
-
-
-def _of_displacements(mechanism: Mechanism) -> Mechanism:
-    """Return a mechanism without outputs of other kinds, of which no controller measures any."""
-    measured = {name for each in mechanism.controllers.values() for name in (each.measure, each.speed)}
-    kept = {
-        name: each
-        for name, each in mechanism.outputs.items()
-        if each.kind is OutputKind.DISPLACEMENT or name in measured
-    }
-    return mechanism if len(kept) == len(mechanism.outputs) else replace(mechanism, outputs=kept)
 
 
 def _stop_at(

@@ -144,8 +144,10 @@ class FoundMotion:
     @property
     def advances(self) -> Mapping[str, float]:
         """Shift of each output over the period, m, of those for which it is more than rounding."""
-        largest = max((abs(each.advance) + each.peak_to_peak for each in self.outputs.values()), default=0.0)
-        found = {name: each.advance for name, each in self.outputs.items()}
+        units = self.signals.units
+        moving = {name: each for name, each in self.outputs.items() if units.get(name, "m") in ("m", "rad")}
+        largest = max((abs(each.advance) + each.peak_to_peak for each in moving.values()), default=0.0)
+        found = {name: each.advance for name, each in moving.items()}
         return {name: each for name, each in found.items() if abs(each) > ROUNDING * largest}
 
     @cached_property

@@ -135,6 +135,11 @@ class NumberPath:
     down: PathSide | None
     up: PathSide | None
 
+    @property
+    def hardly_begun(self) -> bool:
+        """Whether the time was over before another orbit was found to either side."""
+        return all(side is None or (side.cut and len(side.values) < 2) for side in (self.down, self.up))
+
 
 def path_through(
     mechanism: Mechanism,

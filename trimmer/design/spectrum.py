@@ -16,6 +16,8 @@ MOST_LINES = 24
 """Lines that are listed of an output, the largest."""
 BESIDE = 0.03
 """Distance from a mode, as a share of its frequency, at which it is named; its damping ratio if larger."""
+DAMPED = 0.35
+"""Damping ratio from which on a mode is not named: at its peak it hardly amplifies, by half at most."""
 
 
 class LineKind(Enum):
@@ -126,7 +128,8 @@ def _mode_beside(
         (abs(frequency / mode.frequency - 1), mode, state.contacts)
         for state in states
         for mode in state.modes
-        if mode.frequency and abs(frequency / mode.frequency - 1) <= max(BESIDE, mode.damping_ratio)
+        if mode.frequency and mode.damping_ratio < DAMPED
+        if abs(frequency / mode.frequency - 1) <= max(BESIDE, mode.damping_ratio)
     ]
     if not near:
         return None, None

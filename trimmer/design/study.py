@@ -274,7 +274,7 @@ class Study:
         found = (
             self._made(Stage.BRANCH, (each.place,), (each, most, keys), make(each), None) for each in varied
         )
-        return tuple(each for each in found if each is not None)
+        return tuple(each for each in found if each is not None and not each.hardly_begun)
 
     def maps(
         self,

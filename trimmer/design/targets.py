@@ -10,6 +10,7 @@ from typing import Any
 
 from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import NumberField, Range
 from trimmer.mechanism.units import UnitError, quantity
@@ -46,7 +47,7 @@ class Target:
         key: The key in ``[targets]``.
         measure: What is bounded.
         part: The output, body or contact; empty for the period of the motion.
-        bound: In SI units: the least stroke, or the most of the others.
+        bound: In SI units: the least, or the most that will do.
         unit: The unit; empty for that of the measure.
     """
 
@@ -59,7 +60,7 @@ class Target:
     @property
     def at_least(self) -> bool:
         """Whether the bound is the smallest value that will do."""
-        return self.measure is Measure.STROKE
+        return self.measure is Measure.STROKE and self.key != PEAK_TO_PEAK_AT_MOST
 
     def margin(self, value: float) -> float:
         """Return how far a value is beyond the bound, as a share of it, from -1 to 1; below 0 if missed.
@@ -76,8 +77,10 @@ class Target:
         return value >= self.bound if self.at_least else value <= self.bound
 
 
+PEAK_TO_PEAK_AT_MOST = "peak_to_peak_at_most"
 BOUNDS: Mapping[str, Measure] = {
     "stroke_at_least": Measure.STROKE,
+    PEAK_TO_PEAK_AT_MOST: Measure.STROKE,
     "rms_acceleration_at_most": Measure.RMS_ACCELERATION,
     "impact_speed_at_most": Measure.IMPACT_SPEED,
     "closing_time_at_most": Measure.CLOSING_TIME,
@@ -160,11 +163,14 @@ def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Proble
         reason = f"the mechanism has no {noun} that this could bound; leave the line out"
         problems.append(Problem(("targets", key), reason))
         return
-    given = value if isinstance(value, dict) else dict.fromkeys(parts, value)
+    given = value if isinstance(value, dict) else dict.fromkeys(_meant(measure, parts, mechanism), value)
+    if not given and not isinstance(value, dict):
+        reason = f"no output is a displacement, so say which one this bounds; {_there(parts)}"
+        problems.append(Problem(("targets", key), reason, value))
     for part, bound in given.items():
         place = ("targets", key, part) if isinstance(value, dict) else ("targets", key)
         if part not in parts:
-            advice = near_match(part, parts) or f"there {'is' if len(parts) == 1 else 'are'} {listed(parts)}"
+            advice = near_match(part, parts) or _there(parts)
             problems.append(Problem(place, f"there is no {noun} {part!r}; {advice}", bound))
             continue
         unit = unit_of_measure(mechanism, measure, part)
@@ -176,7 +182,7 @@ def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Proble
 _NAMES = {Measure.STROKE: "output", Measure.RMS_ACCELERATION: "body"}
 _SWITCHES = (
     "a force follows a profile, with which nothing repeats; of a machine that switches, bound "
-    "closing_time_at_most, bounce_time_at_most, impact_speed_at_most or stroke_at_least"
+    "closing_time_at_most, bounce_time_at_most, impact_speed_at_most, stroke_at_least or peak_to_peak_at_most"
 )
 _REPEATS = (
     "the machine is driven and its contacts close again and again; this is for one that switches: give a "
@@ -192,6 +198,17 @@ def is_switched(mechanism: Mechanism, measures: Iterable[Measure]) -> bool:
 def has_profile(mechanism: Mechanism) -> bool:
     """Say whether a force switches over time, so that nothing repeats."""
     return any(force.profile for force in mechanism.forces.values())
+
+
+def _there(parts: tuple[str, ...]) -> str:
+    return f"there {'is' if len(parts) == 1 else 'are'} {listed(parts)}"
+
+
+def _meant(measure: Measure, parts: tuple[str, ...], mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the parts that a bound without names is for: of outputs those that are displacements."""
+    if measure is not Measure.STROKE:
+        return parts
+    return tuple(each for each in parts if mechanism.outputs[each].kind is OutputKind.DISPLACEMENT)
 
 
 def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:

@@ -82,7 +82,7 @@ def test_a_motion_by_itself_has_the_lines_of_its_own_period() -> None:
 
 
 def test_of_several_modes_the_nearest_is_named() -> None:
-    far, near = (115.0, 0.5), (108.0, 0.5)
+    far, near = (115.0, 0.3), (108.0, 0.3)
     for closed, opened, contacts in (
         ([far, near], [], Contacts.CLOSED),
         ([near], [far], Contacts.CLOSED),
@@ -91,5 +91,5 @@ def test_of_several_modes_the_nearest_is_named() -> None:
         (line,) = of([1.0], state(Contacts.CLOSED, *closed), state(Contacts.OPEN, *opened)).lines
         assert line.mode is not None
         assert (line.mode.frequency, line.contacts) == (108.0, contacts)
-    (line,) = of([1.0], state(Contacts.OPEN, (0.0, 0.5), (99.0, 0.09))).lines
+    (line,) = of([1.0], state(Contacts.OPEN, (0.0, 0.3), (100.0, 0.36), (99.0, 0.09))).lines
     assert (line.mode, line.contacts) == (None, None)
