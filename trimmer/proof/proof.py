@@ -50,8 +50,10 @@ class Proof:
             FileWriteError: see ``trimmer.files.write_atomically``.
         """
         head = {"trimmer proof": _FORMAT, "statement": self.statement, "verdict": str(self.verdict)}
-        told = {**head, "theorem": self.theorem, "reason": self.reason, "data": self.data}
-        write_atomically(path, json.dumps(told, indent=1, allow_nan=False) + "\n")
+        told = {**head, "theorem": self.theorem, "reason": self.reason}
+        lines = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in told.items()]
+        lines += [f'"data": {json.dumps(self.data, allow_nan=False)}']
+        write_atomically(path, "{" + ",\n ".join(lines) + "}\n")
 
 
 def proof_of(statement: str, data: dict[str, Any]) -> Proof:
@@ -111,14 +113,15 @@ def _read(path: Path) -> dict[str, Any]:
     return told
 
 
-_STATEMENTS = ("limit cycles",)
+_STATEMENTS = ("limit cycles", "orbit")
 
 
 def _checks() -> dict[str, Callable[[dict[str, Any]], Outcome]]:
     try:
         from trimmer.proof.cycles import check_limit_cycles
+        from trimmer.proof.orbit_check import check_orbit
     except ImportError as error:
         raise MissingPackageError(
             "proofs need python-flint, which is not installed: install it with 'pip install trimmer[proof]'"
         ) from error
-    return {"limit cycles": check_limit_cycles}
+    return {"limit cycles": check_limit_cycles, "orbit": check_orbit}

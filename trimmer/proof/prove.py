@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from trimmer.arguments import require_instances
+from trimmer.arguments import require_instance, require_instances
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.loops.loops import ClosedLoop
+from trimmer.proof.modes import UncoveredError, orbit_data
 from trimmer.proof.outcome import Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
+from trimmer.response.flows import flow_of, require_subject
+from trimmer.response.orbit import Orbit
+
+if TYPE_CHECKING:
+    from trimmer.motion.subject import Subject
 
 
 @takes_a_loop
@@ -50,3 +57,33 @@ def prove_limit_cycles(
         reason = f"{loop.element!r} has no closed form that the check knows"
         return Proof("limit cycles", Verdict.UNDECIDED, "", reason, data)
     return proof_of("limit cycles", data)
+
+
+def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
+    """Prove that a system has a periodic motion where one was computed, with these events and no other.
+
+    What is taken for granted are the equations of each mode, as the assembler of the system gives them: flow,
+    event functions, and what an event makes of the state; their doubles are taken as exact, and so is the
+    period of a drive. What the law of an event makes zero is taken as zero.
+
+    Args:
+        system: The mechanism or loop; its modes are those of the statement.
+        orbit: The orbit, as ``forced_orbit``, ``periodic_orbits`` or ``respond`` gives it.
+
+    Returns:
+        Proven, with the largest modulus of its multipliers enclosed. Refuted, if the motion is elsewhere, has
+        another sequence of events or another stability. Undecided, with the reason, where balls do not tell,
+        as at a grazing, or where it is not covered: rigid walls, samples, what returns but for a shift.
+
+    Raises:
+        WrongTypeError: if an argument is of another type.
+        MissingPackageError: if python-flint is not installed.
+    """
+    require_subject(system)
+    require_instance("orbit", orbit, Orbit, "an orbit")
+    flow = orbit.flow if orbit.subject is system else flow_of(system)
+    try:
+        data = orbit_data(orbit, flow)
+    except UncoveredError as error:
+        return Proof("orbit", Verdict.UNDECIDED, "", str(error), {})
+    return proof_of("orbit", data)

@@ -1,0 +1,176 @@
+"""An orbit as data of a proof: modes, segments and start, as the assembler and the solver have them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from trimmer.hybrid.system import EventFunction, Mode, System
+from trimmer.hybrid.variation import end_of_instant
+from trimmer.motion.flow import Flow
+from trimmer.response.orbit import Orbit
+
+MOST_ZEROS = 3
+LEAST = 1e-15
+"""Share of the largest size of a state that others have at least."""
+SMALL = 1e-10
+"""Share of its terms below which a derivative of an event function is taken for zero by law."""
+
+
+class UncoveredError(Exception):
+    """The message says, without a full stop, what the check does not cover."""
+
+
+@dataclass(frozen=True)
+class Seen:
+    """The segments of an orbit, with the modes of the system that it is said to be of."""
+
+    log: Any
+    known: Any
+    system: System
+
+    def mode(self, row: int) -> Mode:
+        """Return the mode of a row of the log."""
+        return self.system.mode(self.known[int(self.log.mode[row])].statuses)
+
+    def fired(self, row: int) -> EventFunction:
+        """Return what fell to zero at the beginning of a row."""
+        return self.mode(row - 1).functions[int(self.log.function[row])]
+
+
+def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
+    """Return modes and segments of an orbit.
+
+    Args:
+        orbit: The orbit.
+        flow: What it is said to be a motion of; modes and resets are taken from this alone.
+
+    Raises:
+        UncoveredError: if it is none that the check covers.
+    """
+    course, system = orbit.course, flow.modes.system
+    layout, log = system.layout, course.log
+    seen = Seen(log, course.modes, system)
+    _require_covered(orbit, system)
+    rows = list(_rows(log))
+    used = sorted({int(log.mode[last]) for _, last in rows})
+    n = layout.state_count
+    segments: list[dict[str, Any]] = []
+    largest = abs(log.state).max(axis=0)
+    largest = np.maximum(largest, LEAST * largest[:n].max())
+    ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
+    for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
+        mode = seen.mode(last)
+        fired = None if place + 1 == len(rows) else int(log.function[rows[place + 1][0]])
+        segments.append(
+            {
+                "mode": used.index(int(log.mode[last])),
+                "duration": end - float(log.start[first]),
+                "fired": fired,
+                "together": []
+                if fired is None
+                else _together(mode, fired, course.before(rows[place + 1][0]), largest),
+                "reset": _reset(seen, first, last).tolist(),
+                "zeros": []
+                if not segments
+                else _zeros(mode, log.state[last], largest, _owners(seen, first, last)),
+            }
+        )
+    omega = layout.omega or 1.0
+    return {
+        "about": flow.subject.title or type(flow.subject).__name__,
+        "modes": [
+            {"flow": mode.flow[:n].tolist(), "functions": [each.row.tolist() for each in mode.functions]}
+            for mode in (system.mode(course.modes[number].statuses) for number in used)
+        ],
+        "segments": segments,
+        "sizes": largest[:n].tolist(),
+        "state": log.state[0, :n].tolist(),
+        "forcing": log.state[0, n:].tolist(),
+        "rotation": np.rint(seen.mode(0).flow[n:, n:] / omega).astype(int).tolist(),
+        "period": float(layout.period) if orbit.periods else None,
+        "periods": orbit.periods,
+        "stable": True if orbit.stable else None if orbit.neutral else False,
+    }
+
+
+def _require_covered(orbit: Orbit, system: System) -> None:
+    own, layout = orbit.course.modes.system.layout, system.layout
+    if (own.size, own.state_count, own.period > 0) != (layout.size, layout.state_count, layout.period > 0):
+        raise UncoveredError("the orbit is one of another system")
+    if not orbit.success:
+        raise UncoveredError("it does not return")
+    if orbit.advances or orbit.flow.shifts:
+        raise UncoveredError("it returns but for a shift along which no force changes, which is not covered")
+    if system.clockwork is not None:
+        raise UncoveredError("samples at known times are not covered")
+    if layout.ramp or layout.drifts or len(layout.breaks):
+        raise UncoveredError("forces that do not repeat with the drive are not covered")
+    n = layout.state_count
+    block = system.mode(orbit.course.modes[0].statuses).flow[n:, n:] / (layout.omega or 1.0)
+    if abs(block - np.rint(block)).max(initial=0.0) > 1e-9:
+        raise UncoveredError("forces that are no multiples of the drive are not covered")
+
+
+def _rows(log: Any) -> Iterator[tuple[int, int]]:
+    """Yield the first and the last row of each instant at which something happens."""
+    row = 0
+    while row < len(log.start):
+        following = end_of_instant(log, row) if row else 1
+        last = following - 1
+        goes_on = row > 0 and log.function[row] < 0
+        if goes_on and (last > row or log.mode[row] != log.mode[row - 1]):
+            raise UncoveredError("an event that is told by no event function is not covered")
+        if not goes_on:
+            yield row, last
+        row = following
+
+
+def _owners(seen: Seen, first: int, last: int) -> set[int]:
+    """Return the parts that an instant concerns: what fired, and whose status changed; none at the start."""
+    if not first:
+        return set()
+    before, after = (seen.mode(row).statuses for row in (first - 1, last))
+    changed = {part for part, (one, other) in enumerate(zip(before, after, strict=True)) if one != other}
+    return changed | {seen.fired(row).owner for row in range(first, last + 1) if seen.log.function[row] >= 0}
+
+
+def _reset(seen: Seen, first: int, last: int) -> Any:
+    """Return what becomes of the state at an instant: resets of events, then made to fit what is held."""
+    log = seen.log
+    total = np.eye(log.state.shape[1])
+    for row in range(max(first, 1), last + 1):
+        if log.function[row] < 0:
+            continue
+        if seen.system.impulse(int(log.part[row]), int(log.kind[row])) is not None:
+            raise UncoveredError("impacts at rigid walls are not covered")
+        found = seen.system.reset(seen.mode(row - 1), seen.fired(row))
+        total = total if found is None else found @ total
+    return seen.mode(last).hold @ total
+
+
+def _together(mode: Mode, fired: int, state: Any, largest: Any) -> list[int]:
+    """Return the other event functions that are zero where one falls to zero."""
+    return [
+        place
+        for place, function in enumerate(mode.functions)
+        if place != fired and abs(function.row @ state) <= SMALL * (abs(function.row) @ largest)
+    ]
+
+
+def _zeros(mode: Mode, state: Any, largest: Any, owners: set[int]) -> list[list[int]]:
+    """Return how many derivatives of event functions of the parts concerned vanish after an event."""
+    found = []
+    for place, function in enumerate(mode.functions):
+        if function.owner not in owners:
+            continue
+        row, moduli, count, z = function.row, abs(function.row), 0, np.array(state)
+        sizes = largest
+        while count < MOST_ZEROS and abs(row @ z) <= SMALL * (moduli @ sizes):
+            count, sizes, z = count + 1, abs(mode.flow) @ sizes, mode.flow @ z
+        if count:
+            found.append([place, count])
+    return found
