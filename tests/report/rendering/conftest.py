@@ -7,14 +7,14 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Page
 
 from report.cache.stage_store import StageStore
 from report.document.document import Document
 from report.pages.formats import Format
 from report.rendering.render import render
 from tests.report.made_once import MadeOnce
-from tests.report.rendering.page_checks import Visit, lead, opened
+from tests.report.rendering.page_checks import Visit, lead, opened, visited
 from tests.report.rendering.sample import sample
 
 
@@ -52,3 +52,13 @@ def visit(browser: Browser, address: str) -> Iterator[Callable[..., Visit]]:
             return visit
 
         yield load
+
+
+@pytest.fixture(scope="module")
+def shared(browser: Browser, address: str) -> Iterator[Page]:
+    """The sample in one page for the tests of a file that need nothing of what is before.
+
+    Each of them begins with what undoes the others: it searches, focuses or moves anew.
+    """
+    with visited(browser, address) as visit:
+        yield visit.page

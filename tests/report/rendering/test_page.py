@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, expect
 from report.document.document import Document
 from report.pages.figure_colours import in_the_dark
 from report.pages.formats import Format
+from tests.quick import quick
 from tests.report.rendering import page_checks
 from tests.report.rendering.page_checks import SCHEMES, WIDTHS, Scheme, Visit, wait_until
 
@@ -24,9 +25,12 @@ GROUND = "getComputedStyle(document.body).backgroundColor"
 WHITE = "rgb(255, 255, 255)"
 
 
-def test_the_page_is_silent_and_loads_nothing_else(visit: Callable[..., Visit], address: str) -> None:
+def test_the_page_is_silent_and_loads_its_mathematics_font_and_nothing_else(
+    visit: Callable[..., Visit], address: str
+) -> None:
     visited = visit()
     visited.page.evaluate("document.fonts.ready.then(() => true)")
+    assert visited.page.evaluate("[...document.fonts].map(font => font.status)") == ["loaded"]
     assert visited.complaints == []
     assert address in visited.requests
     assert page_checks.loaded_from_elsewhere(visited, address) == []
@@ -39,15 +43,18 @@ def test_no_line_ends_between_a_number_and_its_unit(visit: Callable[..., Visit])
     assert page_checks.broken_units(page) != []
 
 
-def test_the_mathematics_font_is_loaded(visit: Callable[..., Visit]) -> None:
-    page = visit().page
-    page.evaluate("document.fonts.ready.then(() => true)")
-    assert page.evaluate("[...document.fonts].map(font => font.status)") == ["loaded"]
-
-
-def test_nothing_overflows_at_any_width(visit: Callable[..., Visit]) -> None:
+def test_formulas_have_their_root_signs_and_dots_and_nothing_overflows_at_any_width(
+    visit: Callable[..., Visit],
+) -> None:
     page = visit().page
     page_checks.unfold(page)
+    heights = page.evaluate(
+        "[...document.querySelectorAll('msqrt')].map(e => e.getBoundingClientRect().height)"
+    )
+    assert heights and min(heights) > 10
+    dots = page.evaluate("[...document.querySelectorAll('mover > mo')].map(e => e.textContent)")
+    assert {"\u02d9", "\u00a8"} <= set(dots)
+    assert "\u0307" not in dots
     for width in WIDTHS:
         page_checks.resize(page, width)
         assert page_checks.overflowing(page) == [], f"{width} px"
@@ -97,7 +104,7 @@ def test_all_is_shown_without_script(visit: Callable[..., Visit], document: Docu
     assert page.locator("nav a").first.is_visible()
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scheme", quick(SCHEMES, 1))
 def test_the_colours_are_those_of_the_system_until_others_are_chosen(
     visit: Callable[..., Visit], scheme: Scheme
 ) -> None:
@@ -148,34 +155,17 @@ def rgb(colour: str) -> str:
     return "rgb({}, {}, {})".format(*(int(colour[place : place + 2], 16) for place in (1, 3, 5)))
 
 
-def test_formulas_have_their_root_signs_and_dots(visit: Callable[..., Visit]) -> None:
-    page = visit().page
-    page_checks.unfold(page)
-    heights = page.evaluate(
-        "[...document.querySelectorAll('msqrt')].map(e => e.getBoundingClientRect().height)"
-    )
-    assert heights and min(heights) > 10
-    dots = page.evaluate("[...document.querySelectorAll('mover > mo')].map(e => e.textContent)")
-    assert {"\u02d9", "\u00a8"} <= set(dots)
-    assert "\u0307" not in dots
-
-
-def test_latex_can_be_copied(visit: Callable[..., Visit]) -> None:
+def test_latex_can_be_copied_and_without_a_clipboard_it_is_selected(visit: Callable[..., Visit]) -> None:
     page = visit().page
     page.evaluate("() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; }")
     page_checks.unfold(page)
     page.locator(".source button").first.click()
     source = page.locator(".source code").first.text_content()
     assert source == page.evaluate("window.copied") != ""
-
-
-def test_without_a_clipboard_the_latex_is_selected(visit: Callable[..., Visit]) -> None:
-    page = visit().page
     page.evaluate("() => { navigator.clipboard.writeText = async () => { throw new Error('no'); }; }")
-    page_checks.unfold(page)
-    page.locator(".source button").first.click()
+    page.locator(".source button").nth(1).click()
     page.get_by_role("button", name="Selected").wait_for()
-    source = page.locator(".source code").first.text_content()
+    source = page.locator(".source code").nth(1).text_content()
     assert page.evaluate("getSelection().toString()").strip() == (source or "").strip() != ""
 
 
@@ -240,17 +230,11 @@ def test_the_first_paint_does_not_wait_for_figures(browser: Browser, half_a_page
     page.close()
 
 
-@pytest.mark.parametrize(("width", "height"), [(768, 900), (1440, 900)])
-def test_the_first_screen_shows_what_matters_and_what_to_do(
-    visit: Callable[..., Visit], width: int, height: int
-) -> None:
+def test_the_first_screen_shows_what_matters_and_what_to_do(visit: Callable[..., Visit]) -> None:
     page = visit().page
-    page.set_viewport_size({"width": width, "height": height})
-    for part in (".highlights li:last-child", ".designer"):
-        expect(page.locator(part)).to_be_in_viewport(ratio=1)
-
-
-def test_on_a_phone_the_first_finding_is_on_the_first_screen(visit: Callable[..., Visit]) -> None:
-    page = visit().page
-    page.set_viewport_size({"width": 360, "height": 740})
+    for width, height in ((768, 900), (1440, 900)):
+        page.set_viewport_size({"width": width, "height": height})
+        for part in (".highlights li:last-child", ".designer"):
+            expect(page.locator(part)).to_be_in_viewport(ratio=1)
+    page.set_viewport_size({"width": 360, "height": 740})  # a phone
     expect(page.locator(".highlights li").first).to_be_in_viewport(ratio=1)

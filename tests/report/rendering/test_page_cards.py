@@ -28,8 +28,8 @@ def focus(page: Page, card: str) -> None:
     page.locator(f"[id='{card}']").evaluate("card => card.focus()")
 
 
-def test_tab_goes_from_card_to_card(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_tab_goes_from_card_to_card(shared: Page) -> None:
+    page = shared
     cards = page.evaluate("[...document.querySelectorAll('article.claim')].map((card) => card.id)")
     focus(page, cards[0])
     met = [page.evaluate(FOCUSED)]
@@ -50,8 +50,8 @@ def test_each_card_and_each_table_of_errata_is_one_stop(
     assert page.evaluate(STOPS, ".errata-sheet .table-box") == tables > 0
 
 
-def test_enter_leads_into_a_card_and_escape_back(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_enter_leads_into_a_card_and_escape_back(shared: Page) -> None:
+    page = shared
     card = "txt-5.1.2-roll-off"
     focus(page, card)
     page.keyboard.press("Enter")
@@ -74,8 +74,8 @@ def test_who_follows_a_link_to_a_card_is_in_it(visit: Callable[..., Visit]) -> N
     assert link.evaluate("link => link.tabIndex") == -1
 
 
-def test_a_card_says_its_title_and_how_to_go_into_it(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_card_says_its_title_and_how_to_go_into_it(shared: Page) -> None:
+    page = shared
     card = page.get_by_role("article", name="Statement in section 5.1.2: roll-off of −60 dB per decade")
     card.focus()
     page.keyboard.press("Shift+Tab")

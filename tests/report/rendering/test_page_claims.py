@@ -115,8 +115,8 @@ def test_the_filter_works_by_keyboard_and_can_be_reset(
     assert shown(page) == ids(document)
 
 
-def test_a_search_lists_what_fits_best_first_and_hides_the_rest(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_search_lists_what_fits_best_first_and_hides_the_rest(shared: Page) -> None:
+    page = shared
     found = search(page, "spectrum of")
     assert found == ["Figure 5.2: spectrum of the output"]
     assert shown(page) == {"fig-5.2"}
@@ -125,8 +125,8 @@ def test_a_search_lists_what_fits_best_first_and_hides_the_rest(visit: Callable[
     assert found[0] == "Equation 2.36: waveform"
 
 
-def test_a_search_needs_all_words_in_any_case_and_order(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_search_needs_all_words_in_any_case_and_order(shared: Page) -> None:
+    page = shared
     found = search(page, "DECADE roll-off per")
     assert found[0] == "Statement in section 5.1.2: roll-off of −60 dB per decade"
     assert shown(page) == {"txt-5.1.2-roll-off"}
@@ -150,8 +150,8 @@ def test_an_address_with_a_search_opens_with_it(visit: Callable[..., Visit]) -> 
     assert page.get_by_label("Search", exact=True).input_value() == "A-matrix"
 
 
-def test_an_equation_is_found_by_its_number(visit: Callable[..., Visit], document: Document) -> None:
-    page = visit().page
+def test_an_equation_is_found_by_its_number(shared: Page, document: Document) -> None:
+    page = shared
     assert search(page, "(2.36)")[0] == "Equation 2.36: waveform"
     (step,) = (each for each in document.derivation if any(e.thesis == "2.36" for e in each.equations))
     assert step.title in search(page, "(2.36)")  # which derives it
@@ -159,8 +159,8 @@ def test_an_equation_is_found_by_its_number(visit: Callable[..., Visit], documen
     assert all("2.3" not in heading for heading in search(page, "(2.3)"))
 
 
-def test_a_number_is_found_however_it_is_written(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_number_is_found_however_it_is_written(shared: Page) -> None:
+    page = shared
     written = ("2e-8", "2·10^-8", "2 × 10^-8", "2*10^-8", "0.00000002", "2.0e-08", "2 · 10⁻⁸")
     found = [search(page, text) for text in written]
     assert all("Sec. 5.2.1: smallest gap" in headings for headings in found), found
@@ -183,8 +183,8 @@ def test_other_words_for_the_same_thing_find_it(visit: Callable[..., Visit]) -> 
         assert search(page, words) == ["Provenance of the dead band"]
 
 
-def test_a_search_without_hit_says_what_to_do(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_a_search_without_hit_says_what_to_do(visit: Callable[..., Visit], shared: Page) -> None:
+    page = shared
     assert search(page, "roll-off giraffe") == []
     hint = page.locator("search .hint")
     expect(hint).to_contain_text("No place has “giraffe”")
@@ -199,8 +199,8 @@ def test_a_search_without_hit_says_what_to_do(visit: Callable[..., Visit]) -> No
 MARKED = "[...(CSS.highlights.get('search-hit') ?? [])].map((range) => range.toString())"
 
 
-def test_what_is_found_is_marked(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_what_is_found_is_marked(shared: Page) -> None:
+    page = shared
     search(page, "Roll-OFF")
     marked = page.evaluate(MARKED)
     assert marked

@@ -16,8 +16,9 @@ def expect_current(page: Page, target: str) -> None:
     expect(page.locator("nav a[aria-current=true]")).to_have_attribute("href", f"#{target}")
 
 
-def test_the_contents_follow_the_reader(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_the_contents_follow_the_reader(shared: Page) -> None:
+    page = shared
+    page.evaluate("scrollTo(0, 0)")
     expect_current(page, "summary")
     page.locator("[id='section-2.3.4']").evaluate("heading => heading.scrollIntoView()")
     expect_current(page, "section-2.3.4")
@@ -34,8 +35,8 @@ def test_only_the_chapter_that_is_read_is_unfolded(visit: Callable[..., Visit]) 
     expect(page.locator("nav a[href='#section-2.2.1']")).to_be_hidden()
 
 
-def test_an_entry_is_reached_and_followed_by_keyboard(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_an_entry_is_reached_and_followed_by_keyboard(shared: Page) -> None:
+    page = shared
     page.locator("nav a[href='#derivation']").focus()
     page.keyboard.press("Enter")
     expect(page.locator("#derivation")).to_be_in_viewport()

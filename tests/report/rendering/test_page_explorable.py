@@ -7,11 +7,19 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.report.rendering.page_checks import SCHEMES, Scheme, Visit, violations
+from tests.report.rendering.page_checks import Visit, violations
 
 pytestmark = pytest.mark.browser
 
 STILL = "#explorable-still"
+
+
+@pytest.fixture
+def page(shared: Page) -> Page:
+    """The explorable at its first view."""
+    shared.get_by_role("button", name="Back to the first view").click()
+    expect(shared.locator(".explorable output")).to_contain_text("716.20 Hz")
+    return shared
 
 
 def cycles(page: Page) -> str:
@@ -34,8 +42,7 @@ def test_the_first_view_is_that_of_the_sliders(visit: Callable[..., Visit]) -> N
     assert visited.complaints == []
 
 
-def test_a_slider_moves_what_is_shown(visit: Callable[..., Visit]) -> None:
-    page = visit("#explorable").page
+def test_a_slider_moves_what_is_shown(page: Page) -> None:
     move(page, "gap", -3.5)
     assert "790.6 µm" in cycles(page)
     move(page, "force", 2.0)
@@ -45,8 +52,7 @@ def test_a_slider_moves_what_is_shown(visit: Callable[..., Visit]) -> None:
     expect(page.locator(".explorable output")).to_contain_text("716.20 Hz")
 
 
-def test_a_slider_is_moved_by_keyboard_and_says_its_value(visit: Callable[..., Visit]) -> None:
-    page = visit("#explorable").page
+def test_a_slider_is_moved_by_keyboard_and_says_its_value(page: Page) -> None:
     slider = page.get_by_role("slider", name="Gap")
     before = cycles(page)
     slider.focus()
@@ -55,8 +61,7 @@ def test_a_slider_is_moved_by_keyboard_and_says_its_value(visit: Callable[..., V
     assert slider.get_attribute("aria-valuetext").endswith(" µm")
 
 
-def test_without_a_limit_cycle_it_says_so(visit: Callable[..., Visit]) -> None:
-    page = visit("#explorable").page
+def test_without_a_limit_cycle_it_says_so(page: Page) -> None:
     move(page, "gap", -6)
     move(page, "force", 2.0)
     assert "no limit cycle" in cycles(page)
@@ -72,7 +77,6 @@ def test_the_picture_stands_where_no_script_runs_and_in_print(visit: Callable[..
     expect(page.locator(".explorable")).to_be_hidden()
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
-def test_it_is_legible(visit: Callable[..., Visit], scheme: Scheme) -> None:
-    page = visit("#explorable", width=360, scheme=scheme).page
+def test_it_is_legible(visit: Callable[..., Visit]) -> None:
+    page = visit("#explorable", width=360).page
     assert violations(page, ".explorable") == []
