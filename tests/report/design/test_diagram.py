@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from report.design.diagram.diagram import mechanism_diagram
-from report.design.diagram.layout import joints_of, layout_of
+from report.design.diagram.layout import DiagramLayout, joints_of, layout_of
 from report.pages.drawing.style import style
 from trimmer import Mechanism
 from trimmer.design.design_file import design_file_of_text
@@ -17,13 +17,17 @@ from trimmer.mechanism.parts import GROUND
 FOLDER = Path(__file__).parents[3] / "examples"
 
 
-@pytest.fixture(params=examples())
+@pytest.fixture(scope="module", params=examples())
 def mechanism(request: pytest.FixtureRequest) -> Mechanism:
     return design_file_of_text(example_text(request.param), request.param, FOLDER).mechanism
 
 
-def test_no_part_runs_through_a_body_or_another_part(mechanism: Mechanism) -> None:
-    layout = layout_of(mechanism)
+@pytest.fixture(scope="module")
+def layout(mechanism: Mechanism) -> DiagramLayout:
+    return layout_of(mechanism)
+
+
+def test_no_part_runs_through_a_body_or_another_part(layout: DiagramLayout) -> None:
     columns = {body: place for place, body in enumerate(layout.bodies, start=1)}
     for run in layout.runs:
         assert not run.crosses
@@ -33,8 +37,7 @@ def test_no_part_runs_through_a_body_or_another_part(mechanism: Mechanism) -> No
         assert all(each.right <= run.left or run.right <= each.left for each in others)
 
 
-def test_every_part_joins_its_two_ends(mechanism: Mechanism) -> None:
-    layout = layout_of(mechanism)
+def test_every_part_joins_its_two_ends(mechanism: Mechanism, layout: DiagramLayout) -> None:
     names = {0: GROUND, len(layout.bodies) + 1: GROUND} | dict(enumerate(layout.bodies, start=1))
     assert {(run.joint.section, run.joint.name) for run in layout.runs} == {
         (joint.section, joint.name) for joint in joints_of(mechanism)

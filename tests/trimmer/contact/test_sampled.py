@@ -10,6 +10,7 @@ import pytest
 from scipy.linalg import expm
 
 from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
+from tests.quick import quick
 from trimmer import Mechanism, MechanismError, OrbitNotFoundError, follow, forced_orbit, respond, simulate
 from trimmer.branches.settings import FollowSettings
 from trimmer.contact.flow import MechanismFlow
@@ -256,12 +257,13 @@ def test_a_sampled_axis_is_followed_over_its_gain() -> None:
         follow(driven, "controllers.fast.sample", 1e-3, 1.1e-3)
 
 
-def test_a_delay_of_many_samples() -> None:
-    """So many that the modes are kept as rows; it begins in the middle of a sample."""
-    controller, end = replace(LAWS["pid"], kp=0.05, ki=0.0, kd=2e-3, delay=40.3e-3), 0.15
+@pytest.mark.parametrize("delay", quick([7.3e-3, 40.3e-3], 0))
+def test_a_delay_of_many_samples(delay: float) -> None:
+    """Modes of the longer one are kept as rows; both begin in the middle of a sample."""
+    controller, end = replace(LAWS["pid"], kp=0.05, ki=0.0, kd=2e-3, delay=delay), 0.15
     machine = two_masses(controller, at=4.2e-3)
     motion, (state, _) = simulate(machine, end), by_expm(controller, 4.2e-3, end)
-    assert motion.course.modes.tables.rows is not None
+    assert (motion.course.modes.tables.rows is None) is (delay < 0.01)
     found = np.array([motion.final["motor"], motion.final["load"]]).T.ravel()
     np.testing.assert_allclose(found, state, rtol=0, atol=1e-11 * abs(state).max())
     flow = MechanismFlow(two_masses(controller))
