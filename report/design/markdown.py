@@ -7,7 +7,7 @@ from typing import Any
 
 from jinja2 import Environment
 
-from report.design import comparison, sentences, sentences_around, sliders, tables, words
+from report.design import axis, comparison, sentences, sentences_around, sliders, tables, words
 from report.design.comparison import ComparisonReport
 from report.design.quantities import percent, place_words, shown, written
 from report.design.report import DesignReport
@@ -15,7 +15,18 @@ from report.pages.displayed import formula
 from report.pages.environment import MarkdownEnvironment
 
 PIECES = (
-    *("verdict", "ranges", "maps", "sliders", "motions", "contacts", "spectrum", "exposure", "branches"),
+    *(
+        "verdict",
+        "ranges",
+        "step",
+        "maps",
+        "sliders",
+        "motions",
+        "contacts",
+        "spectrum",
+        "exposure",
+        "branches",
+    ),
     *("sensitivity", "mechanism", "linear", "provenance", "equations"),
 )
 
@@ -29,7 +40,9 @@ def to_markdown(report: DesignReport) -> dict[str, str]:
         "contacts": {**mechanism.plays, **mechanism.stops, **mechanism.walls},
     }
     template = environment().get_template
-    return {name: template(f"design/{name}.md.j2").render(content) for name in PIECES}
+    steps = report.design.motion is not None and report.design.motion.steps
+    pieces = [name for name in PIECES if steps or name != "step"]
+    return {name: template(f"design/{name}.md.j2").render(content) for name in pieces}
 
 
 def comparison_to_markdown(report: ComparisonReport) -> dict[str, str]:
@@ -52,7 +65,7 @@ def environment() -> Environment:
     made.globals.update(
         {
             name: vars(module)[name]
-            for module in (comparison, tables, sentences, sentences_around, sliders, words)
+            for module in (axis, comparison, tables, sentences, sentences_around, sliders, words)
             for name in _own(module)
         }
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import partial
 
+from report.design.axis import hunting_figure, step_figures
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import joints_of
 from report.design.figures.over_numbers import Curve, branch, influences, kind_map, over_range, target_maps
@@ -42,11 +43,22 @@ def pictures(design: Design) -> dict[str, Figure]:
         *_transfer(design),
         *_spectra(design),
         *_ranges(design),
-        *(_map(design, each, number) for number, each in enumerate(design.maps, start=1)),
+        *step_figures(design),
+        *_maps(design),
         *_branches(design),
         *_influences(design),
     ]
     return {each.id: each for each in found}
+
+
+def _maps(design: Design) -> Iterator[Figure]:
+    """Draw maps; of an axis the first tells where it hunts too, and one without targets nothing else."""
+    stepped = design.file.stepped
+    for number, each in enumerate(design.maps, start=1):
+        if stepped and number == 1:
+            yield hunting_figure(each, number)
+        if each.targets or not stepped:
+            yield _map(design, each, number)
 
 
 def _diagram(design: Design) -> Figure:
@@ -92,7 +104,7 @@ def _motion(design: Design) -> Iterator[Figure]:
         "The motion over time",
         f"{capital(listed(shown))}, over {span}.{pulls}",
         f"Curves over {span} of {listed(shown)}.",
-        partial(motion_over_time, motion),
+        partial(motion_over_time, motion.signals),
     )
 
 
@@ -219,6 +231,9 @@ def _target_map(design: Design, each: DesignMap, number: int) -> Figure:
         for changes in ({one.place: one.after for one in remedy.changes} for remedy in found)
         if set(changes) == {each.first.place, each.second.place}
     ]
+    moved = f"These two numbers move {'it' if len(names) == 1 else 'them'} most. "
+    if design.file.stepped and number == 1:  # It is over gap and gain, whatever moves them most.
+        moved = ""
     star = " The star is what is recommended." if marks else ""
     blue = (
         " Where the motion repeats with the drive the area is blue, elsewhere grey."
@@ -228,7 +243,7 @@ def _target_map(design: Design, each: DesignMap, number: int) -> Figure:
     return drawn(
         f"map-{number}",
         f"{capital(listed(names))} over the {first} and the {second}",
-        f"These two numbers move {'it' if len(names) == 1 else 'them'} most. The black line is the bound "
+        f"{moved}The black line is the bound "
         f"that is wanted, the circle the file’s own point.{star}{blue} Each of {columns} × {rows} cells is "
         "the motion that follows from the start; edges are known to a cell’s width.",
         f"Coloured areas over the {first} and the {second}, one picture for each target.",

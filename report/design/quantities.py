@@ -119,6 +119,9 @@ KEYS = {
     "phase": "phase",
     "offset": "offset",
     "order": "order",
+    **{"kp": "gain kp", "ki": "integral gain ki", "kd": "rate gain kd", "kv": "speed gain kv"},
+    **{"ti": "integral time", "filter_time": "filter time", "tracking": "tracking time", "sample": "sample"},
+    **{"limit": "limit", "delay": "delay", "feedforward": "feedforward"},
 }
 
 

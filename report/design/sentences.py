@@ -140,6 +140,11 @@ def settled_sentences(design: Design) -> str:
     motion, motions = design.motion, design.motions
     assert motion is not None
     begun = "its own start" if design.file.mechanism.start else "rest"
+    if motion.steps and not motion.repeats and motion.kind is MotionKind.UNDECIDED:
+        return (
+            f"From {begun}, with the reference at its last value, the machine comes to {kind_words(motion)}. "
+            "What follows was measured after the step for half as long again as the step was followed."
+        )
     if motion.switched is not None:
         return f"The machine switches. From {begun}, {closings_words(motion)}."
     if motion.kind is MotionKind.REST:
@@ -194,6 +199,11 @@ def searched_sentences(design: Design) -> str:
     motions = design.motions
     if design.motion is not None and design.motion.switched is not None:
         return "One start was followed, that of the file, with which a machine that switches always begins."
+    if design.motion is not None and design.motion.steps:
+        return (
+            "One start was followed, that of the file, with which each step begins; from other starts the "
+            "machine may rest where it hunts here, or hunt where it rests."
+        )
     if design.file.mechanism.frequency is None:
         return "One start was followed. Without a drive, other motions were not looked for."
     told = (

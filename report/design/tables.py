@@ -89,7 +89,7 @@ def remedy_rows(remedies: Iterable[Remedy], design: Design) -> Rows:
         ]
         for each in remedies
     ]
-    if not design.file.switched:
+    if not (design.file.switched or design.file.stepped):
         return rows
     return [row[: 3 if design.file.uncertainty else 2] for row in rows]
 
@@ -371,7 +371,8 @@ def range_rows(design: Design) -> Rows:
     """Return the least and the most of each measure over the ranges."""
     rows = [["Measure", "Least", "Most"]]
     if design.ranges is not None:
-        for each in all_measures(design.file.mechanism):
+        file = design.file
+        for each in all_measures(file.mechanism, switched=file.switched, stepped=file.stepped):
             low, high = design.ranges.extremes(each)
             unit = unit_of_measure(design.file.mechanism, each.measure, each.part)
             rows.append(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from report.design.axis import MEASURES, hunting_words, step_value
 from report.design.quantities import percent, place_words, shown
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
@@ -76,6 +77,7 @@ def measure_words(measure: Measure, part: str) -> str:
         Measure.PERIOD: "period of the motion",
         Measure.CLOSING_TIME: f"closing time of {part}",
         Measure.BOUNCE_TIME: f"bounce time of {part}",
+        **{each: f"{words} of {part}" for each, words in MEASURES.items()},
     }[measure]
 
 
@@ -85,6 +87,8 @@ def measure_value(measure: Measure, value: float, unit: str = "") -> str:
         return "it does not repeat" if math.isinf(value) else count(int(value), "drive period")
     if measure in OF_CLOSING and math.isinf(value):
         return "it does not close"
+    if measure in MEASURES:
+        return step_value(measure, value, unit or measure.unit)
     return shown(value, unit or measure.unit)
 
 
@@ -92,6 +96,8 @@ def bound_words(target: Target) -> str:
     """Return what a target wants, as plain text."""
     if target.measure is Measure.PERIOD:
         return "that of the drive alone"
+    if target.measure is Measure.HUNTING and not target.bound:
+        return "none"
     side = "at least" if target.at_least else "at most"
     return f"{side} {shown(target.bound, target.unit or target.measure.unit)}"
 
@@ -109,6 +115,8 @@ def kind_words(motion: FoundMotion) -> str:
         return (
             f"a motion that repeats after {count(motion.period_count or 1, 'drive period')}{_advance(motion)}"
         )
+    if motion.steps and motion.kind is MotionKind.UNDECIDED:
+        return "hunting that does not repeat"
     return {
         MotionKind.TORUS: "a motion that beats and never quite repeats (a torus)",
         MotionKind.REST: "rest: nothing moves",
@@ -146,8 +154,9 @@ def _without_targets(design: Design) -> Markdown:
     if design.motion is None:
         return markdown("**No motion could be measured**: {}", _lowered(design.motions.message))
     motion = _first(design)
-    if motion.switched is not None:
-        return markdown("**The file names no targets**, so nothing is judged; {}.", closings_words(motion))
+    if motion.switched is not None or motion.steps:
+        told = hunting_words(motion) if motion.steps else closings_words(motion)
+        return markdown("**The file names no targets**, so nothing is judged; {}.", told)
     return markdown(
         "**The file names no targets**, so nothing is judged; from its start, the mechanism {} to {}.",
         "settles" if motion.repeats else "comes",
@@ -232,6 +241,10 @@ def _miss(judged: JudgedTarget) -> str:
     if judged.target.measure in OF_CLOSING and math.isinf(judged.value):
         part, bound = judged.target.part, bound_words(judged.target)
         return f"{part} does not close, where {bound} is wanted as the {which}"
+    if judged.target.measure in MEASURES and math.isinf(judged.value):
+        verb = "rises" if judged.target.measure is Measure.RISE_TIME else "settles"
+        part, bound = judged.target.part, bound_words(judged.target)
+        return f"what {part} measures never {verb}, where {bound} is wanted as the {which}"
     value = measure_value(judged.target.measure, judged.value, judged.target.unit)
     return f"the {which} is {value}, where {bound_words(judged.target)} is wanted"
 
@@ -360,7 +373,11 @@ def sureness_sentences(design: Design) -> str:
 
 def _grounds(design: Design, motion: FoundMotion) -> list[str]:
     motions = design.motions
-    measured = f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
+    measured = (
+        f"the motion was followed for {shown(motion.signals.times[-1], 's')} more, in which it did not repeat"
+        if motion.steps
+        else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
+    )
     if motion.repeats:
         measured = "the motion repeats exactly, and was solved for to rounding"
     elif motion.switched is not None:

@@ -42,15 +42,20 @@ def chosen_mechanism(arguments: Namespace) -> Mechanism:
         MechanismError: if the file or a number cannot be used.
     """
     mechanism = mechanism_with(arguments.file, arguments.set)
-    if mechanism.controllers:
-        from trimmer.contact.control_loops import instability_told
-        from trimmer.mechanism.controls.idle import idle_controllers
-
-        for told in idle_controllers(mechanism.controllers):
-            note(f"{arguments.file}: {told}")
-        if told := instability_told(mechanism):
-            note(f"{arguments.file}: {told}")
+    note_controllers(arguments.file, mechanism)
     return mechanism
+
+
+def note_controllers(file: Path, mechanism: Mechanism) -> None:
+    """Say of the controllers of a mechanism which never act, and whether they leave it unstable."""
+    if not mechanism.controllers:
+        return
+    from trimmer.contact.control_loops import instability_told
+    from trimmer.mechanism.controls.idle import idle_controllers
+
+    for told in (*idle_controllers(mechanism.controllers), instability_told(mechanism)):
+        if told:
+            note(f"{file}: {told}")
 
 
 def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:

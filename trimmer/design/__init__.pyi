@@ -10,13 +10,14 @@ from .design_file import DesignFile as DesignFile
 from .design_file import OpenRange as OpenRange
 from .design_file import read_design_file as read_design_file
 from .found_motion import FoundMotion as FoundMotion
-from .found_motion import MotionSignals as MotionSignals
+from .found_step import FoundStep as FoundStep
 from .hand_arm import HandArm as HandArm
 from .hand_arm import hand_arm_weighting as hand_arm_weighting
 from .kept_map import DesignMap as DesignMap
 from .linear import LinearMode as LinearMode
 from .linear import LinearState as LinearState
 from .linear import TransferFunction as TransferFunction
+from .motion_signals import MotionSignals as MotionSignals
 from .motions import Motions as Motions
 from .motions import Neighbours as Neighbours
 from .paths import NumberPath as NumberPath

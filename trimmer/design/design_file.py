@@ -11,7 +11,7 @@ from typing import Any, Protocol
 from trimmer.arguments import file_path
 from trimmer.arrays import Reals
 from trimmer.design.assumed_range import assumed_range
-from trimmer.design.targets import Target, is_switched, targets_of
+from trimmer.design.targets import OF_STEP, Target, followers, is_switched, targets_of
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.coordinates import shaken_ends
@@ -98,9 +98,15 @@ class DesignFile:
         return is_switched(self.mechanism, (each.measure for each in self.targets))
 
     @property
+    def stepped(self) -> bool:
+        """Whether it is looked at from the start through the steps that its controllers follow."""
+        others = any(each.measure not in OF_STEP for each in self.targets)
+        return bool(followers(self.mechanism)) and not (self.switched or others)
+
+    @property
     def is_tried(self) -> bool:
-        """Whether other numbers can be tried: it is driven, or switches."""
-        return self.mechanism.frequency is not None or self.switched
+        """Whether other numbers can be tried: it is driven or controlled, or switches."""
+        return self.mechanism.frequency is not None or bool(self.mechanism.controllers) or self.switched
 
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
@@ -120,6 +126,31 @@ def read_design_file(path: Path | str, changes: Sequence[tuple[str, float | str]
     """
     path = file_path("path", path)
     return _design_file(bytes_of_file(path), str(path), path.parent, changes)
+
+
+def read_with_targets(
+    path: Path | str, changes: Sequence[tuple[str, float | str]] = ()
+) -> tuple[Mechanism, tuple[Target, ...]]:
+    """Read a mechanism as ``read_mechanism`` does, with other numbers, and the targets in its file.
+
+    Args:
+        path: The file, or ``-`` for standard input.
+        changes: Places, and the numbers that stand there in place of those of the file.
+
+    Raises:
+        MechanismError: if it cannot be read, or holds what cannot be used.
+    """
+    path = file_path("path", path)
+    text, name = decoded(bytes_of_file(path)), str(path)
+    content = content_of_text(text, name)
+    set_values = {place_text(parse_place(place)): value for place, value in changes}
+    mechanism = mechanism_of_text(text, name, set_values, path.parent)
+    for place, value in changes:
+        mechanism = mechanism.with_value(place, value)
+    problems: list[Problem] = []
+    targets = targets_of(content.get("targets", {}), mechanism, problems)
+    _stop_at(problems, name, content, lines_of_keys(text))
+    return mechanism, targets
 
 
 def design_file_of_text(text: str, name: str, folder: Path = Path()) -> DesignFile:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
-from trimmer.design.targets import OF_CLOSING, Measure, Target
+from trimmer.design.targets import OF_CLOSING, OF_STEP, Measure, Target
 from trimmer.design.trial import Trial
 
 GRID = 81
@@ -91,7 +91,9 @@ def logs_of(trial: Trial, targets: tuple[Target, ...]) -> Reals:
 def is_regular(trial: Trial, targets: tuple[Target, ...]) -> bool:
     """Say whether a motion was found, and repeats as it is wanted to, or its contacts close."""
     closes = all(
-        math.isfinite(trial.value(each.measure, each.part)) for each in targets if each.measure in OF_CLOSING
+        math.isfinite(trial.value(each.measure, each.part))
+        for each in targets
+        if each.measure in (*OF_CLOSING, *OF_STEP)
     )
     return closes and trial.meets(tuple(each for each in targets if each.measure is Measure.PERIOD))
 

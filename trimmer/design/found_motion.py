@@ -8,12 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Flags, Reals
-from trimmer.contact.assembly import PUSHING
-from trimmer.contact.outputs import contact_force
-from trimmer.contact.readouts import acceleration
-from trimmer.contact.statuses import STICK
+from trimmer.arrays import Complexes, Reals
+from trimmer.design.found_step import FoundStep, found_step
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
+from trimmer.design.motion_signals import MotionSignals, signals_of
 from trimmer.design.targets import Measure, Target
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
@@ -21,16 +19,13 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import along, read, while_status
-from trimmer.motion.spans import spans_of
 from trimmer.response.closings import Closing
 from trimmer.response.estimate import Estimate
 from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.step import StepResponse
 from trimmer.response.switching import switching
 
-POINTS = 1200
-"""Instants at which signals are kept."""
 WINDOW = 96
 """Drive periods over which a motion is measured that does not repeat."""
 SAMPLES = 256
@@ -41,34 +36,6 @@ SEEN = 1.15
 """Up to which multiple of the time of its last event the motion of a machine that switches is kept."""
 SHOWN = 6
 """Of these, how many are kept as signals."""
-
-Spans = tuple[tuple[float, float], ...]
-"""Begin and length of times at which something is on, s."""
-
-
-@dataclass(frozen=True, eq=False)
-class MotionSignals:
-    """Outputs, contact forces, contact and stick of a motion over time.
-
-    Attributes:
-        times: s, (n,).
-        outputs: By name, (n,).
-        forces: Of each play and stop by name, positive where it pulls its ends together, (n,).
-        touching: When each is in contact.
-        sticking: When each dry friction sticks.
-        accelerations: Of each body, m/s², between impulses, (n,).
-        units: SI unit of each output.
-        force_units: Of the force of each play and stop.
-    """
-
-    times: Reals
-    outputs: Mapping[str, Reals]
-    forces: Mapping[str, Reals]
-    touching: Mapping[str, Spans]
-    sticking: Mapping[str, Spans]
-    accelerations: Mapping[str, Reals] = field(default_factory=dict)
-    units: Mapping[str, str] = field(default_factory=dict)
-    force_units: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -112,6 +79,7 @@ class FoundMotion:
         signals: Over a period, or over some drive periods.
         driven: Whether a drive, or the clock of a controller, gives the period.
         switched: Where it is that of a machine that switches, from its start on; else None.
+        steps: How each controller follows its step, by name.
     """
 
     kind: MotionKind
@@ -135,6 +103,7 @@ class FoundMotion:
     signals: MotionSignals
     driven: bool = True
     switched: Switched | None = None
+    steps: Mapping[str, FoundStep] = field(default_factory=dict)
 
     @property
     def repeats(self) -> bool:
@@ -171,6 +140,8 @@ class FoundMotion:
                 return float("inf") if closing is None else float(getattr(closing, measure.key))
             case Measure.PERIOD:
                 return float(self.period_count) if self.period_count else float("inf")
+            case _:
+                return self.steps[part].value(measure)
 
     def body_felt(self, held: str | None, targets: tuple[Target, ...]) -> str | None:
         """Return the body whose acceleration is shown: the held one, a bounded one, or that shaken most."""
@@ -187,12 +158,15 @@ class FoundMotion:
         return all(target.met_by(self.value(target)) for target in targets)
 
 
-def of_settled(settled: SettledMotion) -> FoundMotion | None:
-    """Return what a start settles to; None if it could not be followed to anything that can be measured."""
+def of_settled(settled: SettledMotion, *, felt: bool = True) -> FoundMotion | None:
+    """Return what a start settles to; None if it could not be followed to anything that can be measured.
+
+    What a hand feels is left out where nothing is ``felt``.
+    """
     if settled.orbit is not None:
-        return of_orbit(settled.orbit, settled)
+        return of_orbit(settled.orbit, settled, felt=felt)
     if settled.rest is not None:
-        return _made(settled.rest.flow, settled.rest.course, settled, None, 1)
+        return _made(settled.rest.flow, settled.rest.course, settled, None, 1, felt=felt)
     if settled.window is None or not settled.window.flow.period:
         return None
     flow = settled.window.flow
@@ -200,7 +174,21 @@ def of_settled(settled: SettledMotion) -> FoundMotion | None:
     if course.ending is not Ending.REACHED_END:
         return None
     flow, course = flow.travelling(course)
-    return _made(flow, course, settled, None, WINDOW)
+    return _made(flow, course, settled, None, WINDOW, felt=felt)
+
+
+def of_steps(responses: Mapping[str, StepResponse], settled: SettledMotion) -> FoundMotion | None:
+    """Return what controllers settle to that follow steps, with how they do; None if that grows.
+
+    Of what neither rests nor repeats it is what it does for half as long again after the last step.
+    """
+    motion = of_settled(settled, felt=False)
+    if motion is None and settled.kind is not MotionKind.DIVERGING:
+        last = list(responses.values())[-1].motion
+        course = last.flow.timed(last.course.end, 0.5 * last.duration)
+        motion = _made(last.flow, course, settled, None, 1, felt=False) if last.success else None
+    steps = {name: found_step(each) for name, each in responses.items()}
+    return None if motion is None else replace(motion, steps=steps)
 
 
 def of_switching(mechanism: Mechanism) -> FoundMotion:
@@ -228,9 +216,9 @@ def of_switching(mechanism: Mechanism) -> FoundMotion:
     )
 
 
-def of_orbit(orbit: Orbit, settled: SettledMotion | None = None) -> FoundMotion:
+def of_orbit(orbit: Orbit, settled: SettledMotion | None = None, *, felt: bool = True) -> FoundMotion:
     """Return an orbit with its measures; without starts, if no settled motion is given with it."""
-    return _made(orbit.flow, orbit.course, settled, orbit, orbit.periods or 1)
+    return _made(orbit.flow, orbit.course, settled, orbit, orbit.periods or 1, felt=felt)
 
 
 def _made(
@@ -240,8 +228,12 @@ def _made(
     orbit: Orbit | None,
     periods: int,
     share: float | None = None,
+    *,
+    felt: bool = True,
 ) -> FoundMotion:
     measures = Measures(course, flow, max(orbit.period_count, 1) if orbit else 1, periods)
+    along_a_line = {name for name in flow.accelerations if flow.units_of_body(name).length == "m"}
+    every = _hand_arm(course, orbit, measures.rms_acceleration, periods) if felt and along_a_line else {}
     return FoundMotion(
         kind=settled.kind if settled else MotionKind.PERIODIC,
         period_count=orbit.period_count if orbit else None,
@@ -259,13 +251,9 @@ def _made(
         rms_acceleration=dict(measures.rms_acceleration),
         contacts=dict(measures.contacts),
         frictions=dict(measures.frictions),
-        hand_arm={
-            name: each
-            for name, each in _hand_arm(course, orbit, dict(measures.rms_acceleration), periods).items()
-            if flow.units_of_body(name).length == "m"
-        },
+        hand_arm={name: each for name, each in every.items() if name in along_a_line},
         events=measures.events_per_period,
-        signals=_signals(flow, course, share or min(1.0, SHOWN / periods)),
+        signals=signals_of(flow, course, share or min(1.0, SHOWN / periods)),
         driven=bool(flow.period),
     )
 
@@ -276,37 +264,3 @@ def _hand_arm(
     if orbit is not None:
         return hand_arm_of_orbit(course, 2 * np.pi / course.duration, rms)
     return hand_arm_of_samples(course, rms, SAMPLES * periods / course.duration)
-
-
-def _signals(flow: Flow, course: Course, share: float) -> MotionSignals:
-    layout, log = flow.modes.system.layout, course.log
-    end = share * course.duration
-    times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])
-    states = course.states(times)
-    rows = np.searchsorted(log.start, times, side="right") - 1
-    contacts = len(layout.contacts)
-    return MotionSignals(
-        times,
-        dict(zip(flow.outputs, read(course, flow.outputs.values(), rows, states).T, strict=True)),
-        {
-            name: along(course, contact_force(course.modes, part), rows, states)
-            for part, name in enumerate(layout.contacts)
-        },
-        {
-            name: _spans(course, while_status(course, p, PUSHING), end)
-            for p, name in enumerate(layout.contacts)
-        },
-        {
-            name: _spans(course, while_status(course, contacts + number, (STICK,)), end)
-            for number, name in enumerate(layout.frictions)
-        },
-        {name: along(course, acceleration(course.modes, name), rows, states) for name in layout.shaken},
-        {name: output.unit for name, output in flow.outputs.items()},
-        {name: flow.force_unit(name) for name in layout.contacts},
-    )
-
-
-def _spans(course: Course, on: Flags, end: float) -> Spans:
-    """Return the times up to an end at which something is on."""
-    found = spans_of(course.log.start, course.duration, on)
-    return tuple((begin, min(length, end - begin)) for begin, length in found if begin < end)

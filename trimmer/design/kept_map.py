@@ -9,7 +9,7 @@ from functools import partial
 
 from trimmer.design.keeping import Keeper
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Measure, Target, is_switched
+from trimmer.design.targets import Measure, Target, followers, is_switched
 from trimmer.design.trial import MeasureOfPart, TrialWork
 from trimmer.design.varied_places import VariedNumber
 from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork
@@ -50,6 +50,8 @@ def design_map(  # noqa: PLR0913 (each is a choice of its own)
     keeper: Keeper,
     told: Told,
     targets: tuple[Target, ...] = (),
+    *,
+    stepped: bool = False,
 ) -> DesignMap | None:
     """Tell what the mechanism settles to over two numbers, each cell from rest or the file's own start.
 
@@ -62,6 +64,7 @@ def design_map(  # noqa: PLR0913 (each is a choice of its own)
         keeper: Keeps each row.
         told: Is told of each row.
         targets: Whose measures are taken.
+        stepped: Whether controllers follow steps, so that cells tell whether all rests or hunts.
 
     Returns:
         The map; None if the runner left cells out.
@@ -69,9 +72,11 @@ def design_map(  # noqa: PLR0913 (each is a choice of its own)
     values = {each.place: each.values(settings.cells) for each in (first, second)}
     of_map, asked = Settings(settings.cell_periods, measures=keys_of(targets)), asked_of(targets)
     work: Callable[[Cell], CellResult]
-    if is_switched(mechanism, (each.measure for each in asked)):
+    if stepped and not asked:
+        asked = tuple(MeasureOfPart(Measure.HUNTING, name) for name in followers(mechanism))
+    if stepped or is_switched(mechanism, (each.measure for each in asked)):
         inputs = MapInputs(mechanism, tuple(values), tuple(map(tuple, values.values())), of_map)
-        work = SwitchedCells(mechanism, inputs.places, asked)
+        work = TriedCells(mechanism, inputs.places, asked)
     else:
         inputs = checked_inputs(mechanism, values, of_map)
         work = CellWork(inputs.subject, inputs.places, inputs.settings)
@@ -93,8 +98,8 @@ def asked_of(targets: tuple[Target, ...]) -> tuple[MeasureOfPart, ...]:
 
 
 @dataclass(frozen=True)
-class SwitchedCells:
-    """The work of a cell of a map of a machine that switches.
+class TriedCells:
+    """The work of a cell of a map of a machine that switches, or whose controllers follow steps.
 
     Attributes:
         mechanism: The machine.

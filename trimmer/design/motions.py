@@ -11,9 +11,10 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled, of_switching
+from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled, of_steps, of_switching
+from trimmer.design.found_step import step_responses
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import has_profile
+from trimmer.design.targets import followers, has_profile
 from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.maps.cells import CellMotion
@@ -117,7 +118,8 @@ def motions_from_starts(
     """
     if switched or has_profile(mechanism):
         return _switched(mechanism, settings)
-    starts = settings.starts if mechanism.frequency is not None else 1
+    steps = followers(mechanism)  # which begin as the file says
+    starts = settings.starts if mechanism.frequency is not None and not steps else 1
     response = respond(
         mechanism,
         starts=starts,
@@ -126,6 +128,10 @@ def motions_from_starts(
         deadline=deadline,
     )
     starts = response.starts
+    if steps:
+        first = of_steps(step_responses(mechanism, response), response.motion)
+        there = () if first is None else (first,)
+        return Motions(there, 1, settings.seed, 1 - len(there), response.motion.message, first is None)
     found = [of_settled(each) for each in response.motions]
     measured = tuple(each for each in found if each is not None)
     lost = len(found) - len(measured)

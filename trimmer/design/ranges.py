@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.arrays import Flags, Integers, Reals
 from trimmer.design.design_file import OpenRange
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Target, is_switched
+from trimmer.design.targets import Target, is_stepped, is_switched
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
@@ -75,7 +75,8 @@ def study_ranges(
     """
     places = tuple(each.place for each in ranges)
     switched = is_switched(mechanism, (each.measure for each in targets))
-    asked = all_measures(mechanism, switched=switched)
+    stepped = is_stepped(each.measure for each in targets)
+    asked = all_measures(mechanism, switched=switched, stepped=stepped)
     work = TrialWork(mechanism, places, asked, settings.cell_periods)
     shares = _points(len(ranges), settings)
     lowest = np.array([each.lowest for each in ranges])

@@ -22,7 +22,7 @@ from trimmer.design.remedies import Change, Mend, Remedies, Remedy
 from trimmer.design.sensitivity import Sensitivities, designable
 from trimmer.design.settings import DesignSettings
 from trimmer.design.surroundings import Around, Beside, Condition, Numbers, margins, study_around, trials_of
-from trimmer.design.targets import Measure, Target, is_switched
+from trimmer.design.targets import Measure, Target, is_stepped, is_switched
 from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place
@@ -34,7 +34,10 @@ OWN = {"gap": (0.1, FARTHEST), "frequency": (1 / 1.5, 1.5)}
 """Smallest and largest factor of some: parts can be made to fit more closely; a speed is hardly free."""
 PLACES = 16
 """Numbers that are tried, of those with the largest influence."""
-FIRST = ("gap", "force", "amplitude", "frequency", "damping", "stiffness", "static", "viscous", "unbalance")
+FIRST = (
+    *("kp", "kv", "ki", "kd", "ti", "gap", "force", "amplitude", "frequency", "damping", "stiffness"),
+    *("static", "viscous", "unbalance"),
+)
 """Which numbers come first if nothing is known of their influence."""
 SINGLES, PAIRS = 4, 8
 """Changes of one number and of two that are computed, those with the best forecast."""
@@ -222,7 +225,8 @@ class _Search:
 
     def from_starts(self, ranked: list[Remedy]) -> list[Remedy]:
         """Try remedies from several starts; those that do from all come first."""
-        if is_switched(self.mechanism, (each.measure for each in self.targets)):
+        measures = [each.measure for each in self.targets]
+        if is_switched(self.mechanism, measures) or is_stepped(measures):
             return ranked  # it always begins as the file says
         work = _FromStarts(self.mechanism, self.targets, self.settings)
         tried = {each.changes: each for each in self.runner.results(work, ranked)}
@@ -267,6 +271,8 @@ def _places(
     mechanism: Mechanism, missed: tuple[Target, ...], sensitivities: Sensitivities | None
 ) -> list[tuple[str, str, float]]:
     every = sorted(designable(mechanism), key=lambda each: _order(each[0]))
+    if is_stepped(each.measure for each in missed):  # What an axis moves is given.
+        every = [each for each in every if _is_set(each[0])]
     asked = [MeasureOfPart(each.measure, each.part) for each in missed if each.measure is not Measure.PERIOD]
     ranked = _interleaved(
         [[e.place for e in sensitivities.ranked(a)] for a in asked] if sensitivities else []
@@ -274,6 +280,12 @@ def _places(
     chosen = [each for each in every if each[0] in ranked[:PLACES]]
     others = [each for each in every if each not in chosen]
     return [*chosen, *others][:PLACES]
+
+
+def _is_set(place: str) -> bool:
+    """Say whether a number of an axis is set: of a controller, a gap or a friction."""
+    section, *_, key = parse_place(place)
+    return section in ("controllers", "frictions") or key == "gap"
 
 
 def _order(place: str) -> int:

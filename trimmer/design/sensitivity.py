@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design.found_motion import FoundMotion
-from trimmer.design.targets import Measure
+from trimmer.design.targets import Measure, is_stepped
 from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures, measured
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.kinds import numbers_of_part
@@ -94,15 +94,18 @@ def _size(elasticity: Elasticity | None) -> float:
     return 0.0 if elasticity is None else abs(elasticity.value)
 
 
-def sensitivities(mechanism: Mechanism, motion: FoundMotion, deadline: Deadline = NEVER) -> Sensitivities:
+def sensitivities(
+    mechanism: Mechanism, motion: FoundMotion, deadline: Deadline = NEVER, *, stepped: bool = False
+) -> Sensitivities:
     """Change each number a little to either side, and solve for the exact orbit again.
 
     Args:
         mechanism: The mechanism.
         motion: A periodic motion of it.
         deadline: After which no further number is changed.
+        stepped: Whether it is looked at how controllers follow their steps.
     """
-    every = all_measures(mechanism, switched=motion.switched is not None)
+    every = all_measures(mechanism, switched=motion.switched is not None, stepped=stepped)
     asked = tuple(each for each in every if each.measure is not Measure.PERIOD)
     found, failed = [], []
     numbers = list(designable(mechanism))
@@ -132,11 +135,25 @@ def designable(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:
                 value = getattr(part, key)
                 if value and key not in LEFT_OUT and quantity.range is not Range.WHOLE:
                     yield place_text((section, name, key)), quantity.unit, value
+    yield from _controls(mechanism)
     for name, point in mechanism.points.items():
         for of, weight in point.weights.items():
             place = place_text(("points", name, of))
             if weight and (abs(weight) != 1.0 or mechanism.places[place] == "m"):
                 yield place, mechanism.places[place], weight
+
+
+CONTROLS = ("kp", "kv", "ki", "kd", "ti", "filter_time", "limit", "tracking", "sample", "delay")
+"""Numbers of controllers that a designer may change, the gains first."""
+
+
+def _controls(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:
+    for name, controller in mechanism.controllers.items():
+        for key in CONTROLS:
+            value = getattr(controller, key, None)
+            if value and math.isfinite(value):
+                place = place_text(("controllers", name, key))
+                yield place, mechanism.places[place], value
 
 
 def _agree(one: float, other: float) -> bool:
@@ -164,7 +181,7 @@ def _slopes(
 def _measures(
     mechanism: Mechanism, place: str, value: float, motion: FoundMotion, asked: tuple[MeasureOfPart, ...]
 ) -> Mapping[MeasureOfPart, float] | None:
-    if motion.switched is not None:
+    if motion.switched is not None or is_stepped(each.measure for each in asked):
         trial = TrialWork(mechanism, (place,), asked, 0)((value,))
         return {each: size for each, size in trial.measures if math.isfinite(size)}
     try:

@@ -24,7 +24,7 @@ from trimmer.design.sensitivity import Sensitivities, sensitivities
 from trimmer.design.settings import USUAL, DesignSettings
 from trimmer.design.solved_grid import MovedNumber, SolvedGrid, numbers_to_move, solved_grid
 from trimmer.design.spectrum import OutputSpectrum, spectra
-from trimmer.design.strongest import pairs_of_targets
+from trimmer.design.strongest import MAPS, pairs_of_targets
 from trimmer.design.surroundings import Around, Condition, conditions_of, study_around
 from trimmer.design.targets import Target
 from trimmer.design.varied_places import VariedNumber, varied_places
@@ -48,6 +48,8 @@ SPENT = {
     Stage.SLIDERS: 0.84,
 }
 """Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
+MOST_DRAWN = 3
+"""Targets that are drawn beside the map of hunting at most."""
 MOST_PATHS = 3
 """Numbers over which branches are followed at most."""
 COARSE = (6, 12)
@@ -177,7 +179,7 @@ class Study:
     def with_neighbours(self, motions: Motions) -> Motions:
         """Return the motions, those that neighbours lead to among them."""
         near = self.varied(motions)
-        if self.file.mechanism.frequency is None or self.file.switched or len(near) < 2:
+        if self.file.mechanism.frequency is None or self.file.switched or self.file.stepped or len(near) < 2:
             return motions
 
         def make(runner: TimedRunner) -> Motions:
@@ -203,13 +205,14 @@ class Study:
     def sensitivities(self, motions: Motions) -> Sensitivities | None:
         """Return what each number changes."""
         first = motions.first
-        if first is None or not (first.repeats or self.file.switched):
+        file = self.file
+        if first is None or not (first.repeats or file.switched or file.stepped):
             return None
 
         def make(runner: TimedRunner) -> Sensitivities:
-            return sensitivities(self.file.mechanism, first, runner.deadline)
+            return sensitivities(file.mechanism, first, runner.deadline, stepped=file.stepped)
 
-        return self._made(Stage.SENSITIVITIES, (), self.file.switched, make, None)
+        return self._made(Stage.SENSITIVITIES, (), (file.switched, file.stepped), make, None)
 
     def ranges(self) -> RangeStudy | None:
         """Return how the verdict depends on unknown numbers."""
@@ -259,7 +262,13 @@ class Study:
     ) -> dict[tuple[VariedNumber, VariedNumber], tuple[Target, ...]]:
         """Return the pairs of numbers over which targets are drawn, those first that are missed."""
         others = (each for each in self.file.targets if each not in verdict.missed)
-        return pairs_of_targets(self.file.mechanism, (*verdict.missed, *others), varied, of, found)
+        wanted = (*verdict.missed, *others)
+        pairs = pairs_of_targets(self.file.mechanism, wanted, varied, of, found)
+        if not self.file.stepped or len(varied) < 2:
+            return pairs
+        # Whether an axis hunts is asked over gap and gain first, with what is missed beside it.
+        hunting = {(varied[0], varied[1]): wanted[:MOST_DRAWN]}
+        return dict(list({**hunting, **pairs}.items())[:MAPS])
 
     def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
@@ -326,7 +335,8 @@ class Study:
             settings = replace(self.settings, cells=cells)
             told = partial(self.told, Stage.MAP, over)
             finer = design_map(
-                self.file.mechanism, first, second, settings, runner, self.keeper, told, targets
+                *(self.file.mechanism, first, second, settings, runner, self.keeper, told, targets),
+                stepped=self.file.stepped,
             )
             best = finer or best
         if best is None:

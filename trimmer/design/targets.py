@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
+from trimmer.mechanism.controls.references import StepReference
 from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import OutputKind
@@ -27,6 +28,12 @@ class Measure(Enum):
     WEAR_POWER = "wear_power", "W"
     CLOSING_TIME = "closing_time", "s"
     BOUNCE_TIME = "bounce_time", "s"
+    RISE_TIME = "rise_time", "s"
+    OVERSHOOT = "overshoot", "%"
+    SETTLING_TIME = "settling_time", "s"
+    FINAL_ERROR = "final_error", "m"
+    LARGEST_CONTROL = "largest_control", "N"
+    HUNTING = "hunting", "m"
 
     @property
     def key(self) -> str:
@@ -46,7 +53,7 @@ class Target:
     Attributes:
         key: The key in ``[targets]``.
         measure: What is bounded.
-        part: The output, body or contact; empty for the period of the motion.
+        part: The output, body, contact or controller; empty for the period of the motion.
         bound: In SI units: the least, or the most that will do.
         unit: The unit; empty for that of the measure.
     """
@@ -85,14 +92,25 @@ BOUNDS: Mapping[str, Measure] = {
     "impact_speed_at_most": Measure.IMPACT_SPEED,
     "closing_time_at_most": Measure.CLOSING_TIME,
     "bounce_time_at_most": Measure.BOUNCE_TIME,
+    "rise_time_at_most": Measure.RISE_TIME,
+    "overshoot_at_most": Measure.OVERSHOOT,
+    "settling_time_at_most": Measure.SETTLING_TIME,
+    "final_error_at_most": Measure.FINAL_ERROR,
+    "control_at_most": Measure.LARGEST_CONTROL,
+    "hunting_at_most": Measure.HUNTING,
 }
 """What each key bounds."""
 OF_CLOSING = (Measure.CLOSING_TIME, Measure.BOUNCE_TIME)
 """What is measured of a machine that switches, from its start until it rests."""
+OF_STEP = (
+    *(Measure.RISE_TIME, Measure.OVERSHOOT, Measure.SETTLING_TIME),
+    *(Measure.FINAL_ERROR, Measure.LARGEST_CONTROL, Measure.HUNTING),
+)
+"""What is measured of a controller that follows a step."""
 OF_REPEATING = (Measure.RMS_ACCELERATION, Measure.PERIOD, Measure.WEAR_POWER)
 """What is measured of a motion that repeats alone: of one that ends it depends on how long is looked."""
 _EXAMPLES = {
-    **{"s": "5 ms", "m": "2.5 mm", "m/s": "0.2 m/s", "m/s²": "90 m/s²", "N": "20 N"},
+    **{"s": "5 ms", "%": "5 %", "m": "2.5 mm", "m/s": "0.2 m/s", "m/s²": "90 m/s²", "N": "20 N"},
     **{"rad": "2 deg", "rad/s": "0.5 rad/s", "rad/s²": "900 rad/s^2", "N m": "20 mN m"},
 }
 ONLY_DRIVE_PERIOD = "only_drive_period"
@@ -121,6 +139,9 @@ def targets_of(
         else:
             advice = near_match(key, KEYS) or f"[targets] may hold {listed(KEYS)}"
             problems.append(Problem(("targets", key), f"unknown key; {advice}"))
+    others = dict.fromkeys(each.key for each in found if each.measure not in OF_STEP)
+    if any(each.measure in OF_STEP for each in found):
+        problems += [Problem(("targets", key), _BESIDE_A_STEP) for key in others]
     return tuple(found)
 
 
@@ -134,6 +155,10 @@ def unit_of_measure(mechanism: Mechanism, measure: Measure, part: str) -> str:
         case Measure.IMPACT_SPEED:
             section = next(each for each in ("plays", "stops", "walls") if part in getattr(mechanism, each))
             return mechanism.kind_of(section, part).unit(measure.unit)
+        case Measure.FINAL_ERROR | Measure.HUNTING:
+            return mechanism.output_units[mechanism.controllers[part].measure]
+        case Measure.LARGEST_CONTROL:
+            return mechanism.kind_of("controllers", part).unit(measure.unit)
         case _:
             return measure.unit
 
@@ -153,7 +178,12 @@ def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> 
 def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
     measure = BOUNDS[key]
     parts, noun = _parts(measure, mechanism), _NAMES.get(measure, "play or stop")
-    if measure in OF_REPEATING and has_profile(mechanism):
+    if measure in OF_STEP:
+        noun = "controller that follows a step"
+        if not parts:
+            problems.append(Problem(("targets", key), _NO_STEP))
+            return
+    if measure in (*OF_REPEATING, *OF_STEP) and has_profile(mechanism):
         problems.append(Problem(("targets", key), _SWITCHES))
         return
     if measure in OF_CLOSING and mechanism.frequency is not None and not has_profile(mechanism):
@@ -190,6 +220,27 @@ _REPEATS = (
 )
 
 
+_NO_STEP = (
+    "no controller follows a step, so that there is none to measure; give one a reference, with "
+    "path = { step = 0.01 } below [references]"
+)
+_BESIDE_A_STEP = (
+    "is of what the machine settles to, while other targets are of a step; judge the two in a file each"
+)
+
+
+def is_stepped(measures: Iterable[Measure]) -> bool:
+    """Say whether what is measured is taken from the start through a step of a reference."""
+    return any(each in OF_STEP for each in measures)
+
+
+def followers(mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the names of the controllers that follow a step, which is not 0."""
+    references = mechanism.references.items()
+    steps = {name for name, each in references if isinstance(each, StepReference) and each.step}
+    return tuple(name for name, each in mechanism.controllers.items() if each.reference in steps)
+
+
 def is_switched(mechanism: Mechanism, measures: Iterable[Measure]) -> bool:
     """Say whether what is measured is taken from the start until all rests, and not once it has settled."""
     return has_profile(mechanism) or any(each in OF_CLOSING for each in measures)
@@ -217,6 +268,8 @@ def _parts(measure: Measure, mechanism: Mechanism) -> tuple[str, ...]:
             return tuple(mechanism.outputs)
         case Measure.RMS_ACCELERATION:
             return shaken_ends(mechanism)
+        case _ if measure in OF_STEP:
+            return followers(mechanism)
         case _:
             return (*mechanism.plays, *mechanism.stops, *mechanism.walls)
 
@@ -227,7 +280,8 @@ def _number(
     number = value
     if isinstance(value, str):
         try:
-            number = quantity(value, wanted.unit)
+            percent = wanted.unit == "%"
+            number = quantity(value.replace("%", "") if percent else value, "1" if percent else wanted.unit)
         except UnitError as error:
             problems.append(Problem(place, f'{error}; "{wanted.example}" would do', value))
             return None

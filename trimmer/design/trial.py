@@ -8,12 +8,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trimmer.design.found_step import steps_tried
 from trimmer.design.targets import (
     OF_CLOSING,
     OF_REPEATING,
+    OF_STEP,
     Measure,
     Target,
+    followers,
     has_profile,
+    is_stepped,
     is_switched,
     unit_of_measure,
 )
@@ -39,6 +43,7 @@ _SECTIONS = {
     Measure.WEAR_POWER: "frictions",
     Measure.CLOSING_TIME: "closings",
     Measure.BOUNCE_TIME: "closings",
+    **dict.fromkeys(OF_STEP, "controllers"),
 }
 WINDOW = 20
 """Drive periods over which a motion is measured that does not repeat."""
@@ -50,7 +55,7 @@ class MeasureOfPart:
 
     Attributes:
         measure: What is measured.
-        part: The output, body, contact or friction; empty for the period.
+        part: The output, body, contact, friction or controller; empty for the period.
     """
 
     measure: Measure
@@ -126,6 +131,8 @@ class TrialWork:
             subject = varied(self.subject, self.places, values)
             if isinstance(subject, Mechanism) and is_switched(subject, (each.measure for each in self.asked)):
                 return self._switched(values, subject)
+            if isinstance(subject, Mechanism) and is_stepped(each.measure for each in self.asked):
+                return self._stepped(values, subject)
             flow = flow_of(subject)
             if not flow.period:
                 return self._by_itself(values, flow)
@@ -142,6 +149,12 @@ class TrialWork:
         measures = Measures(found.motion.course, found.motion.flow, 1, 1)
         kind = MotionKind.UNDECIDED if found.rest is None else MotionKind.REST
         every = tuple((each, of_switching(found.closings, measures, each)) for each in self.asked)
+        return Trial(values, kind, None, every)
+
+    def _stepped(self, values: tuple[float, ...], mechanism: Mechanism) -> Trial:
+        """Return how controllers follow their steps; periodic is here what hunts evenly."""
+        kind, found = steps_tried(mechanism, dict.fromkeys(each.part for each in self.asked))
+        every = tuple((each, found[each.part].value(each.measure)) for each in self.asked)
         return Trial(values, kind, None, every)
 
     def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:
@@ -197,10 +210,17 @@ def measured(measures: Measures, asked: MeasureOfPart, period_count: int | None)
             raise ValueError(f"{asked.measure.key} is measured of a machine that switches")
 
 
-def all_measures(subject: Subject, *, switched: bool = False) -> tuple[MeasureOfPart, ...]:
-    """Return all measures that a mechanism or a loop has, of one that switches those from start to rest."""
+def all_measures(
+    subject: Subject, *, switched: bool = False, stepped: bool = False
+) -> tuple[MeasureOfPart, ...]:
+    """Return all measures that a mechanism or a loop has.
+
+    Of one that switches they are those from start to rest, of one whose controllers follow steps those.
+    """
     if not isinstance(subject, Mechanism):
         return _of_loop(flow_of(subject))
+    if stepped:
+        return tuple(MeasureOfPart(each, name) for name in followers(subject) for each in OF_STEP)
     if not (switched or has_profile(subject)):
         return _of_repeating(subject)
     kept = (each for each in _of_repeating(subject) if each.measure not in OF_REPEATING)

@@ -11,6 +11,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.plausible import largest_stroke
+from trimmer.design.targets import followers
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 
@@ -23,9 +24,10 @@ SLACK = 0.2
 
 
 class NumberRole(Enum):
-    """What a number that is varied is: a gap, a speed, a friction, or another one."""
+    """What a number that is varied is: a gap, a gain, a speed, a friction, or another one."""
 
     GAP = "gap"
+    GAIN = "gain"
     SPEED = "speed"
     FRICTION = "friction"
     OTHER = "number"
@@ -70,12 +72,16 @@ class VariedNumber:
 
 
 def varied_places(mechanism: Mechanism, motion: FoundMotion | None) -> tuple[VariedNumber, ...]:
-    """Return gap, speed and friction, as far as the mechanism has them.
+    """Return gap, gain, speed and friction, as far as the mechanism has them.
 
-    Of several plays and stops it is the one that is met fastest, of several frictions the one that turns most
-    into heat; without a motion the first.
+    The gain is the first one that is not 0 of the first controller that follows a step. Of several plays and
+    stops it is the one that is met fastest, of several frictions the one that turns most into heat; without a
+    motion the first.
     """
-    return (*_gap(mechanism, motion), *_speed(mechanism), *_friction(mechanism, motion))
+    others = (*_speed(mechanism), *_friction(mechanism, motion))
+    gains = [*_gains(mechanism)]
+    gap = [*_gap(mechanism, motion)]
+    return (*gap, *gains[:1], *others, *gains[1:2]) if gap or others else (*gains[:2],)
 
 
 def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNumber]:
@@ -99,6 +105,20 @@ def _gap(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNum
     yield VariedNumber(
         NumberRole.GAP, place_text((section, name, "gap")), name, unit, part.gap, lowest, highest
     )
+
+
+GAINS = ("kp", "kv", "ki", "kd")
+
+
+def _gains(mechanism: Mechanism) -> Iterator[VariedNumber]:
+    """Yield the gains of the first controller that follows a step, from next to nothing to twice as large."""
+    for name in followers(mechanism)[:1]:
+        for key in GAINS:
+            value = getattr(mechanism.controllers[name], key, 0.0)
+            if value > 0:
+                place = place_text(("controllers", name, key))
+                unit = mechanism.places[place]
+                yield VariedNumber(NumberRole.GAIN, place, name, unit, value, 0.0, 2 * value)
 
 
 def _told_apart(value: float) -> float:

@@ -120,7 +120,12 @@ class StepResponse(Tabular):
 
 
 def step_response(
-    mechanism: Mechanism, reference: str, *, controller: str | None = None, duration: float | None = None
+    mechanism: Mechanism,
+    reference: str,
+    *,
+    controller: str | None = None,
+    duration: float | None = None,
+    settles_to: Response | None = None,
 ) -> StepResponse:
     """Follow a mechanism from its start through the step of a reference.
 
@@ -130,6 +135,7 @@ def step_response(
         controller: Name of the controller whose output is measured; the only one that follows the reference
             if not given.
         duration: Length of the motion, s; until what it settles to is seen if not given.
+        settles_to: What ``respond`` has found; it is asked if not given.
 
     Raises:
         MechanismError: if there is no such step, no one controller that follows it, or the motion ends
@@ -143,7 +149,7 @@ def step_response(
         raise MechanismError(
             f"a motion of {duration:g} s ends before {reference!r} steps; give more than {step.at:g} s"
         )
-    settles_to, flow = respond(mechanism), MechanismFlow(mechanism)
+    settles_to, flow = settles_to or respond(mechanism), MechanismFlow(mechanism)
     output, settled = mechanism.controllers[follower].measure, settles_to.motion
     mean, ending = None, ""
     if duration is None:

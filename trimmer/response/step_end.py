@@ -6,6 +6,7 @@ one after the other, are alike. A motion that comes to rest is followed until it
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -30,8 +31,8 @@ CYCLES = (5, 20, 80)
 """The same in periods of a cycle."""
 MOST_EVENTS = 5000
 """Events after which no further stretch is followed of what was not seen to rest."""
-ALIKE = 0.1
-"""Share by which two stretches of a motion that hunts may differ in size."""
+ALIKE, AT_LAST = 1e-3, 0.1
+"""Share by which two stretches of a motion that hunts evenly may differ in size; at the end of the wait."""
 ON_CYCLE = 1e-3
 """Share of its size by which a motion may still miss the cycle that it settles to."""
 STILL = 1e-12
@@ -92,29 +93,40 @@ def followed(
     lengths = [each * unit for each in STRETCHES] if cycle is None else [n * cycle.period for n in CYCLES]
     for length in lengths:
         course = flow.timed(flow.rest(), at + length)
-        if course.ending is Ending.REACHED_END and rests is not False and cycle is None:
-            value = _at_rest(flow, course, output, unit, known=rests is True)
+        reached = course.ending is Ending.REACHED_END
+        if reached and cycle is None and rests is not False:
+            value, limit = _at_rest(flow, course, output, unit, known=rests is True)
             if value is not None:
                 return StepEnd(flow, course, True, value, value, value, settled=True)
+            if limit is not None and length == lengths[-1]:
+                return StepEnd(flow, course, True, limit, limit, limit, settled=False)
+            rests = True if limit is not None else rests
         begin = at + 0.5 * length if cycle is None else course.duration - cycle.period
-        end = _end(flow, course, output, begin, wanted, cycle)
-        if end.settled or course.ending is not Ending.REACHED_END or len(course.events) > MOST_EVENTS:
+        last = length == lengths[-1] or len(course.events) > MOST_EVENTS
+        end = _end(flow, course, output, begin, wanted, cycle, AT_LAST if last else ALIKE)
+        if last or not reached or (end.settled and not rests):
             break
     return end
 
 
-def _at_rest(flow: MechanismFlow, course: Course, output: str, unit: float, *, known: bool) -> float | None:
-    """Return where an output rests; None if it was not seen to.
+def _at_rest(
+    flow: MechanismFlow, course: Course, output: str, unit: float, *, known: bool
+) -> tuple[float | None, float | None]:
+    """Return where an output rests, None if it does not yet; and where it will, None if that is not known.
 
     Where rest is known to come, it is there once the output stands still; else an integral may run on, and
     tear out later what sticks.
     """
     late = read_at(flow, course, output, np.linspace(0.5, 1.0, SEEN) * course.duration)
-    still = known and float(np.ptp(late)) <= STILL * abs(late).max()
-    rest = None if still else rest_after(flow, course) or asymptotic_rest(flow, course, unit)
+    if known and float(np.ptp(late)) <= STILL * abs(late).max():
+        return float(late[-1]), None
+    ahead = rest_after(flow, course, math.inf)
+    rest = asymptotic_rest(flow, course, unit) if ahead is None else rest_after(flow, course)
     if rest is not None and rest.asymptotic:
-        return rest.measures.outputs[output].mean
-    return float(late[-1]) if still or rest is not None or at_rest(course, unit) else None
+        return rest.measures.outputs[output].mean, None
+    there = rest is not None or (ahead is None and at_rest(course, unit))
+    limit = None if ahead is None else ahead.measures.outputs[output].mean
+    return float(late[-1]) if there else None, limit
 
 
 def read_at(flow: MechanismFlow, course: Course, output: str, times: Reals) -> Reals:
@@ -124,9 +136,15 @@ def read_at(flow: MechanismFlow, course: Course, output: str, times: Reals) -> R
 
 
 def _end(
-    flow: MechanismFlow, course: Course, output: str, begin: float, wanted: float, cycle: Orbit | None
+    flow: MechanismFlow,
+    course: Course,
+    output: str,
+    begin: float,
+    wanted: float,
+    cycle: Orbit | None,
+    alike: float,
 ) -> StepEnd:
-    """Return what an output does from a time on, s, beside a cycle or beside itself."""
+    """Return what an output does from a time on, s, beside a cycle, or by how much it is alike."""
     signal, until = flow.outputs[output].signal, course.duration
     points = turning_points(course, signal)
     edges = read_at(flow, course, output, np.array([begin, 0.5 * (begin + until)]))
@@ -136,7 +154,7 @@ def _end(
     if cycle is None:
         first = points.values[(points.times >= begin) & (points.times <= 0.5 * (begin + until))]
         sizes = [float(np.ptp(np.append(each, edges[1]))) for each in (first, spans[1])]
-        settled = min(sizes) > (1.0 - ALIKE) * max(sizes)
+        settled = min(sizes) > (1.0 - alike) * max(sizes)
         return StepEnd(flow, course, False, lowest, highest, mean, settled)
     own = np.array(extremes(cycle.course, cycle.flow.outputs[output].signal))
     apart = [abs(each - (lowest, highest)).max() for each in (own, 2 * wanted - own[::-1])]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import cast
 
 from trimmer.design.design_file import DesignFile, OpenRange, design_file_of_text, read_design_file
-from trimmer.design.targets import Target
+from trimmer.design.targets import Target, is_stepped
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem, as_message_of_file
@@ -57,6 +57,11 @@ def sample_file_of_text(text: str, name: str) -> SampleFile:
 
 
 def _sampled(file: DesignFile) -> SampleFile:
+    if is_stepped(each.measure for each in file.targets):
+        raise MechanismError(
+            f"{file.name}: samples are judged by what they settle to, and [targets] are of a step: leave "
+            "them out here; 'trimmer design' judges a step for machines as they scatter"
+        )
     uncertainty = _uncertainty(file, tuple(map(_evenly, file.ranges)))
     if not uncertainty.scatters:
         raise MechanismError(

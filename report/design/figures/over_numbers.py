@@ -168,12 +168,12 @@ def target_maps(drawn: DesignMap, names: Sequence[str], marks: Sequence[tuple[fl
     rows = -(-len(drawn.targets) // 2)
     wide = min(len(drawn.targets), 2)
     figure, every = panels(0.5 + 2.7 * rows, rows, wide, squeeze=False)
-    first, second = _scales(drawn)
+    first, second = scales(drawn)
     flat = list(every.flat)
     for axes, target, name in zip(flat, drawn.targets, names, strict=False):
         _target_map(axes, drawn, target)
         axes.set_title(plain_label(name))
-        _frame(axes, drawn)
+        frame(axes, drawn)
         for across, up in marks:
             axes.plot(
                 across / first.factor, up / second.factor, "*",
@@ -186,7 +186,7 @@ def target_maps(drawn: DesignMap, names: Sequence[str], marks: Sequence[tuple[fl
 
 def _target_map(axes: Axes, drawn: DesignMap, target: Target) -> None:
     result = drawn.result
-    across, up = (values / scale.factor for values, scale in zip(result.values, _scales(drawn), strict=True))
+    across, up = (values / scale.factor for values, scale in zip(result.values, scales(drawn), strict=True))
     if target.measure is Measure.PERIOD:
         draw_cells(axes, across, up, (result.period_count == 1).astype(np.int64), MET)
         return
@@ -218,9 +218,9 @@ def kind_map(drawn: DesignMap) -> Figure:
     axes = figure.add_subplot()
     colours = {number: each.colour for number, each in enumerate(legend)}
     hatches = {number: each.hatch for number, each in enumerate(legend)}
-    across, up = (values / scale.factor for values, scale in zip(result.values, _scales(drawn), strict=True))
+    across, up = (values / scale.factor for values, scale in zip(result.values, scales(drawn), strict=True))
     draw_cells(axes, across, up, numbers, colours, hatches)
-    _frame(axes, drawn)
+    frame(axes, drawn)
     axes.legend(
         handles=legend_of(legend, result.inputs.waited),
         loc="upper left",
@@ -229,14 +229,15 @@ def kind_map(drawn: DesignMap) -> Figure:
     return figure
 
 
-def _scales(drawn: DesignMap) -> tuple[Scale, Scale]:
+def scales(drawn: DesignMap) -> tuple[Scale, Scale]:
+    """Return the units of both numbers."""
     first, second = drawn.result.values
     return scale_for(first, drawn.first.unit), scale_for(second, drawn.second.unit)
 
 
-def _frame(axes: Axes, drawn: DesignMap) -> None:
+def frame(axes: Axes, drawn: DesignMap) -> None:
     """Mark the working point, and name the two numbers."""
-    first, second = _scales(drawn)
+    first, second = scales(drawn)
     axes.plot(
         drawn.first.value / first.factor, drawn.second.value / second.factor, "o",
         color="white", markeredgecolor="black", markersize=7, clip_on=False,

@@ -12,8 +12,9 @@ from matplotlib.figure import Figure
 from report.design.quantities import Scale, quantity_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
-from trimmer.design.found_motion import FoundMotion, Spans
+from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import LinearState
+from trimmer.design.motion_signals import MotionSignals, Spans
 from trimmer.design.spectrum import LineKind, OutputSpectrum
 from trimmer.drawing.look import plain_label
 from trimmer.mechanism.linear.outputs import Contacts
@@ -22,9 +23,8 @@ OUTPUT_HEIGHT, FORCE_HEIGHT, BAR_HEIGHT = 2.2, 1.7, 0.28
 BARS = {"contact": "#0072b2", "stick": "#d55e00"}
 
 
-def motion_over_time(motion: FoundMotion) -> Figure:
+def motion_over_time(signals: MotionSignals) -> Figure:
     """Draw outputs above forces above bars of contact and stick, as far as there are any of them."""
-    signals = motion.signals
     rows: list[tuple[str, str, Spans]] = [
         *((name, "contact", spans) for name, spans in signals.touching.items()),
         *((name, "stick", spans) for name, spans in signals.sticking.items()),

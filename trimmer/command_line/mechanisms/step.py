@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
-from trimmer.command_line.mechanism_options import add_mechanism_options, chosen_mechanism
+from trimmer.command_line.mechanism_options import add_mechanism_options, note_controllers
 from trimmer.command_line.mechanisms.simulation import check_periods
 from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
@@ -37,10 +37,13 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.step_text import as_json, as_text
+    from trimmer.design.design_file import read_with_targets
+    from trimmer.mechanism.places import assignment
     from trimmer.response.step import step_response
 
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
-    mechanism = chosen_mechanism(arguments)
+    mechanism, targets = read_with_targets(arguments.file, [assignment(text) for text in arguments.set])
+    note_controllers(arguments.file, mechanism)
     if arguments.duration is not None:
         check_periods(arguments.duration, mechanism.frequency)
     with patience():
@@ -51,7 +54,7 @@ def _run(arguments: Namespace) -> int:
         from trimmer.drawing.mechanisms.step import step_figure
 
         write_picture(arguments, step_figure(response))
-    show((as_json if arguments.json else as_text)(response), arguments.plot)
+    show((as_json if arguments.json else as_text)(response, targets), arguments.plot)
     if response.motion.success:
         return 0
     tell(response.motion.message)

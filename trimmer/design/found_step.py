@@ -1,0 +1,133 @@
+"""How controllers follow their steps, as a designer asks: exactly for the file, cheaply for trials."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trimmer.contact.control_readouts import control_signal, largest_demand
+from trimmer.contact.flow import MechanismFlow
+from trimmer.design.motion_signals import MotionSignals, signals_of
+from trimmer.design.targets import Measure, followers
+from trimmer.errors import UnsupportedMotionError
+from trimmer.hybrid.advance import Ending
+from trimmer.mechanism.controls.references import StepReference
+from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.signals import along
+from trimmer.motion.step_measures import Step, StepMeasures, step_measures
+from trimmer.response.response import MotionKind, Response
+from trimmer.response.step import StepResponse, step_response
+from trimmer.response.step_end import StepEnd, followed
+
+ROUNDING = 1e-9
+"""Share of the step below which a final error is rounding, or what is left of the way to rest."""
+
+
+@dataclass(frozen=True, eq=False)
+class FoundStep:
+    """How a controller follows a step.
+
+    Attributes:
+        reference, output: Names of the step, and of what the controller measures.
+        step: The step.
+        measures: How the output follows.
+        hunting: Amplitude of what the output does at last, in its unit; 0 at rest.
+        period: Of the hunting, s; None where nothing repeats, or all rests.
+        ends: Where the motion ends, in words.
+        signals: Reference, output and control over time; None of a trial.
+    """
+
+    reference: str
+    output: str
+    step: Step
+    measures: StepMeasures
+    hunting: float
+    period: float | None = None
+    ends: str = ""
+    signals: MotionSignals | None = None
+
+    def value(self, measure: Measure) -> float:
+        """Return a measure, SI unit; infinite for a time that does not come."""
+        if measure is Measure.HUNTING:
+            return self.hunting
+        found = getattr(self.measures, measure.key)
+        if measure is Measure.FINAL_ERROR and abs(found) <= ROUNDING * abs(self.step.size):
+            return 0.0
+        return float("inf") if found is None else abs(float(found))
+
+
+def step_responses(mechanism: Mechanism, settles_to: Response) -> Mapping[str, StepResponse]:
+    """Return how each controller follows its step, by name, from what the mechanism settles to."""
+    pairs = [(name, mechanism.controllers[name].reference or "") for name in followers(mechanism)]
+    return {
+        name: step_response(mechanism, reference, controller=name, settles_to=settles_to)
+        for name, reference in pairs
+    }
+
+
+def found_step(response: StepResponse) -> FoundStep:
+    """Return what a designer asks of a step."""
+    hunting = response.hunting
+    return FoundStep(
+        response.reference,
+        response.output,
+        response.step,
+        response.measures,
+        0.0 if hunting is None else hunting.amplitude,
+        None if hunting is None else hunting.period,
+        response.ending,
+        _signals(response),
+    )
+
+
+def _signals(response: StepResponse) -> MotionSignals:
+    """Return reference, output and control, with contact and stick, until little moves any more."""
+    flow, course, step = response.motion.flow, response.motion.course, response.step
+    whole = signals_of(flow, course, response.shown_until / course.duration)
+    rows = np.searchsorted(course.log.start, whole.times, side="right") - 1
+    control = along(course, control_signal(flow.modes, response.controller), rows, course.states(whole.times))
+    unit, force = response.units
+    return replace(
+        whole,
+        outputs={
+            response.reference: np.where(whole.times >= step.at, step.size, 0.0),
+            response.output: whole.outputs[response.output],
+        },
+        forces={response.controller: control},
+        units={response.reference: unit, response.output: unit},
+        force_units={response.controller: force},
+    )
+
+
+def steps_tried(mechanism: Mechanism, names: Iterable[str]) -> tuple[MotionKind, Mapping[str, FoundStep]]:
+    """Return how controllers follow their steps, and whether all rests, hunts evenly, or neither.
+
+    It is periodic here if two stretches of it, one after the other, swing by as much.
+
+    Raises:
+        UnsupportedMotionError: if it grows without bound, or cannot be followed.
+    """
+    flow, found, ends = MechanismFlow(mechanism), {}, list[StepEnd]()
+    for name in names:
+        controller = mechanism.controllers[name]
+        reference = mechanism.references[controller.reference or ""]
+        assert isinstance(reference, StepReference)
+        end = followed(flow, controller.measure, reference.at, reference.step)
+        if end.course.ending is not Ending.REACHED_END:
+            raise UnsupportedMotionError(f"the motion could not be followed: {end.course.ending.value}")
+        step = Step(reference.step, reference.at)
+        measures = step_measures(
+            end.course,
+            flow.outputs[controller.measure].signal,
+            step,
+            settled_mean=end.mean,
+            control=control_signal(flow.modes, name),
+            largest_demand=largest_demand(end.course, name),
+        )
+        found[name] = FoundStep(controller.reference or "", controller.measure, step, measures, end.amplitude)
+        ends.append(end)
+    rests, even = all(each.rests for each in ends), all(each.settled for each in ends)
+    kind = MotionKind.REST if rests else MotionKind.PERIODIC if even else MotionKind.UNDECIDED
+    return kind, found
