@@ -307,7 +307,8 @@ class Study:
     def grid(self, motions: Motions, moved: tuple[MovedNumber, ...]) -> SolvedGrid | None:
         """Return motions over a grid of numbers, for sliders."""
         file, first = self.file, motions.first
-        if not file.is_tried or first is None or not moved:
+        driven = file.mechanism.frequency is not None or file.switched
+        if not driven or file.stepped or first is None or not moved:
             return None
         shaken = None if file.switched else first.body_felt(file.held, file.targets)
         settings, switched = self.settings, file.switched
