@@ -4,8 +4,10 @@
     python -m scripts.mutation run --seed 1       changes the sources at random, one place at a time
     python -m scripts.mutation summary --seed 1   counts what was noticed; with --write for the report
 
-``make mutate`` does all three. Nothing is changed in the working tree: mutants are made in a copy of it in
-``build/mutation``. Each outcome is a line of a file there, so that an interrupted run goes on where it was.
+``make mutate`` does all three. Nothing is changed in the working tree, but in a copy of it in
+``build/mutation``: in functions where a process has them loaded with all tests, else in the sources, as what
+is compiled or stands in no function. Each outcome is a line of a file there, so that an interrupted run goes
+on where it was.
 
 Why not a known tool (both were tried on this project):
 

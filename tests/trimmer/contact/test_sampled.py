@@ -95,6 +95,9 @@ def test_a_linear_machine_by_exact_discretisation(law: str, delay: float) -> Non
     assert max(map(abs, acted)) > 0.1
     assert motion.energy.residual < 1e-11
     assert not motion.events
+    names = motion.flow.names
+    held = [each.partition(" u")[2] for each in names if " u" in each]
+    assert len(names) == len(motion.states(0.0)) and held == [str(1 + place) for place in range(len(held))]
 
 
 SERVO = """
