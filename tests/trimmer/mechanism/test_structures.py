@@ -194,3 +194,10 @@ def test_ends_that_are_none_are_refused(
 ) -> None:
     keys = 'modes = "modes.csv"\n' if modal else WHOLE
     assert sentence in refusal(folder, keys, end, more)
+
+
+def test_a_single_entry_that_is_no_number_is_refused() -> None:
+    stiffness = [[2.0, np.nan], [np.nan, 2.0]]
+    structure = Structure(mass=np.eye(2), stiffness=stiffness, coordinates=("u", "v"))
+    with pytest.raises(MechanismError, match=r"stiffness.*must be finite"):
+        Mechanism(structures={"housing": structure})
