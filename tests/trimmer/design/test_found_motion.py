@@ -20,7 +20,7 @@ from trimmer.design.found_motion import of_orbit, of_settled
 from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples, hand_arm_weighting
 from trimmer.examples import example_text
 from trimmer.hybrid.advance import Ending
-from trimmer.mechanism import Friction
+from trimmer.mechanism import Body, Force, Friction, Link, Output
 
 
 def test_a_motion_that_does_not_repeat_is_measured_over_a_window() -> None:
@@ -143,3 +143,15 @@ def test_samples_are_weighted_without_their_mean() -> None:
     assert found["two"].weighted == pytest.approx(3.0 * abs(hand_arm_weighting(40.0)), rel=1e-3)
     assert (found["three"].weighted, found["three"].rms) == (0.0, 4.0)
     assert (found["one"].highest, found["one"].lines) == (640.0, 0)
+
+
+def test_what_goes_backwards_is_told_beside_what_stays() -> None:
+    machine = Mechanism(
+        frequency=20.0,
+        bodies={"sled": Body(1.0), "block": Body(0.5)},
+        links={"oil": Link(("ground", "sled"), 0.0, 4.0), "spring": Link(("ground", "block"), 3e4, 2.0)},
+        forces={"pull": Force("sled", constant=-2.0), "shake": Force("block", amplitude=1.0)},
+        outputs={name: Output({name: 1}) for name in ("sled", "block")},
+    )
+    advances = of_orbit(forced_orbit(machine)).advances
+    assert dict(advances) == {"sled": pytest.approx(-2.0 / 4.0 / 20.0)}

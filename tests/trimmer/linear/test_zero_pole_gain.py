@@ -49,6 +49,13 @@ def test_gain_and_phase_are_those_of_the_response(system: control.TransferFuncti
     assert np.exp(1j * factored.phase(omega)) == pytest.approx(response / abs(response), abs=1e-7)
 
 
+@pytest.mark.parametrize("omega", [0.3, 2.9, 3.1, 40.0])
+def test_a_pair_on_the_axis_turns_the_phase_by_a_half(omega: float) -> None:
+    system = control.tf([1, 0, 9], [1, 3, 3, 1])
+    response = (9 - omega**2) / (1 + 1j * omega) ** 3
+    assert np.exp(1j * ZeroPoleGain.of(system).phase(omega)) == pytest.approx(response / abs(response))
+
+
 @settings(max_examples=10)
 @given(stable_systems())
 def test_the_phase_is_continuous(system: control.TransferFunction) -> None:
