@@ -59,7 +59,8 @@ def test_a_motion_that_does_not_repeat_is_measured_over_a_window() -> None:
 def test_what_breaks_off_is_not_measured() -> None:
     nothing: Any = SimpleNamespace(orbit=None, rest=None, window=None)
     assert of_settled(nothing) is None
-    flow = SimpleNamespace(course=lambda begin, periods: SimpleNamespace(ending=Ending.DIVERGED))
+    ended = SimpleNamespace(ending=Ending.DIVERGED)
+    flow = SimpleNamespace(period=1.0, course=lambda begin, periods: ended)
     broken: Any = SimpleNamespace(orbit=None, rest=None, window=SimpleNamespace(flow=flow, end=None))
     assert of_settled(broken) is None
 
