@@ -14,8 +14,6 @@ from trimmer.motion.flow import Flow
 from trimmer.response.orbit import Orbit
 
 MOST_ZEROS = 3
-LEAST = 1e-15
-"""Share of the largest size of a state that others have at least."""
 SMALL = 1e-10
 """Share of its terms below which a derivative of an event function is taken for zero by law."""
 
@@ -60,7 +58,7 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     n = layout.state_count
     segments: list[dict[str, Any]] = []
     largest = abs(log.state).max(axis=0)
-    largest = np.maximum(largest, LEAST * largest[:n].max())
+    largest[:n] = np.maximum(largest[:n], orbit.sizes)
     ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
     for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
         mode = seen.mode(last)
@@ -83,7 +81,11 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     return {
         "about": flow.subject.title or type(flow.subject).__name__,
         "modes": [
-            {"flow": mode.flow[:n].tolist(), "functions": [each.row.tolist() for each in mode.functions]}
+            {
+                "statuses": [int(each) for each in mode.statuses],
+                "flow": mode.flow[:n].tolist(),
+                "functions": [each.row.tolist() for each in mode.functions],
+            }
             for mode in (system.mode(course.modes[number].statuses) for number in used)
         ],
         "segments": segments,

@@ -166,7 +166,7 @@ class Motion:
         middle = self.follow([arb(each.mid()) for each in self.start], arb(0))
         every = [*middle.starts, *middle.ends]
         sizes = [max(float(abs(each[i, 0]).upper()) for each in every) for i in range(self.n)]
-        floor = max(sizes) * 2.0**-60
+        floor = max(sizes) * 2.0**-20
         return [arb(max(each, floor)) for each in sizes] + [arb(1) for _ in self.forcing]
 
     def follow(self, start: list[arb], longer: arb, with_change: bool = False) -> Followed:
@@ -341,26 +341,39 @@ def check_orbit(data: dict[str, Any]) -> Outcome:
 
 
 def _checked(motion: Motion, data: dict[str, Any]) -> Outcome:
-    start, longer, over = motion.solve()
-    for i, (found, given) in enumerate(zip(start, motion.start, strict=True)):
-        if not abs(found - given) < NEAR * motion.sizes[i] and data["stable"] is None:
-            raise UndecidedError("it stays where it is put, and the motion that returns is elsewhere")
-        if not abs(found - given) < NEAR * motion.sizes[i]:
-            return Outcome(
-                Verdict.REFUTED,
-                "",
-                f"the motion begins elsewhere: state {i} is {float((found * motion.units[i]).mid())!r}",
-            )
-    if not abs(longer) < NEAR * motion.period:
-        return Outcome(Verdict.REFUTED, "", f"its period is longer by {float(longer.mid())!r} s")
-    for number, segment in enumerate(motion.segments):
-        _positive(motion, number, segment, over)
+    over = require_orbit(motion, data)
     stable, largest = _stability(motion, over)
     if data["stable"] is not None and stable != data["stable"]:
         told = {True: "stable", False: "unstable", None: "of undecided stability"}
         verdict = Verdict.UNDECIDED if stable is None else Verdict.REFUTED
         return Outcome(verdict, "", f"it is said to be {told[data['stable']]}, and is {told[stable]}")
     return Outcome(Verdict.PROVEN, _theorem(motion, data, stable, largest), "")
+
+
+def require_orbit(motion: Motion, data: dict[str, Any], near: float = NEAR) -> Followed:
+    """Prove that there is an orbit with these events; return the motion from a ball around it.
+
+    Args:
+        motion: The motion.
+        data: What it was made of.
+        near: Distance from the computed one within which it must be, as a share of the sizes.
+
+    Raises:
+        RefutedError: if it is elsewhere, or has other events.
+        UndecidedError: if balls do not tell.
+    """
+    start, longer, over = motion.solve()
+    for i, (found, given) in enumerate(zip(start, motion.start, strict=True)):
+        if not abs(found - given) < near * motion.sizes[i]:
+            if data["stable"] is None:
+                raise UndecidedError("it stays where it is put, and the motion that returns is elsewhere")
+            told = float((found * motion.units[i]).mid())
+            raise RefutedError(f"the motion begins elsewhere: state {i} is {told!r}")
+    if not abs(longer) < NEAR * motion.period:
+        raise RefutedError(f"its period is longer by {float(longer.mid())!r} s")
+    for number, segment in enumerate(motion.segments):
+        _positive(motion, number, segment, over)
+    return over
 
 
 def _positive(motion: Motion, number: int, segment: Segment, over: Followed) -> None:
@@ -529,6 +542,6 @@ def _theorem(motion: Motion, data: dict[str, Any], stable: bool | None, largest:
         f"The system that is linear between events, with the modes of this file ({data['about']}), their "
         f"numbers taken as exact, has a periodic motion with {lasts}, with the {events} events of this file "
         f"in its order and no other, which begins within {NEAR:g} of the state of this file, as a share of "
-        f"the largest value of each state. Within {2.0**RADIUS:.1g} of its start no other start returns with "
+        f"the sizes of the states. Within {2.0**RADIUS:.1g} of its start no other start returns with "
         f"these events. It is {word}: the largest modulus of its multipliers{beside} is {largest}."
     )

@@ -113,15 +113,20 @@ def _read(path: Path) -> dict[str, Any]:
     return told
 
 
-_STATEMENTS = ("limit cycles", "orbit")
+_STATEMENTS = ("limit cycles", "orbit", "special point")
 
 
 def _checks() -> dict[str, Callable[[dict[str, Any]], Outcome]]:
     try:
         from trimmer.proof.cycles import check_limit_cycles
         from trimmer.proof.orbit_check import check_orbit
+        from trimmer.proof.special_check import check_special_point
     except ImportError as error:
         raise MissingPackageError(
             "proofs need python-flint, which is not installed: install it with 'pip install trimmer[proof]'"
         ) from error
-    return {"limit cycles": check_limit_cycles, "orbit": check_orbit}
+    return {
+        "limit cycles": check_limit_cycles,
+        "orbit": check_orbit,
+        "special point": check_special_point,
+    }

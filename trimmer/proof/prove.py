@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import require_instance, require_instances
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
+from trimmer.branches.followed import FollowedBranch
+from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.loops import ClosedLoop
 from trimmer.proof.modes import UncoveredError, orbit_data
 from trimmer.proof.outcome import Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
+from trimmer.response.forced_orbit import exact_orbit
 from trimmer.response.orbit import Orbit
 
 if TYPE_CHECKING:
     from trimmer.motion.subject import Subject
+
+ASIDE = 4e-7
+"""Distance of the orbits on both sides of a special point from its value, as a share of it."""
 
 
 @takes_a_loop
@@ -87,3 +94,42 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
     except UncoveredError as error:
         return Proof("orbit", Verdict.UNDECIDED, "", str(error), {})
     return proof_of("orbit", data)
+
+
+def prove_special_point(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> Proof:
+    """Prove that a multiplier passes -1 or 1 where a branch has a special point, to six digits of its value.
+
+    Two orbits are computed, a little before the value and a little behind it, and proven as ``prove_orbit``
+    does. Between them a determinant changes its sign: each continuous family of such motions between them has
+    a period doubling, or a symmetry breaking, there. That there is such a family is not proven.
+
+    Args:
+        system: The mechanism or loop that was followed; of the number that was varied any value will do.
+        branch: The branch.
+        special: One of its special points.
+
+    Returns:
+        Proven, refuted or undecided. Folds, grazings, tori, and what moves without a drive are undecided.
+
+    Raises:
+        WrongTypeError: if an argument is of another type.
+        MissingPackageError: if python-flint is not installed.
+    """
+    require_subject(system)
+    require_instance("branch", branch, FollowedBranch, "a branch")
+    require_instance("special", special, SpecialPoint, "a special point")
+    kind, place, value = special.kind, branch.map.place, float(special.value)
+    data: dict[str, Any] = {"kind": kind.word, "place": place, "value": value}
+    if kind not in (SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING) or branch.finds_period:
+        drive = "without" if branch.finds_period else "with"
+        reason = f"{kind.word} of a motion {drive} a drive is not covered"
+        return Proof("special point", Verdict.UNDECIDED, "", reason, data)
+    data["sides"] = []
+    for factor in (1.0 - ASIDE, 1.0 + ASIDE):
+        changed = system.with_value(place, value * factor)
+        try:
+            orbit = exact_orbit(changed, periods=branch.periods, guess=special.state)
+            data["sides"].append({"value": changed.value(place), "orbit": orbit_data(orbit, orbit.flow)})
+        except (OrbitNotFoundError, UncoveredError) as error:
+            return Proof("special point", Verdict.UNDECIDED, "", str(error).rstrip("."), data)
+    return proof_of("special point", data)
