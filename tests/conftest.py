@@ -19,6 +19,7 @@ from hypothesis.internal.conjecture.providers import Constants, HypothesisProvid
 
 from tests.digits import rests_on_digits
 from tests.kernels import warm_up
+from tests.quick import examples
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
@@ -26,7 +27,9 @@ if TYPE_CHECKING:
     from xdist.scheduler import LoadFileScheduling
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
-settings.register_profile("repeatable", derandomize=True, deadline=None, database=None, max_examples=60)
+settings.register_profile(
+    "repeatable", derandomize=True, deadline=None, database=None, max_examples=examples(25, 60)
+)
 settings.load_profile("repeatable")
 # Without this, numbers from the sources of whatever modules a process has loaded would be among them, and the
 # examples would depend on which tests ran before.
