@@ -10,6 +10,7 @@ import pytest
 
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import SerialRunner, follow, motion_map, respond
+from trimmer.branches.settings import FollowSettings
 from trimmer.choices import ChoiceError
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.measures import Measures
@@ -57,7 +58,7 @@ def test_maps_and_branches_measure_what_is_asked_for() -> None:
     result = motion_map(
         oscillator, {"frequency": [0.9, 1.2]}, measures=keys, runner=SerialRunner(), quiet=True
     )
-    branch = follow(oscillator, "frequency", 0.9, 0.91)
+    branch = follow(oscillator, "frequency", 0.9, 0.91, settings=FollowSettings(most_points=4, quiet=True))
     assert branch.points[0].measure(keys[0]) == pytest.approx(result.chosen[keys[0]][0, 0], rel=1e-9)
     assert result.chosen["rattle"].tolist() == [[1.0, 0.0]]
     assert f"measures.{keys[0]}" in result.to_dataframe().columns
