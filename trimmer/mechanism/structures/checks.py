@@ -107,7 +107,8 @@ def _names(place: Place, structure: Structure, count: int) -> Iterator[Problem]:
     elif not names:
         yield Problem(there, f"missing; name the {count} rows of the matrices, as in {_example(count)}")
     elif len(names) != count:
-        reason = f"holds {len(names)} names for the {count} rows of the matrices; name each row once"
+        given = f"{len(names)} name{'' if len(names) == 1 else 's'}"
+        reason = f"holds {given} for the {count} rows of the matrices; name each row once"
         yield Problem(there, reason, list(names))
     elif len(set(names)) < count:
         again = next(name for name in names if list(names).count(name) > 1)
