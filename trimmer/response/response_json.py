@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from trimmer.mechanism.cut_waveforms import waveforms_left_out
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.motion.measures import Measures
@@ -103,6 +104,9 @@ def _output(motion: SettledMotion, name: str) -> dict[str, Any]:
     }
     if motion.window is not None:
         found["peaks"] = [list(line) for line in motion.window.peaks[name]]
+    if motion.kind is MotionKind.TORUS and motion.window is not None:
+        own, names = motion.window.combinations[name]
+        found |= {"own_frequency": own, "multiples": [each and list(each) for each in names]}
     if motion.orbit is not None:
         measured = motion.orbit.measures.outputs[name]
         found |= {

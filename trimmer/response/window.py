@@ -153,6 +153,20 @@ class Window:
         return found
 
     @cached_property
+    def combinations(self) -> Mapping[str, tuple[float | None, tuple[tuple[int, int] | None, ...]]]:
+        """Of each output a second frequency, Hz, and of which sum of the two each of its peaks is the line.
+
+        The first one is that of the drive; None where all are multiples of it, for what is no sum, and
+        without a drive, where samples of a controller are all that comes evenly.
+        """
+        from trimmer.response.combinations import sums_of
+
+        if not self.flow.period or pace_of(self.flow.subject) > 1:
+            return {name: (None, (None,) * len(peaks)) for name, peaks in self.peaks.items()}
+        drive, width = 1 / self.unit, 1 / self.duration
+        return {name: sums_of(peaks, drive, width) for name, peaks in self.peaks.items()}
+
+    @cached_property
     def spectrum(self) -> tuple[Reals, Mapping[str, Reals]]:
         """Frequencies, Hz, and power density of each output by Welch's method (Hann, half over)."""
         from scipy.signal import welch

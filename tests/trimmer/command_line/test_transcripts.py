@@ -29,7 +29,7 @@ WITH_JSON = {
 """Files of transcripts, and what is documented of the JSON in them."""
 NOT_SEEN = re.compile(
     r"(.*\.)?(families|faults|gaps|meetings|not_found|undecided|weak)\[\]\..*|(motions\[\]\.)?spectrum\..*"
-    r"|waveforms_left_out|contacts\.NAME\.completed_chatters|(motions\[\]\.)?outputs\.NAME\.peaks"
+    r"|waveforms_left_out|contacts\.NAME\.completed_chatters|(motions\[\]\.)?outputs\.NAME\.(peaks|own_frequency|multiples)"
 )
 """Documented keys of what these calls have none of."""
 MOST_LINES = 40

@@ -13,6 +13,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
 from trimmer.response.pace import pace_of
+from trimmer.response.response import MotionKind
 from trimmer.response.response_json import response_json
 from trimmer.showing.rounding import or_rounding
 from trimmer.showing.shown import counted
@@ -89,6 +90,7 @@ def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
         for name, rms in motion.rms.items()
     ]
     yield from table(heads, rows)
+    yield from _sums(motion, units)
     accelerations = {name: _number(each) for name, each in motion.rms_acceleration.items()}
     if accelerations:
         bodies = {name: flow.units_of_body(name).acceleration for name in accelerations}
@@ -177,6 +179,23 @@ def _lines(motion: SettledMotion, name: str) -> str:
     shown = sorted(lines, key=lambda line: -line[2])[:LARGE_LINES]
     kept = sorted(line for line in shown if line[2] > SMALL * largest)
     return ", ".join(f"{Fraction(p, k)}: {size:.6g}" for p, k, size in kept) or "none"
+
+
+def _sums(motion: SettledMotion, units: Mapping[str, str]) -> Iterator[str]:
+    """Say of which sums of two frequencies the lines of a torus are."""
+    window = motion.window
+    if motion.kind is not MotionKind.TORUS or window is None:
+        return
+    for name, (own, sums) in window.combinations.items():
+        if own is not None:
+            named = sorted(zip(window.peaks[name], sums, strict=True))
+            told = (
+                f"{frequency:.6g} Hz ({'no sum' if each is None else f'{each[0]}, {each[1]}'}) {size:.3g}"
+                for (frequency, size), each in named
+            )
+            unit = f" {units[name]}" if units[name] else ""
+            first = f"i x {1 / window.unit:.6g} Hz, the drive, + j x {own:.6g} Hz"
+            yield f"  lines of {name} at {first}: {', '.join(told)}{unit}"
 
 
 def _headed(head: str, units: Mapping[str, str]) -> tuple[str, Mapping[str, str]]:
