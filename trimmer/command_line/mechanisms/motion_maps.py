@@ -129,7 +129,7 @@ def _check(arguments: Namespace) -> None:
         refuse_unused(arguments, ["seed"], "--starts, the first of which is not random")
     for name, least in (("periods", 2), ("starts", 1), ("seed", 0)):
         value = getattr(arguments, name)
-        if value < least:
+        if value is not None and value < least:
             raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
     check_runner_options(arguments)
     targets = {"plot": PICTURES, "output": {"": MAP}}
