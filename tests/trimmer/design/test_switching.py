@@ -26,6 +26,8 @@ seat = { between = ["ground", "blade"], gap = "1 mm", restitution = 0.5 }
 travel = { blade = 1 }
 """
 FORCE, MASS, GAP, RESTITUTION, BEGIN = 4.0, 0.02, 1e-3, 0.5, 2e-3
+SHOWN = 1.15
+"""Up to which multiple of the last time at which something happens the motion is shown."""
 TINY = DesignSettings(cells=3, trials=4, machines=2, range_points=3, grid=2)
 
 
@@ -56,6 +58,7 @@ def test_what_is_measured_is_the_closed_form() -> None:
     assert motion.kind is MotionKind.REST
     found = [motion.measure(each, "seat") for each in (Measure.CLOSING_TIME, Measure.IMPACT_SPEED)]
     assert found == pytest.approx([closing, speed], rel=1e-9)
+    assert motion.signals.times[-1] == pytest.approx(SHOWN * 1.0)  # after the last point of its force
     # The chatter is completed once less than 1e-9 s of it is left.
     assert motion.measure(Measure.BOUNCE_TIME, "seat") == pytest.approx(bounces, rel=0, abs=2e-9)
     assert motion.measure(Measure.STROKE, "travel") == pytest.approx(GAP, rel=1e-9)

@@ -201,3 +201,13 @@ def test_a_single_entry_that_is_no_number_is_refused() -> None:
     structure = Structure(mass=np.eye(2), stiffness=stiffness, coordinates=("u", "v"))
     with pytest.raises(MechanismError, match=r"stiffness.*must be finite"):
         Mechanism(structures={"housing": structure})
+
+
+def test_a_mechanism_keeps_its_own_matrices() -> None:
+    given = 2.0 * np.eye(2)
+    machine = Mechanism(structures={"housing": Structure(given, given, coordinates=("u", "v"))})
+    given[0, 0] = 5.0
+    kept = machine.structures["housing"].mass
+    assert kept is not None and kept.tolist() == [[2.0, 0.0], [0.0, 2.0]]
+    with pytest.raises(ValueError, match="read-only"):
+        kept[0, 0] = 3.0
