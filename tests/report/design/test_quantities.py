@@ -1,8 +1,12 @@
 """Numbers as a reader wants them."""
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
 from report.design.quantities import percent, place_words, shown, written
+from report.design.sentences import exposure_sentences
 
 
 @pytest.mark.parametrize(
@@ -45,3 +49,11 @@ def test_places_have_words() -> None:
     assert place_words("frequency") == "frequency of the drive"
     assert place_words('links."motor mount".stiffness') == "stiffness of motor mount"
     assert place_words("plays.bridge.gap") == "gap of bridge"
+
+
+def test_who_holds_it_is_told_of_what_does_not_repeat_too() -> None:
+    motion = SimpleNamespace(hand_arm={"motor": None}, repeats=False, measured_periods=96)
+    design: Any = SimpleNamespace(motion=motion, file=SimpleNamespace(held="motor"))
+    told = str(exposure_sentences(design))
+    assert told.startswith("The hand holds the motor. The motion does not repeat")
+    assert "96 drive periods" in told
