@@ -64,7 +64,7 @@ STAGES = {
     Stage.NEIGHBOURS: "the search for other motions around",
     Stage.MAP: "maps",
     Stage.BRANCH: "branches",
-    Stage.SLIDERS: "a finer grid behind the sliders",
+    Stage.SLIDERS: "all motions behind the sliders",
 }
 """What is missing if a stage was cut."""
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from report.design.quantities import Scale, place_words, scale_for
+from report.design.sentences import left_out
 from report.design.words import bound_words, capital, count, measure_words
 from report.pages.explorable import Panel, Slider
 from trimmer.design.design import Design
@@ -163,9 +164,10 @@ def slider_sentences(design: Design) -> str:
     which = listed([place_words(each.place) for each in grid.numbers])
     failed = sum(each.kind is None for each in grid.motions)
     lost = f" At {count(failed, 'point')} no motion could be followed." if failed else ""
+    coarse = " There was no time left for a finer grid." if left_out(design, "SLIDERS") else ""
     size = " × ".join(str(len(each)) for each in grid.values)
     return (
         f"In the HTML report sliders move the {which}. Behind them lie {len(grid.motions)} motions, {size}, "
         "each solved for from the file’s own start. What is shown is always the one whose numbers are "
-        f"nearest to the sliders; nothing between them is guessed.{lost}"
+        f"nearest to the sliders; nothing between them is guessed.{lost}{coarse}"
     )

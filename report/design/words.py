@@ -170,7 +170,7 @@ def closings_words(motion: FoundMotion) -> str:
     told = [
         f"{name} closes after {shown(each.closing_time, 's')} and "
         + (f"bounces for {shown(each.bounce_time, 's')}" if each.bounce_time else "does not bounce")
-        for name, each in motion.switched.closings.items()
+        for name, each in sorted(motion.switched.closings.items(), key=lambda each: each[1].closing_time)
     ]
     last, rests = shown(motion.switched.last, "s"), motion.switched.forces
     end = f"after {last} nothing happens any more" if rests else f"its last event is at {last}"
