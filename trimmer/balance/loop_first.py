@@ -13,6 +13,7 @@ from trimmer.balance.loop import require_element
 from trimmer.elements.control_element import is_element
 from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import require_siso
+from trimmer.linear.plant_forms import adopted_system
 from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import ClosedLoop, Loop
 from trimmer.loops.trimmer_loop import TrimmerLoop
@@ -90,6 +91,7 @@ def _loop_and_rest(
         raise WrongTypeError(f"{_wanted(name)}: {type(first).__name__} is given without an element")
     element = rest.pop(0) if rest else named.pop("element")
     adopted = require_element(element)
+    first = adopted_system(first)
     require_siso(first)
     return ClosedLoop(first, adopted), tuple(rest)
 

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any, final
 
 import control
 import numpy as np
-import scipy.signal
 
 from trimmer.arguments import require_instance
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError, UnsupportedMotionError
+from trimmer.linear.plant_forms import is_plain_form
 from trimmer.loops.components.of_elements import components_of
 from trimmer.loops.components.relay_component import RelayComponent
 from trimmer.loops.drive import Drive
@@ -43,8 +43,9 @@ class Feedback(Loop):
     drive are zero.
 
     Attributes:
-        plant: A system of python-control with named signals. A system of SciPy has no names; with one input
-            and one output they are the name of the one element.
+        plant: A system of python-control with named signals. A system of SciPy, or a tuple (num, den),
+            (z, p, k) or (A, B, C, D), has no names; with one input and one output they are that of the one
+            element.
         elements: The elements by name, at least one.
         drives: What drives other inputs, by their names.
         start: States of the plant with which a motion begins, by name; the others are 0.
@@ -250,11 +251,12 @@ def _steady(row: Reals) -> Callable[[LoopMode], Reals]:
 def _plant(system: object, names: tuple[str, ...]) -> control.StateSpace:
     """Return a plant in state space; what has no names takes that of its one element."""
     plant = in_state_space(taken_system(system))
-    if not isinstance(system, scipy.signal.lti):
+    if not is_plain_form(system):
         return plant
     if len(names) != 1 or (plant.ninputs, plant.noutputs) != (1, 1):
+        what = f"{type(system).__name__}{'' if isinstance(system, tuple) else ' of SciPy'}"
         raise UnsupportedMotionError(
-            f"plant: a {type(system).__name__} of SciPy has no names of its {plant.ninputs} inputs and "
+            f"plant: a {what} has no names of its {plant.ninputs} inputs and "
             f"{plant.noutputs} outputs; give control.ss(A, B, C, D, inputs=[...], outputs=[...])"
         )
     return control.ss(plant, inputs=list(names), outputs=list(names))

@@ -231,15 +231,17 @@ class ClosedLoop(LoopOfOneElement):
     """Negative feedback without reference: the element's input is -y (figure 2.5 of the thesis).
 
     Attributes:
-        system: Strictly proper, one input, one output, continuous in time.
+        system: Strictly proper, one input, one output, continuous in time: a transfer function or
+            state-space model of python-control, a system of SciPy, or a tuple (num, den) of descending
+            powers, (z, p, k) with roots in rad/s, or (A, B, C, D).
         element: Any element with a description in time.
         start: States of the linear system with which a motion begins, by name; the others are 0.
 
     Raises:
         WrongTypeError: if the element is none, such as a class in place of an instance.
         LoopError: if the start names what is no state.
-        UnsupportedMotionError: if the system is no transfer function or state-space model of python-control
-            or SciPy.
+        UnsupportedMotionError: if the system is none of these.
+        UnsupportedSystemError: if a tuple makes no system, or a system of SciPy is sampled.
     """
 
     system: control.LTI
@@ -253,7 +255,7 @@ class OpenLoop(LoopOfOneElement):
     """The element's input is the drive; its output drives the linear system.
 
     Attributes:
-        system: Strictly proper, one input, one output, continuous in time.
+        system: As that of ``ClosedLoop``.
         element: Any element with a description in time.
         drive: The motion of the pin.
         start: States of the linear system with which a motion begins, by name; the others are 0.
@@ -261,7 +263,7 @@ class OpenLoop(LoopOfOneElement):
     Raises:
         WrongTypeError: if element or drive is none.
         LoopError: if the start names what is no state.
-        UnsupportedMotionError: see ``ClosedLoop``.
+        UnsupportedMotionError, UnsupportedSystemError: see ``ClosedLoop``.
     """
 
     system: control.LTI

@@ -1,4 +1,4 @@
-"""A linear system as engineers have it, in state space: of python-control or of SciPy."""
+"""The linear system of a loop: taken as people have it, and realized in state space for its motion."""
 
 from __future__ import annotations
 
@@ -10,26 +10,32 @@ import scipy.signal
 
 from trimmer.arguments import shown
 from trimmer.errors import UnsupportedMotionError
+from trimmer.linear.plant_forms import FORMS, adopted_system
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
 
 
 def taken_system(system: object) -> control.LTI:
-    """Return a system of python-control as it is, and one of SciPy in state space.
+    """Return a system as one of python-control, whatever form it has; see ``adopted_system``.
 
     Raises:
-        UnsupportedMotionError: if it is none of a transfer function and a state-space model.
+        UnsupportedMotionError: if it is none, or frequency-response data, which tell no motion.
+        UnsupportedSystemError: if its arrays make no system, or it is one of SciPy that is sampled.
     """
-    if isinstance(system, scipy.signal.lti):
-        found = system.to_ss()
-        return control.ss(found.A, found.B, found.C, found.D)
-    if not isinstance(system, control.StateSpace | control.TransferFunction):
+    found = adopted_system(system)
+    if isinstance(found, control.FrequencyResponseData):
         raise UnsupportedMotionError(
-            f"system: give a control.StateSpace or control.TransferFunction, not {type(system).__name__} "
-            f"({shown(system)})"
+            "system: give a control.StateSpace or control.TransferFunction, not FrequencyResponseData: how a "
+            "plant moves does not follow from its response at some frequencies; "
+            "harmonic_balance(data, element) predicts limit cycles from them"
         )
-    return system
+    if not isinstance(found, control.StateSpace | control.TransferFunction):
+        raise UnsupportedMotionError(
+            "system: give a control.StateSpace or control.TransferFunction, a system of SciPy, or one of the "
+            f"tuples {FORMS}, not {type(system).__name__} ({shown(system)})"
+        )
+    return found
 
 
 def in_state_space(system: control.LTI) -> control.StateSpace:
