@@ -41,11 +41,15 @@ class Enclosure(ArrayRecord):
     largest: Reals
 
 
-class InverseGain(Protocol):
+class Sloped(Protocol):
     """A complex function of x that takes the place of 1/G in N + 1/G = 0."""
 
     def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
         """Evaluate the function and its derivative by x, both of the shape (n,) of x."""
+
+
+class InverseGain(Sloped, Protocol):
+    """The same with bounds."""
 
     def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
         """Bound the function on the n intervals [lower, upper] of x, both of shape (n,)."""

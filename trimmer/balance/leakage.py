@@ -8,17 +8,18 @@ import numpy as np
 
 from trimmer.arguments import require_instance, require_instances, whole_number
 from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.loop_first import takes_a_loop
-from trimmer.linear.frequency_response import response_at
+from trimmer.balance.loop_first import takes_a_loop_or_data
+from trimmer.linear.measured_response import response_of
 from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.measured_loop import MeasuredLoop
 
 HARMONICS = (3, 5, 7)
 """The first harmonics above the fundamental that an odd element has."""
 
 
-@takes_a_loop
+@takes_a_loop_or_data
 def harmonic_leakage(
-    loop: ClosedLoop, cycle: LimitCycle, harmonics: Sequence[int] = HARMONICS
+    loop: ClosedLoop | MeasuredLoop, cycle: LimitCycle, harmonics: Sequence[int] = HARMONICS
 ) -> tuple[float, ...]:
     """Compare each harmonic that comes back to the element's input with the fundamental there.
 
@@ -31,7 +32,7 @@ def harmonic_leakage(
         harmonics: Numbers n >= 1.
 
     Returns:
-        One ratio per harmonic, without unit.
+        One ratio per harmonic, without unit; NaN beyond frequency-response data.
 
     Raises:
         WrongTypeError: if neither a closed loop nor a system and an element are given.
@@ -45,7 +46,7 @@ def harmonic_leakage(
 
     def returned(harmonic: int) -> float:
         gain = loop.element.describing_function(cycle.amplitude, cycle.omega, harmonic)
-        return float(np.abs(gain * response_at(loop.system, harmonic * cycle.omega)))
+        return float(np.abs(gain * response_of(loop.system, harmonic * cycle.omega)))
 
     fundamental = returned(1)
     return tuple(returned(harmonic) / fundamental for harmonic in numbers)

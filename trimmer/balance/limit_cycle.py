@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.measured_loop import MeasuredLoop
 
 NEAR_TANGENCY = math.radians(5.0)
 """Crossing angle, rad, below which a limit cycle is reported as near tangency."""
@@ -184,6 +185,21 @@ class Certificate(Shown):
         )
 
 
+@dataclass(frozen=True)
+class InterpolationBound(ShownFields):
+    """How far a limit cycle may be off because G is known at some frequencies alone, to first order.
+
+    Attributes:
+        response: Largest relative error of G there; see ``trimmer.linear.measured_response``.
+        amplitude: Of the amplitude, in the unit of the element's input.
+        omega: Of omega, rad/s.
+    """
+
+    response: float
+    amplitude: float
+    omega: float
+
+
 IN_UNIT_OF_INPUT = "unit of the element's input"
 """Stands for the unit of an amplitude; m for a play."""
 CYCLE_COLUMNS = attributes(
@@ -206,11 +222,13 @@ class HarmonicBalance(Tabular, Drawn):
         limit_cycles: In order of frequency, then of amplitude.
         certificate: How far it is certain that there are no others.
         loop: The loop, with the element as it was solved for; None if the result was put together by hand.
+        bounds: Of frequency-response data, how far off each limit cycle may be; else empty.
     """
 
     limit_cycles: tuple[LimitCycle, ...]
     certificate: Certificate
-    loop: ClosedLoop | None = field(default=None, compare=False)
+    loop: ClosedLoop | MeasuredLoop | None = field(default=None, compare=False)
+    bounds: tuple[InterpolationBound, ...] = ()
 
     @property
     def confirmed(self) -> bool | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import wraps
 from inspect import signature
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeAlias, TypeVar, overload
 
 import control
 
@@ -13,14 +13,19 @@ from trimmer.balance.loop import require_element
 from trimmer.elements.control_element import is_element
 from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import require_siso
+from trimmer.linear.measured_response import MeasuredResponse
 from trimmer.linear.plant_forms import adopted_system
 from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import ClosedLoop, Loop
+from trimmer.loops.measured_loop import MeasuredLoop
 from trimmer.loops.trimmer_loop import TrimmerLoop
 
 if TYPE_CHECKING:
+    import scipy.signal
+
     from trimmer.elements.element import Element
 
+    Plant: TypeAlias = control.LTI | scipy.signal.lti | tuple[Any, ...] | MeasuredResponse
     Rest = ParamSpec("Rest")
     Result = TypeVar("Result", covariant=True)
 
@@ -36,7 +41,7 @@ if TYPE_CHECKING:
         ) -> Result: ...
         @overload
         def __call__(
-            self, system: control.LTI, element: Element, *rest: Rest.args, **named: Rest.kwargs
+            self, system: Plant, element: Element, *rest: Rest.args, **named: Rest.kwargs
         ) -> Result: ...
 
 
@@ -54,6 +59,13 @@ def takes_a_loop(function: Callable[Concatenate[ClosedLoop, Rest], Result]) -> O
     return _taking(function, _closed)
 
 
+def takes_a_loop_or_data(
+    function: Callable[Concatenate[ClosedLoop | MeasuredLoop, Rest], Result],
+) -> OfLoop[Rest, Result]:
+    """Let a function do as ``takes_a_loop`` does, and also take frequency-response data as the system."""
+    return _taking(function, _closed, of_data=True)
+
+
 def takes_any_loop(
     function: Callable[Concatenate[ClosedLoop | Feedback, Rest], Result],
 ) -> OfLoop[Rest, Result]:
@@ -62,11 +74,11 @@ def takes_any_loop(
 
 
 def _taking(
-    function: Callable[Concatenate[Any, Rest], Result], closed: Callable[[Loop], Loop]
+    function: Callable[Concatenate[Any, Rest], Result], closed: Callable[[Loop], Loop], of_data: bool = False
 ) -> OfLoop[Rest, Result]:
     @wraps(function)
     def of_either(*given: Any, **named: Any) -> Result:
-        loop, rest = _loop_and_rest(function.__name__, given, named, closed)
+        loop, rest = _loop_and_rest(function.__name__, given, named, closed, of_data)
         return function(loop, *rest, **named)
 
     # What help() shows is the form with the loop, not the names of system and element.
@@ -75,8 +87,8 @@ def _taking(
 
 
 def _loop_and_rest(
-    name: str, given: tuple[Any, ...], named: dict[str, Any], closed: Callable[[Loop], Loop]
-) -> tuple[Loop, tuple[Any, ...]]:
+    name: str, given: tuple[Any, ...], named: dict[str, Any], closed: Callable[[Loop], Loop], of_data: bool
+) -> tuple[Loop | MeasuredLoop, tuple[Any, ...]]:
     """Return the loop that was given in either form, and the arguments after it; take it out of ``named``."""
     if not given and not ("loop" in named or "system" in named):
         raise WrongTypeError(f"{_wanted(name)}: neither is given")
@@ -92,6 +104,9 @@ def _loop_and_rest(
     element = rest.pop(0) if rest else named.pop("element")
     adopted = require_element(element)
     first = adopted_system(first)
+    if of_data and isinstance(first, control.FrequencyResponseData | MeasuredResponse):
+        data = first if isinstance(first, MeasuredResponse) else MeasuredResponse.of(first)
+        return MeasuredLoop(data, adopted), tuple(rest)
     require_siso(first)
     return ClosedLoop(first, adopted), tuple(rest)
 

@@ -11,13 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from trimmer.arrays import ArrayRecord, Complexes, Flags, Reals
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import ElementCurve
-from trimmer.balance.inverse_response import InverseResponse
+from trimmer.balance.inverse_response import InverseResponse, Sloped
 from trimmer.balance.loop import range_of_roots
 from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.balance.uniqueness import cross, newton_step
@@ -53,6 +54,14 @@ _SOLVED = 1e-7
 _SAME = 1e-5
 """Distance in ln u and x below which two solutions are one."""
 
+
+class GriddedInverse(Sloped, Protocol):
+    """1/G over x = ln omega, of which nothing is bounded."""
+
+    def value(self, x: Reals) -> Complexes:
+        """Evaluate 1/G at x of shape (n,)."""
+
+
 METHOD = "a grid of amplitude and frequency, refined, and Newton's method; nothing is proven"
 
 
@@ -83,17 +92,24 @@ def solve_sampled(
     x_range = range_of_roots(response, _BEYOND_ROOTS)
     if omega_range is not None:
         x_range = math.log(omega_range[0]), math.log(omega_range[1])
+    even = np.linspace(*x_range, _OMEGAS_OF_MANY if curve.depends_on_x else _OMEGAS)
+    x = even if curve.depends_on_x else np.unique(np.concatenate([even, response.breaks(*x_range)]))
+    result = found_on_grid(response, curve, x)
+    return SearchedRegion(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)
+
+
+def found_on_grid(response: GriddedInverse, curve: ElementCurve, x: Reals) -> SearchResult:
+    """Search solutions between the first and the last of some x, between which cells begin, rising (n,)."""
     with np.errstate(all="ignore"):
-        cells, examined = _first_cells(response, curve, x_range)
+        cells, examined = _first_cells(response, curve, x)
         for _ in range(_LEVELS):
             if not 0 < cells.v_lower.size <= _MOST_CELLS:
                 break
             cells = cells.quarters()
             examined += cells.v_lower.size
             cells = cells[_may_hold(_corners(response, curve, cells))]
-        u, x = _solutions(response, curve, cells, x_range)
-    result = SearchResult(u, x, Cells.none(), examined)
-    return SearchedRegion(METHOD, result, (math.exp(x_range[0]), math.exp(x_range[1])), False, 0.0)
+        u, x = _solutions(response, curve, cells, (float(x[0]), float(x[-1])))
+    return SearchResult(u, x, Cells.none(), examined)
 
 
 def unproven(curve: ElementCurve, outcome: SearchedRegion) -> tuple[str, ...]:
@@ -133,18 +149,19 @@ def _doubts(element: Element, amplitudes: Reals) -> Iterator[str]:
             yield from element.doubts_at(float(amplitude))
 
 
-def _first_cells(
-    response: InverseResponse, curve: ElementCurve, x_range: tuple[float, float]
-) -> tuple[_Grid, int]:
+def _first_cells(response: GriddedInverse, curve: ElementCurve, x: Reals) -> tuple[_Grid, int]:
     """Evaluate the whole grid, and return the cells that may hold a solution, and the number of all."""
     both = curve.depends_on_x
     limit = DECADES * math.log(10.0)
     v = np.linspace(-limit, limit, _AMPLITUDES_PER_OMEGA if both else _AMPLITUDES)
-    even = np.linspace(*x_range, _OMEGAS_OF_MANY if both else _OMEGAS)
-    v = v if both else _with_edge(curve, v)
-    x = even if both else np.unique(np.concatenate([even, response.breaks(*x_range)]))
+    if not both:
+        v = _with_edge(curve, v)
+    elif np.isfinite(_largest(curve, x)).all():
+        v = np.unique(np.concatenate([v[v < 0], -(0.5 ** np.arange(_HALVINGS))]))
     gains = (
-        curve.value(np.exp(np.repeat(v, x.size)), np.tile(x, v.size)).reshape(v.size, x.size)
+        curve.value(_u(curve, np.repeat(v, x.size), np.tile(x, v.size)), np.tile(x, v.size)).reshape(
+            -1, x.size
+        )
         if both
         else curve.value(np.exp(v), np.zeros_like(v))[:, None]
     )
@@ -154,13 +171,13 @@ def _first_cells(
     return _Grid(v[row], v[row + 1], x[column], x[column + 1]), (v.size - 1) * (x.size - 1)
 
 
-def _corners(response: InverseResponse, curve: ElementCurve, cells: _Grid) -> Complexes:
+def _corners(response: GriddedInverse, curve: ElementCurve, cells: _Grid) -> Complexes:
     """Return F at the four corners, shape (4, n); N is evaluated once where several cells share it."""
     v = np.concatenate([cells.v_lower, cells.v_upper, cells.v_lower, cells.v_upper])
     x = np.concatenate([cells.x_lower, cells.x_lower, cells.x_upper, cells.x_upper])
     points = np.stack([v, x if curve.depends_on_x else np.zeros_like(x)])
     distinct, place = np.unique(points, axis=1, return_inverse=True)
-    gains = curve.value(np.exp(distinct[0]), distinct[1])[place.ravel()]
+    gains = curve.value(_u(curve, *distinct), distinct[1])[place.ravel()]
     return np.asarray((gains + response.value(x)).reshape(4, -1))
 
 
@@ -202,7 +219,7 @@ def _with_edge(curve: ElementCurve, v: Reals) -> Reals:
 
 
 def _solutions(
-    response: InverseResponse, curve: ElementCurve, cells: _Grid, x_range: tuple[float, float]
+    response: GriddedInverse, curve: ElementCurve, cells: _Grid, x_range: tuple[float, float]
 ) -> tuple[Reals, Reals]:
     """Solve by Newton's method, and return the distinct solutions."""
     u, x = _starts(response, curve, cells)
@@ -225,16 +242,27 @@ def _solutions(
     return _distinct(u[zero & inside], x[zero & inside])
 
 
-def _starts(response: InverseResponse, curve: ElementCurve, cells: _Grid) -> tuple[Reals, Reals]:
+def _starts(response: GriddedInverse, curve: ElementCurve, cells: _Grid) -> tuple[Reals, Reals]:
     """Return u and x of the middles of the cells at which |F| is least among those that touch."""
     v, x = 0.5 * (cells.v_lower + cells.v_upper), 0.5 * (cells.x_lower + cells.x_upper)
-    size = np.abs(curve.value(np.exp(v), x) + response.value(x))
+    u = _u(curve, v, x)
+    size = np.abs(curve.value(u, x) + response.value(x))
     v_reach, x_reach = 1.1 * (cells.v_upper - cells.v_lower), 1.1 * (cells.x_upper - cells.x_lower)
     least = np.ones(v.size, dtype=bool)
     for each in range(v.size):
         beside = (np.abs(v - v[each]) <= v_reach) & (np.abs(x - x[each]) <= x_reach)
         least[each] = bool(np.isfinite(size[each]) and size[each] <= np.nanmin(size[beside]))
-    return np.exp(v[least]), x[least]
+    return u[least], x[least]
+
+
+def _u(curve: ElementCurve, v: Reals, x: Reals) -> Reals:
+    """Return u of v = ln u; over its largest value where that is finite and changes with x, all (n,)."""
+    largest = _largest(curve, x) if curve.depends_on_x else 1.0
+    return np.asarray(np.exp(v) * np.where(np.isfinite(largest), largest, 1.0))
+
+
+def _largest(curve: ElementCurve, x: Reals) -> Reals:
+    return np.broadcast_to(curve.element.domain(np.exp(x)), x.shape)
 
 
 def _distinct(u: Reals, x: Reals) -> tuple[Reals, Reals]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -18,7 +19,8 @@ from trimmer.balance.limit_cycle import (
     doubts_of_search,
 )
 from trimmer.balance.loop import inverse_response, loop_equation
-from trimmer.balance.loop_first import takes_a_loop
+from trimmer.balance.loop_first import takes_a_loop_or_data
+from trimmer.balance.of_data import balance_of_data
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.rational import turning_range
 from trimmer.balance.sampled import solve_sampled, unproven
@@ -26,6 +28,7 @@ from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
 from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.measured_loop import MeasuredLoop
 
 if TYPE_CHECKING:
     from control.lti import LTI
@@ -35,14 +38,17 @@ if TYPE_CHECKING:
     from trimmer.balance.inverse_response import InverseResponse
     from trimmer.balance.loop import LoopEquation
     from trimmer.balance.search import SearchedRegion
+    from trimmer.elements.element import Element
 
 CALLER = 3
 """Level of the stack on which a warning of a function that takes a loop names its caller's line."""
 
 
-@takes_a_loop
+@takes_a_loop_or_data
 def limit_cycles(
-    loop: ClosedLoop, omega_range: tuple[float, float] | None = None, frozen_omega: float | None = None
+    loop: ClosedLoop | MeasuredLoop,
+    omega_range: tuple[float, float] | None = None,
+    frozen_omega: float | None = None,
 ) -> tuple[LimitCycle, ...]:
     """Find all limit cycles that harmonic balance predicts.
 
@@ -57,6 +63,11 @@ def limit_cycles(
             that was not given. The winding number, which takes as long as the search, is not computed; see
             ``harmonic_balance`` for that.
     """
+    if isinstance(loop, MeasuredLoop):
+        balance = _of_data(loop, omega_range, frozen_omega)
+        for doubt in balance.certificate.doubts:
+            warnings.warn(doubt, UndecidedWarning, stacklevel=CALLER)
+        return balance.limit_cycles
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     undecided = undecided_regions(outcome.result.undecided, equation.curve)
     doubts = [*_unproven(equation, outcome), *doubts_of_search(undecided, outcome.smallest_gain)]
@@ -67,9 +78,11 @@ def limit_cycles(
     return limit_cycles_at(equation, outcome.result.u, outcome.result.x)
 
 
-@takes_a_loop
+@takes_a_loop_or_data
 def harmonic_balance(
-    loop: ClosedLoop, omega_range: tuple[float, float] | None = None, frozen_omega: float | None = None
+    loop: ClosedLoop | MeasuredLoop,
+    omega_range: tuple[float, float] | None = None,
+    frozen_omega: float | None = None,
 ) -> HarmonicBalance:
     """Solve 1 + N(A, omega) G(j omega) = 0 for all amplitudes and frequencies (equation 2.25 of the thesis).
 
@@ -95,12 +108,16 @@ def harmonic_balance(
     the system does not tell its poles and zeros, as by the coefficients of a high order, that is a doubt.
 
     An element without bounds, as one of python-control's or a user's own, is searched on a grid
-    (``trimmer.balance.sampled``), and the certificate says that nothing is proven then.
+    (``trimmer.balance.sampled``), and the certificate says that nothing is proven then. So it is with a plant
+    that is known at some frequencies alone: limit cycles are predicted between these, each with a bound of
+    what the interpolation leaves open (``bounds``), and never beyond them.
 
     Args:
         loop: The closed loop; or ``system, element`` in its place. The system is rational, proper, continuous
             in time, with one input and one output; it may be unstable. A delay must be approximated, as by
-            ``control.pade``.
+            ``control.pade``. It may also be a system of SciPy, a tuple (num, den), (z, p, k) or
+            (A, B, C, D), or frequency-response data: a ``control.FrequencyResponseData`` or a
+            ``trimmer.linear.MeasuredResponse`` of arrays.
         omega_range: Lowest and highest angular frequency, rad/s, to search; all if not given.
         frozen_omega: Angular frequency, rad/s, at which N is evaluated whatever the frequency of the loop; as
             the thesis does with an N that depends on frequency.
@@ -109,12 +126,14 @@ def harmonic_balance(
         WrongTypeError: if neither a closed loop nor a system and an element are given.
         UnsupportedSystemError: if G is not such a system, has a coefficient that is infinite or NaN, or has
             no dynamics; or if viscous friction cancels its highest derivative.
-        FrequencyRangeError: if the range is not 0 < lowest < highest < inf.
+        FrequencyRangeError: if the range is not 0 < lowest < highest < inf, or goes beyond data.
         LinearElementError: if N does not depend on the amplitude.
         UnsupportedElementError: if the element is none; or, of a kind defined elsewhere, has an N that is
             unbounded yet not proportional to 1/A.
         ValueError: if ``frozen_omega`` is not positive and finite.
     """
+    if isinstance(loop, MeasuredLoop):
+        return _of_data(loop, omega_range, frozen_omega)
     equation, outcome = _solve(loop, omega_range, frozen_omega)
     element = loop.element if frozen_omega is None else loop.element.at(frozen_omega)
     cycles = limit_cycles_at(equation, outcome.result.u, outcome.result.x)
@@ -133,6 +152,22 @@ def harmonic_balance(
         winding_omegas=check.omegas,
     )
     return HarmonicBalance(cycles, certificate, ClosedLoop(loop.system, element))
+
+
+def _of_data(
+    loop: MeasuredLoop, omega_range: tuple[float, float] | None, frozen_omega: float | None
+) -> HarmonicBalance:
+    given = None if omega_range is None else _checked_range(omega_range)
+    return balance_of_data(replace(loop, element=_frozen(loop.element, frozen_omega)), given)
+
+
+def _frozen(element: Element, frozen_omega: float | None) -> Element:
+    """Return an element, at one frequency if that is given, rad/s."""
+    return (
+        element
+        if frozen_omega is None
+        else element.at(positive_number("frozen_omega", frozen_omega, "rad/s"))
+    )
 
 
 class _Check(NamedTuple):
@@ -182,10 +217,7 @@ def _solve(
     loop: ClosedLoop, omega_range: tuple[float, float] | None, frozen_omega: float | None
 ) -> tuple[LoopEquation, SearchedRegion]:
     given = None if omega_range is None else _checked_range(omega_range)
-    element = loop.element
-    if frozen_omega is not None:
-        element = element.at(positive_number("frozen_omega", frozen_omega, "rad/s"))
-    equation = loop_equation(loop.system, element)
+    equation = loop_equation(loop.system, _frozen(loop.element, frozen_omega))
     if not equation.curve.element.has_bounds:
         return equation, solve_sampled(equation.response, equation.curve, given)
     unbounded = math.isinf(equation.curve.edge(np.zeros(1)).item())

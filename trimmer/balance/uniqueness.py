@@ -19,7 +19,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import ElementCurve
-from trimmer.balance.inverse_response import InverseGain
+from trimmer.balance.inverse_response import InverseGain, Sloped
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,7 @@ def solve_in(
     return u, x, solved & np.isfinite(gain)
 
 
-def newton_step(response: InverseGain, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:
+def newton_step(response: Sloped, curve: ElementCurve, u: Reals, x: Reals) -> tuple[Reals, Reals]:
     """Return the step in u and in x of Newton's method for the real and imaginary part of N + 1/G."""
     inverse, slope = response.value_and_slope(x)
     gain, by_u, gain_by_x = curve.expansion(u, x)

@@ -16,9 +16,10 @@ from trimmer.drawing.look import line
 from trimmer.drawing.marks import critical_point, limit_cycle
 from trimmer.drawing.plane import MARGIN, Along, element_locus, show, system_locus
 from trimmer.elements.element import Element
-from trimmer.linear.frequency_response import response_at
+from trimmer.linear.measured_response import MeasuredResponse, response_of
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.measured_loop import MeasuredLoop
 
 ANY = np.geomspace(1e-6, 1e6, 1800)
 """u = amplitude_scale/amplitude where any amplitude will do."""
@@ -66,20 +67,23 @@ def draw_balance(balance: HarmonicBalance, axes: Axes, *, near: bool = False) ->
     add_legend(axes, title="A: amplitude in the unit\nof the element's input" if balance.limit_cycles else "")
 
 
-def _loop(balance: HarmonicBalance) -> ClosedLoop:
+def _loop(balance: HarmonicBalance) -> ClosedLoop | MeasuredLoop:
     if balance.loop is None:
         raise ValueError("the result has no loop, so there is nothing to draw: make it with harmonic_balance")
     return balance.loop
 
 
 def _omegas(balance: HarmonicBalance) -> Reals:
-    return telling_frequencies(ZeroPoleGain.of(_loop(balance).system), balance.certificate.omegas)
+    system = _loop(balance).system
+    if isinstance(system, MeasuredResponse):
+        return system.omega
+    return telling_frequencies(ZeroPoleGain.of(system), balance.certificate.omegas)
 
 
 def _places(balance: HarmonicBalance, *others: complex) -> Complexes:
     """Return where the limit cycles lie on G, and other places."""
     omegas = np.array([cycle.omega for cycle in balance.limit_cycles])
-    return np.concatenate([response_at(_loop(balance).system, omegas), others])
+    return np.concatenate([response_of(_loop(balance).system, omegas), others])
 
 
 def _spans(balance: HarmonicBalance) -> tuple[Reals, Reals]:
@@ -123,7 +127,7 @@ def _words(cycle: LimitCycle) -> str:
 def _shown(balance: HarmonicBalance) -> Complexes:
     """Return what is to be seen: G, -1 and limit cycles; of a G that goes to infinity what is near them."""
     system = _loop(balance).system
-    response, places = response_at(system, _omegas(balance)), _places(balance, -1.0)
-    if (np.real(ZeroPoleGain.of(system).poles) == 0).any():
+    response, places = response_of(system, _omegas(balance)), _places(balance, -1.0)
+    if isinstance(system, MeasuredResponse) or (np.real(ZeroPoleGain.of(system).poles) == 0).any():
         response = response[abs(response) <= FAR * abs(places).max()]
     return np.concatenate([response, places])

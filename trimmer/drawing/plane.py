@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.elements.element import Element
-from trimmer.linear.frequency_response import response_at
+from trimmer.linear.measured_response import MeasuredResponse, response_of
 
 MARGIN = 0.08
 """Free room around what is shown, as a share of it."""
@@ -50,9 +50,9 @@ def show(axes: Axes, places: Complexes, least: float) -> None:
         set_limits(lowest - margin, highest + margin)
 
 
-def system_locus(axes: Axes, system: control.lti.LTI, omega: Reals, **look: Any) -> None:
+def system_locus(axes: Axes, system: control.lti.LTI | MeasuredResponse, omega: Reals, **look: Any) -> None:
     """Draw G(j omega); ``look`` are keywords of ``Axes.plot``."""
-    plot_along(axes, response_at(system, omega), Along("ω", "rad/s", omega), **look)
+    plot_along(axes, response_of(system, omega), Along("ω", "rad/s", omega), **look)
 
 
 def inverse(element: Element, ratios: Reals, omega: float | None = None) -> Complexes:

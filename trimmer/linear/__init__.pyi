@@ -17,6 +17,8 @@ from .low_pass import bandwidth as bandwidth
 from .low_pass import bandwidth_crossings as bandwidth_crossings
 from .low_pass import filtering_ratio as filtering_ratio
 from .low_pass import local_slope as local_slope
+from .measured_response import MeasuredResponse as MeasuredResponse
+from .measured_response import measured_response as measured_response
 from .model import InputChannels as InputChannels
 from .model import linear_model as linear_model
 from .model import pin_model as pin_model

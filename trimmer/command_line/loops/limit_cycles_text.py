@@ -14,20 +14,26 @@ from trimmer.command_line.json_values import document, finite
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 from trimmer.loops.loops import ClosedLoop
+from trimmer.loops.measured_loop import MeasuredLoop
 
 _HEADS = ("amplitude", "rad/s", "Hz", "stable", "angle, deg", *(f"harmonic {n}" for n in HARMONICS))
 
 
-def as_text(loop: ClosedLoop, balance: HarmonicBalance) -> str:
+def as_text(loop: ClosedLoop | MeasuredLoop, balance: HarmonicBalance) -> str:
     """Return limit cycles as a table, followed by the certificate.
 
     Amplitudes are in the unit of the element's input, frequencies in rad/s and Hz, angles in degrees.
     """
     rows = [
-        (*_cycle_row(cycle), *(f"{ratio:.3g}" for ratio in harmonic_leakage(loop, cycle)))
+        (*_cycle_row(cycle), *(_ratio(ratio) for ratio in harmonic_leakage(loop.system, loop.element, cycle)))
         for cycle in balance.limit_cycles
     ]
     lines = [f"Limit cycles of {loop.element!r}", *table(_HEADS, rows)]
+    lines += [
+        f"between the data: amplitude +-{bound.amplitude:.2g}, +-{bound.omega:.2g} rad/s, if G is off by "
+        f"{bound.response:.2g} at most"
+        for bound in balance.bounds
+    ]
     lines += certificate_as_text(balance.certificate)
     if any(cycle.near_tangency for cycle in balance.limit_cycles):
         lines.append(
@@ -36,7 +42,7 @@ def as_text(loop: ClosedLoop, balance: HarmonicBalance) -> str:
     return "\n".join(lines)
 
 
-def as_json(loop: ClosedLoop, balance: HarmonicBalance) -> str:
+def as_json(loop: ClosedLoop | MeasuredLoop, balance: HarmonicBalance) -> str:
     """Return limit cycles as JSON: full precision, SI units; what is infinite is null."""
     content = {
         "element": repr(loop.element),
@@ -44,10 +50,15 @@ def as_json(loop: ClosedLoop, balance: HarmonicBalance) -> str:
             {
                 **_cycle(cycle),
                 "harmonic_leakage": dict(
-                    zip(map(str, HARMONICS), harmonic_leakage(loop, cycle), strict=True)
+                    zip(
+                        map(str, HARMONICS),
+                        map(finite, harmonic_leakage(loop.system, loop.element, cycle)),
+                        strict=True,
+                    )
                 ),
+                **({"bound": vars(balance.bounds[place])} if balance.bounds else {}),
             }
-            for cycle in balance.limit_cycles
+            for place, cycle in enumerate(balance.limit_cycles)
         ],
         "certificate": certificate_as_json(balance.certificate),
     }
@@ -135,6 +146,11 @@ def _cycle(cycle: LimitCycle) -> dict[str, float | bool]:
         "near_tangency": cycle.near_tangency,
         "other_unstable_poles": cycle.other_unstable_poles,
     }
+
+
+def _ratio(value: float) -> str:
+    """Return a ratio of harmonics; none beyond the ends of data."""
+    return "-" if math.isnan(value) else f"{value:.3g}"
 
 
 def _cycle_row(cycle: LimitCycle) -> tuple[str, ...]:
