@@ -58,6 +58,7 @@ RESULTS: dict[str, Callable[[], object]] = {
     "Locus": results.locus,
     "LinearSummary": results.summary,
     "ZeroPoleGain": lambda: results.summary().factored,
+    "MeasuredResponse": lambda: trimmer.linear.MeasuredResponse(np.arange(1.0, 6.0), np.ones(5)),
     "Mode": lambda: results.summary().modes[0],
     "TimeResponse": results.time_response,
     "SteadyState": lambda: trimmer.linear.steady_state(results.system(), 700.0),

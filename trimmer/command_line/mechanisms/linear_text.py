@@ -18,6 +18,7 @@ from trimmer.showing.shown import counted
 if TYPE_CHECKING:
     from trimmer.contact.control_loops import ControlLoops
     from trimmer.design.linear import LinearState, TransferFunction
+    from trimmer.linear.margins import Margins
     from trimmer.mechanism.mechanism import Mechanism
 
 TURNED = 10.0
@@ -127,40 +128,57 @@ def _state(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
         yield from table(heads, [_peak(each, mixed) for each in state.transfer])
 
 
-def _found_loops(mechanism: Mechanism, state: LinearState) -> ControlLoops | None:
-    """Return the loops of continuous controllers; None if there are none."""
-    if all(each.sample is not None for each in mechanism.controllers.values()):
-        return None
-    from trimmer.contact.control_loops import control_loops
-
-    return control_loops(mechanism, state.open)
-
-
 def _loops(mechanism: Mechanism, state: LinearState) -> Iterator[str]:
+    from trimmer.contact.control_loops import loops_of
+
     sampled = [name for name, each in mechanism.controllers.items() if each.sample is not None]
-    found = _found_loops(mechanism, state)
-    if found is not None:
+    for found in loops_of(mechanism, state.open):
+        if found is None:
+            yield (
+                f"Sampled controllers ({listed(map(repr, sampled))}) are left out, since their samples "
+                "differ; with pade = n in place of sample each has margins, if approximate ones"
+            )
+            continue
+        alone = found.sample is None and sampled
         beside = (
-            f", while {listed(map(repr, sampled))} hold{'s' if len(sampled) == 1 else ''}" if sampled else ""
+            f", while {listed(map(repr, sampled))} hold{'s' if len(sampled) == 1 else ''}" if alone else ""
         )
-        grows = f"unstable: it grows by e in {1.0 / found.grows:.4g} s" if found.grows else "stable"
-        yield f"With controllers{beside}: {grows}"
-        heads = ("loop of", "gain margin", "at Hz", "phase margin", "at Hz", "modulus margin", "at Hz")
+        exactly = f", sampled at {1.0 / found.sample:.6g} Hz" if found.sample else ""
+        yield f"With controllers{exactly}{beside}: {_standing(found)}"
+        heads = ("loop of", "lower gain margin", "at Hz", "upper", "at Hz", "phase margin", "at Hz")
         rows = [
             (
-                *(each.controller, _margin(each.gain_margin), _hertz(each.phase_crossing)),
-                *(_degrees(each.phase_margin), _hertz(each.gain_crossing)),
-                *(_margin(each.modulus_margin), _hertz(each.nearest)),
+                *(name, _factor(each.lower_gain.value), _hertz(each.lower_gain.omega)),
+                *(_factor(each.upper_gain.value), _hertz(each.upper_gain.omega)),
+                *(_degrees(each.phase.value), _hertz(each.phase.omega)),
+                *(_factor(each.modulus.value), _hertz(each.modulus.omega)),
             )
-            for each in found.loops
+            for name, each in found.loops.items()
         ]
-        yield from table(heads, rows)
-    elif sampled:
-        yield f"Sampled controllers ({listed(map(repr, sampled))}) are left out."
+        yield from table((*heads, "modulus margin", "at Hz"), rows)
+        if found.stable:
+            yield from (_stable_gains(name, each) for name, each in found.loops.items())
 
 
-def _margin(value: float) -> str:
-    return f"{value:.5g}" if math.isfinite(value) else "none"
+def _standing(found: ControlLoops) -> str:
+    if found.grows:
+        return f"unstable: it grows by e in {1.0 / found.grows:.4g} s"
+    return f"marginal: {found.marginal}" if found.marginal else "stable"
+
+
+def _stable_gains(name: str, margins: Margins) -> str:
+    """Say between which gains a loop that is stable stays so."""
+    lower, upper = margins.lower_gain.value, margins.upper_gain.value
+    if not lower and math.isinf(upper):
+        return f"stable at any gain of {name!r}"
+    if math.isinf(upper):
+        return f"stable while the gain of {name!r} is more than {lower:.5g} times what it is"
+    between = f"between {lower:.5g} and {upper:.5g}" if lower else f"less than {upper:.5g}"
+    return f"stable while the gain of {name!r} is {between} times what it is"
+
+
+def _factor(value: float) -> str:
+    return f"{value:.5g}" if 0 < value < math.inf else "none"
 
 
 def _degrees(value: float) -> str:
@@ -172,21 +190,28 @@ def _hertz(omega: float) -> str:
 
 
 def _loops_json(mechanism: Mechanism, state: LinearState) -> list[dict[str, Any]]:
-    found = _found_loops(mechanism, state)
-    if found is None:
-        return []
+    from trimmer.contact.control_loops import loops_of
+
     return [
         {
-            "controller": each.controller,
-            "stable": found.grows == 0,
-            "gain_margin": finite(each.gain_margin),
-            "phase_margin": finite(each.phase_margin),
-            "modulus_margin": finite(each.modulus_margin),
-            "phase_crossing": finite(each.phase_crossing / math.tau),
-            "gain_crossing": finite(each.gain_crossing / math.tau),
-            "nearest": finite(each.nearest / math.tau),
+            "controller": name,
+            "sample": found.sample,
+            "stable": found.stable,
+            "marginal": found.marginal,
+            "gain_margin": finite(each.gain.value),
+            "lower_gain_margin": each.lower_gain.value or None,
+            "upper_gain_margin": finite(each.upper_gain.value),
+            "phase_margin": finite(each.phase.value),
+            "modulus_margin": finite(each.modulus.value),
+            "phase_crossing": finite(each.gain.omega / math.tau),
+            "lower_crossing": finite(each.lower_gain.omega / math.tau),
+            "upper_crossing": finite(each.upper_gain.omega / math.tau),
+            "gain_crossing": finite(each.phase.omega / math.tau),
+            "nearest": finite(each.modulus.omega / math.tau),
         }
-        for each in found.loops
+        for found in loops_of(mechanism, state.open)
+        if found is not None
+        for name, each in found.loops.items()
     ]
 
 
