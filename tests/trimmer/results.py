@@ -181,3 +181,18 @@ def samples() -> trimmer.uncertainty.Samples:
     scattering = trimmer.uncertainty.uncertainty_from(forced().mechanism, {"frequency": {"normal": "1 %"}})
     settings = trimmer.uncertainty.SampleSettings(3)
     return trimmer.sample(forced().mechanism, scattering, settings, runner=SerialRunner())
+
+
+@cache
+def several() -> trimmer.balance.FeedbackBalance:
+    names = ["amplifier", "rub"]
+    plant = control.ss(
+        [[0, 1, 0], [0, -1, 0], [5, 0, -5]],
+        [[0, 0], [4, -1], [0, 0]],
+        [[0, 0, -1], [0, 1, 0]],
+        0,
+        inputs=names,
+        outputs=names,
+    )
+    elements = {"amplifier": trimmer.Relay(1.0), "rub": trimmer.CoulombFriction(0.05)}
+    return trimmer.harmonic_balance(trimmer.Feedback(plant, elements), order=1)

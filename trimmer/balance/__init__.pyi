@@ -11,5 +11,7 @@ from .limit_cycle import Certificate as Certificate
 from .limit_cycle import HarmonicBalance as HarmonicBalance
 from .limit_cycle import LimitCycle as LimitCycle
 from .limit_cycle import UndecidedRegion as UndecidedRegion
+from .many_harmonics.feedback import BalancedMotion as BalancedMotion
+from .many_harmonics.feedback import FeedbackBalance as FeedbackBalance
 from .solve import harmonic_balance as harmonic_balance
 from .solve import limit_cycles as limit_cycles

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import wraps
 from inspect import signature
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeAlias, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Protocol, TypeAlias, TypeVar, cast, overload
 
 import control
 
@@ -23,9 +23,11 @@ from trimmer.loops.trimmer_loop import TrimmerLoop
 if TYPE_CHECKING:
     import scipy.signal
 
+    from trimmer.balance.limit_cycle import HarmonicBalance
     from trimmer.elements.element import Element
 
     Plant: TypeAlias = control.LTI | scipy.signal.lti | tuple[Any, ...] | MeasuredResponse
+    Range: TypeAlias = tuple[float, float] | None
     Rest = ParamSpec("Rest")
     Result = TypeVar("Result", covariant=True)
 
@@ -43,6 +45,34 @@ if TYPE_CHECKING:
         def __call__(
             self, system: Plant, element: Element, *rest: Rest.args, **named: Rest.kwargs
         ) -> Result: ...
+
+    class OfBalanced(Protocol):
+        """``harmonic_balance``: what it gives depends on whether the loop has one element."""
+
+        __name__: str
+        __qualname__: str
+
+        @overload
+        def __call__(
+            self, loop: ClosedLoop | TrimmerLoop, omega_range: Range = None, frozen_omega: float | None = None
+        ) -> HarmonicBalance: ...
+        @overload
+        def __call__(
+            self,
+            loop: Feedback,
+            omega_range: Range = None,
+            frozen_omega: float | None = None,
+            *,
+            order: int | None = None,
+        ) -> Any: ...
+        @overload
+        def __call__(
+            self,
+            system: Plant,
+            element: Element,
+            omega_range: Range = None,
+            frozen_omega: float | None = None,
+        ) -> HarmonicBalance: ...
 
 
 def takes_a_loop(function: Callable[Concatenate[ClosedLoop, Rest], Result]) -> OfLoop[Rest, Result]:
@@ -64,6 +94,12 @@ def takes_a_loop_or_data(
 ) -> OfLoop[Rest, Result]:
     """Let a function do as ``takes_a_loop`` does, and also take frequency-response data as the system."""
     return _taking(function, _closed, of_data=True)
+
+
+def takes_what_is_balanced(function: Callable[..., Any]) -> OfBalanced:
+    """Let a function do as ``takes_a_loop_or_data``, and also take a ``Feedback`` of several elements."""
+    taking: Any = _taking(function, _closed_or_several, of_data=True)
+    return cast("OfBalanced", taking)
 
 
 def takes_any_loop(
@@ -135,7 +171,10 @@ def _closed(loop: Loop) -> ClosedLoop:
         if one is not None:
             return one
         if not loop.drives:
-            reason = "it has several elements or frictions; periodic_orbits and respond find its motions"
+            reason = (
+                "it has several elements or frictions; harmonic_balance, periodic_orbits and respond find "
+                "its motions"
+            )
     kind = type(loop).__name__
     raise WrongTypeError(f"loop must be a closed one of a system and an element, not this {kind}: {reason}")
 
@@ -144,3 +183,8 @@ def _closed_or_feedback(loop: Loop) -> Loop:
     if isinstance(loop, Feedback) and loop.drives:
         raise WrongTypeError("loop must not have a drive: forced_orbit finds its periodic motion")
     return loop if isinstance(loop, Feedback) else _closed(loop)
+
+
+def _closed_or_several(loop: Loop) -> Loop:
+    several = isinstance(loop, Feedback) and not loop.drives and loop.as_closed_loop() is None
+    return loop if several else _closed(loop)

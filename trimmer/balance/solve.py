@@ -19,7 +19,8 @@ from trimmer.balance.limit_cycle import (
     doubts_of_search,
 )
 from trimmer.balance.loop import inverse_response, loop_equation
-from trimmer.balance.loop_first import takes_a_loop_or_data
+from trimmer.balance.loop_first import takes_a_loop_or_data, takes_what_is_balanced
+from trimmer.balance.many_harmonics.feedback import ORDER, FeedbackBalance, feedback_balance
 from trimmer.balance.of_data import balance_of_data
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.rational import turning_range
@@ -27,6 +28,7 @@ from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
+from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.measured_loop import MeasuredLoop
 
@@ -78,12 +80,14 @@ def limit_cycles(
     return limit_cycles_at(equation, outcome.result.u, outcome.result.x)
 
 
-@takes_a_loop_or_data
+@takes_what_is_balanced
 def harmonic_balance(
-    loop: ClosedLoop | MeasuredLoop,
+    loop: ClosedLoop | MeasuredLoop | Feedback,
     omega_range: tuple[float, float] | None = None,
     frozen_omega: float | None = None,
-) -> HarmonicBalance:
+    *,
+    order: int | None = None,
+) -> HarmonicBalance | FeedbackBalance:
     """Solve 1 + N(A, omega) G(j omega) = 0 for all amplitudes and frequencies (equation 2.25 of the thesis).
 
     What is linear in the element, as viscous friction, is moved to 1/G
@@ -112,6 +116,10 @@ def harmonic_balance(
     that is known at some frequencies alone: limit cycles are predicted between these, each with a bound of
     what the interpolation leaves open (``bounds``), and never beyond them.
 
+    Of a ``Feedback`` of several elements, or with frictions, the odd harmonics up to an order are balanced by
+    Newton's method from starts on a grid (``trimmer.balance.many_harmonics``); there is no certificate, the
+    result is a ``FeedbackBalance``.
+
     Args:
         loop: The closed loop; or ``system, element`` in its place. The system is rational, proper, continuous
             in time, with one input and one output; it may be unstable. A delay must be approximated, as by
@@ -121,6 +129,7 @@ def harmonic_balance(
         omega_range: Lowest and highest angular frequency, rad/s, to search; all if not given.
         frozen_omega: Angular frequency, rad/s, at which N is evaluated whatever the frequency of the loop; as
             the thesis does with an N that depends on frequency.
+        order: Highest harmonic, odd, with several elements; 15 if not given.
 
     Raises:
         WrongTypeError: if neither a closed loop nor a system and an element are given.
@@ -130,8 +139,15 @@ def harmonic_balance(
         LinearElementError: if N does not depend on the amplitude.
         UnsupportedElementError: if the element is none; or, of a kind defined elsewhere, has an N that is
             unbounded yet not proportional to 1/A.
-        ValueError: if ``frozen_omega`` is not positive and finite.
+        ValueError: if ``frozen_omega`` is not positive and finite, the order not odd and positive, or one of
+            them does not go with the loop.
     """
+    if isinstance(loop, Feedback):
+        return _of_several(loop, omega_range, frozen_omega, order)
+    if order is not None:
+        raise ValueError(
+            f"order {order!r} is for several elements; multi_harmonic_balance takes orders of one"
+        )
     if isinstance(loop, MeasuredLoop):
         return _of_data(loop, omega_range, frozen_omega)
     equation, outcome = _solve(loop, omega_range, frozen_omega)
@@ -152,6 +168,15 @@ def harmonic_balance(
         winding_omegas=check.omegas,
     )
     return HarmonicBalance(cycles, certificate, ClosedLoop(loop.system, element))
+
+
+def _of_several(
+    loop: Feedback, omega_range: tuple[float, float] | None, frozen_omega: float | None, order: int | None
+) -> FeedbackBalance:
+    if frozen_omega is not None:
+        raise ValueError("frozen_omega is for one element; leave it out with several")
+    given = None if omega_range is None else _checked_range(omega_range)
+    return feedback_balance(loop, given, ORDER if order is None else order)
 
 
 def _of_data(

@@ -8,6 +8,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.balance.many_harmonics.pieces import mode_on, switching_phases
+from trimmer.balance.many_harmonics.steady_response import Flight, flight_of, steady_response, switch_of
+from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
 from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.components.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.loops.components.corner_component import CornerComponent
@@ -17,9 +20,6 @@ from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
-from trimmer.orbits.pieces import mode_on, switching_phases
-from trimmer.orbits.steady_response import Flight, flight_of, steady_response, switch_of
-from trimmer.orbits.trigonometric import OddPolynomial
 
 ORDERS = range(1, 17, 2)
 """Harmonics that are balanced, one after the other."""

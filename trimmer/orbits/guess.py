@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.balance.many_harmonics.pieces import mode_on
+from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
 from trimmer.elements.dead_zone import DeadZone
 from trimmer.elements.element import Element
 from trimmer.elements.preload import Preload
@@ -20,8 +22,6 @@ from trimmer.loops.components.relay_component import MINUS, PLUS, RelayComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.loops import ClosedLoop
-from trimmer.orbits.pieces import mode_on
-from trimmer.orbits.trigonometric import OddPolynomial
 
 PHASES = 720
 """Phases among which the one to start from is chosen."""

@@ -14,11 +14,11 @@ from trimmer.arguments import require_instance, require_instances, whole_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import IN_UNIT_OF_INPUT, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
+from trimmer.balance.many_harmonics.steady_response import steady_response
+from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
 from trimmer.elements.element import Element
 from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.loops import ClosedLoop
-from trimmer.orbits.steady_response import steady_response
-from trimmer.orbits.trigonometric import OddPolynomial
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, of_harmonics
 

@@ -76,6 +76,8 @@ RESULTS: dict[str, Callable[[], object]] = {
     "BalancedHarmonics": lambda: trimmer.multi_harmonic_balance(
         results.loop(), results.balance().limit_cycles[-1], [1, 3]
     )[-1],
+    "FeedbackBalance": results.several,
+    "BalancedMotion": lambda: results.several().motions[0],
     "SampledLimitCycles": lambda: trimmer.ensembles.sampled_limit_cycles({"k2": [3e4, 3.1e4]}, gap=4e-5),
 }
 TABLES = [name for name in RESULTS if issubclass(public_names().get(name, object), Tabular)]

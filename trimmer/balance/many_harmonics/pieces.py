@@ -10,10 +10,10 @@ import numpy as np
 import scipy.optimize
 
 from trimmer.arrays import Reals
+from trimmer.balance.many_harmonics.trigonometric import POINTS, OddPolynomial
 from trimmer.loops.components.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
-from trimmer.orbits.trigonometric import POINTS, OddPolynomial
 
 Piece = tuple[float, float, Callable[[Reals], Reals]]
 

@@ -58,3 +58,21 @@ def falls_through_zero(function: Callable[[Reals], Reals], begin: float, end: fl
         return None
     low, high = phases[falls[0]], phases[falls[0] + 1]
     return float(scipy.optimize.brentq(lambda phase: float(function(np.array(phase))), low, high, xtol=1e-15))
+
+
+def sign_changes(given: OddPolynomial, derivative: int = 0) -> list[float]:
+    """Return the phases from 0 to below pi at which a polynomial, or a derivative of it, changes its sign."""
+    phases = np.linspace(0.0, np.pi, POINTS)
+    values = given(phases, derivative)
+    values[-1] = -values[0]
+    places = np.flatnonzero((values[:-1] > 0) != (values[1:] > 0))
+
+    def at(phase: float) -> float:
+        return float(given(phase, derivative))
+
+    return [
+        float(scipy.optimize.brentq(at, float(phases[k]), float(phases[k + 1]), xtol=1e-15))
+        if at(float(phases[k])) * at(float(phases[k + 1])) < 0
+        else float(phases[k])
+        for k in places
+    ]

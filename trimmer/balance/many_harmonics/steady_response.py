@@ -5,10 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.balance.many_harmonics.pieces import corner_pieces, relay_pieces
+from trimmer.balance.many_harmonics.trigonometric import OddPolynomial, falls_through_zero, sign_changes
 from trimmer.elements.element import Element
 from trimmer.errors import UnsupportedMotionError
 from trimmer.loops.components.backlash_component import BacklashComponent
@@ -17,8 +21,6 @@ from trimmer.loops.components.of_elements import RigidComponent, ViscousComponen
 from trimmer.loops.components.relay_component import RelayComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import ThresholdComponent
-from trimmer.orbits.pieces import corner_pieces, relay_pieces
-from trimmer.orbits.trigonometric import OddPolynomial, falls_through_zero
 
 NODE_COUNT = 80
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(NODE_COUNT)
@@ -40,7 +42,9 @@ class Flight:
     position: Callable[[Reals], Reals]
 
 
-def steady_response(element: Element, given: OddPolynomial, omega: float) -> Complexes | None:
+def steady_response(
+    element: Element, given: OddPolynomial, omega: float, of_velocity: bool = False
+) -> Complexes | None:
     """Return the complex amplitudes of the output at the harmonics of the input, in the unit of the output.
 
     They have the shape of the input's coefficients; None if there is no steady output.
@@ -51,12 +55,13 @@ def steady_response(element: Element, given: OddPolynomial, omega: float) -> Com
         element: Any element with a description in time.
         given: The input, in its unit.
         omega: Angular frequency, rad/s.
+        of_velocity: Whether the input of frictions is a velocity; else it is a displacement.
 
     Raises:
         UnsupportedMotionError: if the element has no motion in time.
     """
     total = np.zeros(len(given.coefficients), dtype=complex)
-    for component, factor in components_of(element):
+    for component, factor in components_of(element, of_velocity):
         response = _of_component(component, given, omega)
         if response is None:
             return None
@@ -127,12 +132,30 @@ def _of_component(component: Component, given: OddPolynomial, omega: float) -> C
 
 
 def _relay(component: RelayComponent, given: OddPolynomial) -> Complexes | None:
+    cuts = sign_changes(given, int(component.of_rate))
+    if len(cuts) > 1:
+        return _harmonics(given, _alternating(component, given, cuts))
     switch = switch_of(component, given)
     if switch is None:
         return None
     return _harmonics(
         given, [(switch, switch + math.pi, lambda phase: np.full(phase.shape, -component.level))]
     )
+
+
+def _alternating(
+    component: RelayComponent, given: OddPolynomial, cuts: list[float]
+) -> list[tuple[float, float, Callable[[Reals], Reals]]]:
+    """Return the pieces of half a period of a relay that switches several times in it."""
+    pieces: list[tuple[float, float, Callable[[Reals], Reals]]] = []
+    for begin, end in pairwise([*cuts, cuts[0] + math.pi]):
+        sign = math.copysign(1.0, float(given(0.5 * (begin + end), int(component.of_rate))))
+        pieces.append((begin, end, partial(_level, sign * component.level)))
+    return pieces
+
+
+def _level(level: float, phase: Reals) -> Reals:
+    return np.full(phase.shape, level)
 
 
 def _backlash(component: BacklashComponent, given: OddPolynomial, omega: float) -> Complexes | None:

@@ -1,0 +1,109 @@
+"""Harmonic balance of several elements in one loop, beside exact orbits and the balance of one element."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import control
+import numpy as np
+import pytest
+
+from trimmer import (
+    CoulombFriction,
+    Feedback,
+    FrictionBacklash,
+    Relay,
+    Saturation,
+    WrongTypeError,
+    harmonic_balance,
+    limit_cycles,
+    periodic_orbits,
+)
+from trimmer.balance import FeedbackBalance
+from trimmer.balance.many_harmonics.feedback import feedback_balance
+from trimmer.elements.element import Element
+
+# A positioner: amplifier, motor with friction, and a sensor with a lag, before which its gear may have play.
+RATES = {"amplifier": [0, 4.0, 0], "rub": [0, -1.0, 0], "gear": [0, 0, 5.0]}
+TAKEN = {"amplifier": [0, 0, -1.0], "rub": [0, 1.0, 0], "gear": [1.0, 0, 0]}
+
+
+def positioner(**elements: Element) -> Feedback:
+    sensor = [0.0, 0.0, -5.0] if "gear" in elements else [5.0, 0.0, -5.0]
+    names = list(elements)
+    plant = control.ss(
+        [[0, 1, 0], [0, -1, 0], sensor],
+        np.array([RATES[name] for name in names]).T,
+        np.array([TAKEN[name] for name in names]),
+        np.zeros((len(names), len(names))),
+        inputs=names,
+        outputs=names,
+    )
+    return Feedback(plant, elements)
+
+
+LOOPS = {
+    "relay and friction": positioner(amplifier=Relay(1.0), rub=CoulombFriction(0.05)),
+    "saturation and play": positioner(amplifier=Saturation(0.3), gear=FrictionBacklash(0.2)),
+}
+THREE = positioner(amplifier=Saturation(0.3), gear=FrictionBacklash(0.2), rub=CoulombFriction(0.05))
+
+
+def approaches(loop: Feedback, orders: tuple[int, ...], factor: float) -> None:
+    """Check that predictions come the nearer to the exact orbit the more harmonics there are."""
+    (exact,) = periodic_orbits(loop)
+    errors = []
+    for order in orders:
+        found = harmonic_balance(loop, (0.5, 20.0), order=order)
+        assert isinstance(found, FeedbackBalance)
+        motion = min(found.motions, key=lambda each: abs(each.period - exact.period))
+        assert (motion.order, motion.residual < 1e-9) == (order, True)
+        errors.append(abs(motion.period / exact.period - 1.0))
+        size = motion.amplitudes[next(iter(loop.elements))]
+        assert size == pytest.approx(exact.amplitude, rel=0.2 / order)
+    assert all(later < factor * earlier for earlier, later in pairwise(errors))
+
+
+@pytest.mark.parametrize("name", LOOPS)
+def test_the_error_falls_with_the_order(name: str) -> None:
+    approaches(LOOPS[name], (1, 3, 7), 0.5)
+
+
+@pytest.mark.slow
+def test_the_error_falls_with_the_order_of_three_elements() -> None:
+    approaches(THREE, (1, 5, 11, 21), 0.5)
+
+
+def test_of_one_element_and_one_harmonic_it_is_the_prediction() -> None:
+    # 4/(s (s + 1)^2) with a saturation: A = 2.4754 at 1 rad/s.
+    plant = control.ss(control.tf([-4.0], [1, 2, 1, 0]), inputs=["limit"], outputs=["limit"])
+    loop = Feedback(plant, {"limit": Saturation(1.0)})
+    (motion,), (cycle,) = feedback_balance(loop, order=1).motions, harmonic_balance(loop).limit_cycles
+    assert motion.omega == pytest.approx(cycle.omega, rel=1e-9)
+    assert motion.amplitudes["limit"] == pytest.approx(cycle.amplitude, rel=1e-8)
+
+
+def test_what_is_not_known_is_told() -> None:
+    found = harmonic_balance(
+        positioner(amplifier=Relay(1.0), rub=CoulombFriction(0.05, static=0.06)), order=1
+    )
+    assert isinstance(found, FeedbackBalance)
+    assert "no certificate: others may exist, and whether these are stable is not told" in found.message
+    assert "rub: what stick holds beyond the sliding force is left out" in found.message
+    assert np.isnan(found.motions[0].change)
+
+
+def test_what_does_not_go_together_is_refused() -> None:
+    loop = LOOPS["relay and friction"]
+    for call, error, told in (
+        (lambda: harmonic_balance(loop, order=4), ValueError, "order must be odd, not 4"),
+        (lambda: harmonic_balance(loop, frozen_omega=1.0), ValueError, "frozen_omega is for one element"),
+        (lambda: limit_cycles(loop), WrongTypeError, "several elements or frictions; harmonic_balance, per"),
+        (
+            lambda: harmonic_balance(positioner(amplifier=Relay(1.0)), order=3),
+            ValueError,
+            "order 3 is for several elements; multi_harmonic_balance",
+        ),
+    ):
+        with pytest.raises(error, match=told):
+            call()
