@@ -102,7 +102,12 @@ def _signals(noise: np.ndarray) -> dict[str, str]:
     latin[500] = latin[500].split(";")[0] + ";;0"
     stamps = TIMES[:8000] + np.random.default_rng(4).uniform(-3e-5, 3e-5, 8000)
     jitter = np.cos(math.tau * DRIVE * stamps) + 0.05 * np.cos(math.tau * 1500.0 * stamps)
+    omega = np.geomspace(0.2, 5.0, 24)
+    plant = 4.0 / (1j * omega * (1.0 + 1j * omega) ** 2)
+    cycle = 1.7e-4 * np.sin(math.tau * 729.0 * times[:6000]) + 1e-8 * noise[:6000]
     return {
+        "plant.csv": _table("omega,real,imaginary", omega, plant.real, plant.imag),
+        "cycle.csv": _table("time [s],output [m]", times[:6000], cycle),
         "motion.csv": _table("time [s],q2-q4 [m]", times, motion),
         "logger.csv": "\n".join(["Logger 3000", "serial;1234", "Time;Accel X", "s;g", *logged]),
         "jitter.csv": _table("t [ms],v [mm/s]", 1e3 * stamps, jitter),
