@@ -29,6 +29,7 @@ from trimmer.response.flows import called, flow_of, require_subject
 from trimmer.signals.faults import faults
 from trimmer.signals.quantity import MotionQuantity, quantity_of
 from trimmer.signals.signal import Signal, SignalError
+from trimmer.spectra.comparison import frequency_by_itself
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -90,22 +91,24 @@ def fit(
     within the drive's period is not known, and is fitted too. Noise is taken to be Gaussian and stationary;
     means are not compared, because sensors have offsets.
 
-    A loop without a drive is refused: the period of its vibration is one of its numbers, and lines at given
-    frequencies do not say how far that is off.
+    Of what vibrates by itself, without a drive, the period is a datum too: it is held against that of the
+    orbit, with the deviation to which the record tells it. A loop begins with an orbit that is searched for
+    (``periodic_orbits``), a mechanism with what it settles to from its start.
 
     Args:
-        mechanism: The mechanism or loop with the numbers from which the fit begins; it has a drive.
+        mechanism: The mechanism or loop with the numbers from which the fit begins.
         measured: The record of each output that was measured: displacement, velocity or acceleration. An
             output of a loop that has no unit may be measured without one; its name is as in ``outputs`` of a
             motion: ``output``, ``element_input``, ``element_output``.
         free: Dotted places of the numbers to fit; by default gap, stiffness and damping of each play and the
             force of each friction, or all numbers of a loop's element and frictions.
-        drive_frequency: That of the drive in the measurement, Hz; looked for near that of the mechanism if
-            not given.
+        drive_frequency: That of the drive in the measurement, or of the vibration without one, Hz; looked
+            for near that of the mechanism if not given.
         settings: How is fitted.
 
     Raises:
-        FitError: if nothing can be fitted: no frequency, no such output, no number, or no start at which the
+        OrbitNotFoundError: if nothing repeats by itself.
+        FitError: if nothing can be fitted: no such output, no number, or no start at which the
             motion repeats as the measured one does.
         SignalError: if the measurement cannot be used: no motion, no drive in it, too short.
         MechanismError, LoopError: if there is no such number.
@@ -115,18 +118,25 @@ def fit(
     require_subject(mechanism)
     require_instance("settings", settings, FitSettings, "a trimmer.fitting.FitSettings")
     free = require_instances("free", free, str, "a dotted place")
-    frequency = _checked(mechanism, measured)
+    _check(mechanism, measured)
     if drive_frequency is not None and not 0 < real_number("drive_frequency", drive_frequency, "Hz") < np.inf:
         raise SignalError(f"drive_frequency is {drive_frequency!r}: it must be positive and finite")
     unknowns = unknowns_of(mechanism, free)
     units = {name: each.unit for name, each in flow_of(mechanism).outputs.items()}
     plain = {name: unit for name, unit in units.items() if quantity_of(unit) is MotionQuantity.OTHER}
-    lines = measure_lines(measured, frequency, drive_frequency, plain)
+    lines = measure_lines(measured, _near(mechanism, measured), drive_frequency, plain)
+    if mechanism.frequency is None and lines.period_count > 1:
+        raise FitError(
+            f"the record repeats after {lines.period_count} periods of {lines.frequency:.6g} Hz; say with "
+            f"which frequency it repeats: {lines.frequency / lines.period_count:.6g} Hz (--drive)"
+        )
     if len(unknowns) + 1 >= 2 * lines.lines.size:
         raise FitError(
             f"{len(unknowns)} numbers cannot be fitted to {lines.lines.size} lines; fit fewer (--free)"
         )
-    driven = mechanism.with_value("frequency", lines.frequency)
+    driven = mechanism
+    if mechanism.frequency is not None:
+        driven = mechanism.with_value("frequency", lines.frequency)
     count = len(lines.lines)
     own = (0 if name in plain else quantity_of(units[name]).derivatives for name in lines.outputs)
     derivatives = tuple(np.subtract(lines.derivatives, tuple(own)).tolist())
@@ -138,13 +148,23 @@ def fit(
     return _result(mechanism, misfit, searched, settings)
 
 
-def _checked(subject: Subject, measured: Mapping[str, Signal]) -> float:
-    """Return the frequency of a mechanism or loop that has the outputs that were measured."""
+def _near(subject: Subject, measured: Mapping[str, Signal]) -> float:
+    """Return the frequency near which that of the measurement is looked for, Hz.
+
+    Without a drive it is found in the record: how far off that of the orbit is is what the fit is about.
+    """
+    if subject.frequency is not None:
+        return subject.frequency
+    from trimmer.response.self_excited import orbit_by_itself
+
+    first = next(iter(measured.values()))
+    return frequency_by_itself(first, 1.0 / orbit_by_itself(flow_of(subject)).period)
+
+
+def _check(subject: Subject, measured: Mapping[str, Signal]) -> None:
+    """Check that a mechanism or loop has the outputs that were measured."""
     require_instance("measured", measured, Mapping, "signals by the names of outputs")
     what = called(subject)
-    if subject.frequency is None:
-        give = "give it a frequency" if what == "mechanism" else "give it one"
-        raise FitError(f"the {what} has no drive, and only driven motions are fitted; {give}")
     if not measured:
         raise FitError("nothing was measured: give the signal of one output at least")
     for name, signal in measured.items():
@@ -152,13 +172,17 @@ def _checked(subject: Subject, measured: Mapping[str, Signal]) -> float:
         if name not in (outputs := flow_of(subject).outputs):
             there = near_match(name, outputs) or f"there are {', '.join(outputs) or 'none'}"
             raise FitError(f"the {what} has no output {name!r}; {there}")
-    return subject.frequency
 
 
 def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
     from trimmer.response.settling import orbit_from_rest
 
     subject = misfit.model.subject
+    if misfit.model.by_itself:
+        return (
+            f"no start leads to a stable motion of the {called(subject)} that repeats by itself: begin with "
+            "other numbers (--set), or with more starts (--starts)"
+        )
     orbit = orbit_from_rest(subject, SETTLED_WITHIN)
     does = f"repeats after {in_words(orbit.period_count)}" if orbit else "does not repeat"
     where = "its start" if settings.starts == 1 else f"all {settings.starts} starts"
@@ -254,9 +278,8 @@ def _open(unknown: Unknown, side: ProfileSide, word: str) -> str:
 
 def _notes(subject: Subject, misfit: Misfit, best: Fitted) -> Iterator[str]:
     measured = misfit.measured
-    assert subject.frequency is not None
-    apart = measured.frequency / subject.frequency - 1.0
-    if abs(apart) > OTHER_FREQUENCY:
+    apart = 0.0 if subject.frequency is None else measured.frequency / subject.frequency - 1.0
+    if subject.frequency is not None and abs(apart) > OTHER_FREQUENCY:
         yield (
             f"the measured drive, {measured.frequency:.8g} Hz, is {100 * apart:+.3g} % off that of "
             f"{_source(subject)}, {subject.frequency:.8g} Hz; the motion was simulated at the measured one"

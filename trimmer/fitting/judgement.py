@@ -82,7 +82,7 @@ def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int, called: str = 
     """
     from scipy.stats import f
 
-    freedom = max(2 * measured.lines.size - unknowns - 1, 1)
+    freedom = max(fitted.residual.size - unknowns - 1, 1)
     # Each line has a noise of its own, so that altogether many more are known than of one.
     known = max(measured.freedom * max(len(measured.lines) / _shared(measured), 1.0), 1.0)
     # Weights that are estimated are too large in the mean, which makes chi-square larger.

@@ -28,7 +28,8 @@ class Fitted:
         motion: The motion.
         angle: By which its first line is turned, rad.
         lines: Its lines after that, (m, outputs).
-        residual: Real and imaginary parts of the whitened differences, (2 m outputs,).
+        residual: Real and imaginary parts of the whitened differences, (2 m outputs,), and without a drive
+            the difference of the frequencies over its deviation.
     """
 
     motion: ModelMotion
@@ -66,7 +67,7 @@ class Misfit:
     @property
     def size(self) -> int:
         """Number of residuals."""
-        return 2 * self.measured.lines.size
+        return 2 * self.measured.lines.size + int(self.model.by_itself)
 
     def settled(self, coordinates: Reals) -> Fitted | None:
         """Return what the mechanism settles to from its start; None if it repeats otherwise or never."""
@@ -81,7 +82,11 @@ class Misfit:
     def _aligned(self, motion: ModelMotion) -> Fitted:
         simulated = self.measured.whitened(motion.lines)
         apart, angle, turn = self._turned(self._whitened, simulated)
-        return Fitted(motion, angle, motion.lines * turn, np.concatenate([apart.real, apart.imag]))
+        residual = np.concatenate([apart.real, apart.imag])
+        if self.model.by_itself:
+            off = 1.0 / motion.orbit.period - self.measured.frequency
+            residual = np.append(residual, off / self.measured.frequency_deviation)
+        return Fitted(motion, angle, motion.lines * turn, residual)
 
     @staticmethod
     def _turned(measured: Complexes, simulated: Complexes) -> tuple[Complexes, float, Complexes]:

@@ -17,6 +17,7 @@ from trimmer.motion.signals import read
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
 from trimmer.response.orbit import Orbit, orbit_of
+from trimmer.response.self_excited import orbit_by_itself
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import Patience, Return, solve
 
@@ -48,7 +49,7 @@ class Model:
     """The motion of a mechanism or a loop over its unknown numbers.
 
     Attributes:
-        subject: The mechanism or loop, driven at the measured frequency.
+        subject: The mechanism or loop, driven at the measured frequency, or without a drive.
         unknowns: The numbers.
         outputs: Names of the outputs that are measured.
         derivatives: How often each of them is differentiated.
@@ -74,9 +75,19 @@ class Model:
             subject = subject.with_value(unknown.place, value)
         return subject
 
+    @property
+    def by_itself(self) -> bool:
+        """Whether it has no drive, so that the period is one of its own numbers."""
+        return self.subject.frequency is None
+
     def settled(self, coordinates: Reals) -> ModelMotion | None:
-        """Return what it settles to from its start; None if that repeats otherwise, or never."""
+        """Return what it settles to from its start; None if that repeats otherwise, or never.
+
+        Of a loop without a drive it is an orbit that was searched for.
+        """
         flow = self._flow(coordinates)
+        if flow is not None and self.by_itself:
+            return self._found(flow, coordinates)
         return None if flow is None else self._settled(flow, coordinates, flow.rest(), SETTLED_WITHIN)
 
     def continued(self, coordinates: Reals, near: ModelMotion, settling: int = GOES_ON) -> ModelMotion | None:
@@ -89,12 +100,19 @@ class Model:
         if flow is None:
             return None
         instant = flow.at(near.orbit.instant.state, like=near.orbit.instant)
-        found = self._solved(flow, coordinates, instant)
-        return (
-            found
-            if found is not None or not settling
-            else self._settled(flow, coordinates, instant, settling)
-        )
+        found = self._solved(flow, coordinates, instant, near.orbit.period)
+        if found is not None or not settling:
+            return found
+        if self.by_itself:
+            return self._found(flow, coordinates)
+        return self._settled(flow, coordinates, instant, settling)
+
+    def _found(self, flow: Flow, coordinates: Reals) -> ModelMotion | None:
+        try:
+            orbit = orbit_by_itself(flow)
+        except TrimmerError:
+            return None
+        return self._solved(flow, coordinates, orbit.instant, orbit.period)
 
     def _flow(self, coordinates: Reals) -> Flow | None:
         try:
@@ -108,11 +126,14 @@ class Model:
             return None
         return self._solved(flow, coordinates, orbit.instant)
 
-    def _solved(self, flow: Flow, coordinates: Reals, instant: Instant) -> ModelMotion | None:
-        shot = solve(Return(flow, self.period_count), instant, patience=PATIENCE)
+    def _solved(
+        self, flow: Flow, coordinates: Reals, instant: Instant, period: float = 0.0
+    ) -> ModelMotion | None:
+        periods = 0 if self.by_itself else self.period_count
+        shot = solve(Return(flow, periods), instant, period, PATIENCE)
         if shot is None:
             return None
-        orbit = orbit_of(flow, shot, self.period_count)
+        orbit = orbit_of(flow, shot, periods)
         if not (orbit.stable or orbit.neutral):
             return None
         return ModelMotion(coordinates, orbit, self._lines(orbit))

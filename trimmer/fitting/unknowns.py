@@ -22,7 +22,7 @@ REACH = 1e3
 """Factor by which a positive number may leave its start, and how many times its size another one."""
 USUAL = (("plays", ("gap", "stiffness", "damping")), ("frictions", ("force",)))
 """Numbers of a mechanism that are fitted if none is named."""
-USUAL_OF_LOOP = ("element", "frictions")
+USUAL_OF_LOOP = ("element", "elements", "frictions")
 """What of a loop has the numbers that are fitted if none is named."""
 
 

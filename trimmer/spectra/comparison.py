@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -40,12 +40,15 @@ class SimulatedLines(Shown):
         frequency: Frequency f of the drive, Hz; without a drive that of the motion.
         period_count: Drive periods k after which it repeats.
         unit: What the amplitudes are in, SI: that of a displacement, velocity or acceleration, or another.
+        by_itself: Whether there is no drive. Then the measured frequency may be far from the simulated one,
+            and is looked for about the largest peak.
     """
 
     displacement: Complexes
     frequency: float
     period_count: int = 1
     unit: str = "m"
+    by_itself: bool = False
 
     def __post_init__(self) -> None:
         lines: NDArray[Any]
@@ -222,6 +225,19 @@ def _derivatives(signal: Signal, simulated: SimulatedLines) -> int:
     return quantity.derivatives - own.derivatives
 
 
+def frequency_by_itself(signal: Signal, own: float) -> float:
+    """Return about which frequency a vibration without a drive is looked for, Hz.
+
+    It is that of the largest peak, over the order at which it is nearest to the frequency of a simulation.
+
+    Args:
+        signal: The measured motion.
+        own: Frequency of the simulation, Hz.
+    """
+    found = peaks(amplitude_spectrum(signal.values, signal.sample_rate), 1)
+    return float(found[0].frequency / max(round(found[0].frequency / own), 1)) if found else own
+
+
 def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     """Find the drive: the largest line near its harmonics, and what explains most beside it.
 
@@ -232,6 +248,9 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     Raises:
         SignalError: if there is no such line, or it explains little.
     """
+    if simulated.by_itself:
+        near_to = frequency_by_itself(signal, simulated.frequency)
+        simulated = replace(simulated, frequency=near_to, by_itself=False)
     spectrum = amplitude_spectrum(signal.values, signal.sample_rate)
     near = [
         peak.frequency / order

@@ -139,8 +139,6 @@ def _system(arguments: Namespace) -> tuple[Mechanism | TrimmerLoop, float | None
     if arguments.output is not None:
         raise OptionError("--output writes the file of a mechanism, and a loop has none: leave it out")
     loop = chosen_loop(arguments)
-    if loop.drive is None:
-        raise OptionError("only driven motions are fitted: give the loop a drive (--drive HZ --amplitude M)")
     return loop, None
 
 

@@ -57,7 +57,15 @@ def _head(shown: ShownFit) -> Iterator[str]:
             f"{signal.values.size} samples at {signal.sample_rate:.9g} Hz"
         )
     how = "found in the measurement" if measured.found else "as given"
-    yield f"drive: {measured.frequency:.8g} Hz ({how}), {measured.periods:.1f} periods"
+    if shown.fit.before.frequency is None:
+        off = 1.0 / shown.fit.orbit.period - measured.frequency
+        yield (
+            f"vibration by itself: {measured.frequency:.8g} Hz ({how}, "
+            f"+-{measured.frequency_deviation:.2g} Hz), {measured.periods:.1f} periods; the fitted one is "
+            f"{off:+.2g} Hz off"
+        )
+    else:
+        yield f"drive: {measured.frequency:.8g} Hz ({how}), {measured.periods:.1f} periods"
     step = measured.frequency / measured.period_count
     count = len(measured.lines)
     yield f"compared: {count} lines at multiples of {step:.6g} Hz, weighed by the noise between them"

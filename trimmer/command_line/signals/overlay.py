@@ -1,4 +1,4 @@
-"""``trimmer overlay``: a measured motion beside what a mechanism settles to."""
+"""``trimmer overlay``: a measured motion beside that of a mechanism or a loop."""
 
 from __future__ import annotations
 
@@ -13,18 +13,20 @@ from trimmer.command_line.file_options import (
     file_to_read,
     show,
 )
+from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
-from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
 from trimmer.command_line.parser import OptionError
 from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
+from trimmer.command_line.system_options import OF_LOOP, SOURCES, refuse_loop_options
 from trimmer.files import STANDARD_INPUT
 from trimmer.messages import near_match
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.signals.signal import Signal
     from trimmer.spectra.comparison import MotionComparison, SimulatedLines
@@ -33,17 +35,22 @@ if TYPE_CHECKING:
 def _configure(parser: ArgumentParser) -> None:
     add_signal_options(parser)
     parser.add_argument(
-        "--against", type=file_to_read, required=True, metavar="FILE", help="the mechanism, a TOML file"
+        "--against",
+        type=file_to_read,
+        metavar="FILE",
+        help="the mechanism, a TOML file; without one, a loop of the thesis that the options choose",
     )
-    add_set_option(parser)
+    add_set_option(parser, OF_LOOP)
     parser.add_argument(
-        "--output", metavar="NAME", help="output of the mechanism that was measured (default: the only one)"
+        "--output",
+        metavar="NAME",
+        help="output of the mechanism or loop that was measured (default: the only one, output of a loop)",
     )
-    parser.add_argument(
-        "--drive",
-        type=positive("Hz"),
-        metavar="HZ",
-        help="frequency of the drive in the measurement (default: found within 3 %% of the mechanism's)",
+    add_motion_options(
+        parser,
+        output_is_file=True,
+        drive_help="frequency of the drive in the measurement (default: found within 3 %% of the "
+        "mechanism's); of a loop, that at which it is driven",
     )
     add_json_option(parser)
     add_plot_option(parser, "spectra over each other, and waveforms aligned in time,")
@@ -56,12 +63,18 @@ def _run(arguments: Namespace) -> int:
 
     if arguments.file == arguments.against == STANDARD_INPUT:
         raise OptionError("signal and --against cannot both be read from standard input: name a file")
-    sources = {"file": "the file of the signal", "against": "the file of the mechanism"}
+    sources = {**SOURCES, "file": "the file of the signal", "against": "the file of the mechanism"}
     check_targets(arguments, {"plot": PICTURES}, sources)
-    mechanism = mechanism_with(arguments.against, arguments.set)
-    output = chosen_output(arguments.against, mechanism, arguments.output)
+    subject: Mechanism | TrimmerLoop
+    if arguments.against is None:
+        subject = chosen_loop(arguments)
+        output = _output_of_loop(subject, arguments.output)
+    else:
+        refuse_loop_options(arguments, but=("drive",))
+        subject = mechanism_with(arguments.against, arguments.set)
+        output = chosen_output(arguments.against, subject, arguments.output)
     chosen = chosen_recording(arguments)
-    comparison, told = compared_motion(arguments, chosen.signal, mechanism, output)
+    comparison, told = compared_motion(arguments, chosen.signal, subject, output)
     if arguments.plot is not None:
         write_picture(arguments, comparison_figure(comparison))
     compared = Compared(arguments.file, arguments.against, output, told, chosen, comparison)
@@ -87,8 +100,18 @@ def chosen_output(against: Path, mechanism: Mechanism, output: str | None) -> st
     return output
 
 
+def _output_of_loop(loop: TrimmerLoop, output: str | None) -> str:
+    from trimmer.response.flows import flow_of
+
+    names = flow_of(loop).outputs
+    if output is not None and output not in names:
+        there = near_match(output, names) or f"there are {', '.join(names)}"
+        raise OptionError(f"--output {output}: the loop has no such output; {there}")
+    return output or next(iter(names))
+
+
 def compared_motion(
-    arguments: Namespace, signal: Signal, mechanism: Mechanism, output: str
+    arguments: Namespace, signal: Signal, mechanism: Mechanism | TrimmerLoop, output: str
 ) -> tuple[MotionComparison, str]:
     """Return a signal beside what the mechanism settles to from its start, and what that is, in words.
 
@@ -100,28 +123,40 @@ def compared_motion(
 
     with patience():
         lines, told = _simulated_lines(mechanism, output)
+    drive = None if arguments.against is None else arguments.drive
     try:
-        return compare_motions(signal, lines, arguments.drive), told
+        return compare_motions(signal, lines, drive), told
     except SignalError as error:
         raise OptionError(f"{arguments.file}: {error}") from error
 
 
-def _simulated_lines(mechanism: Mechanism, output: str) -> tuple[SimulatedLines, str]:
-    """Return the lines of what the mechanism settles to from its start, and what that is, in words."""
+def _simulated_lines(subject: Mechanism | TrimmerLoop, output: str) -> tuple[SimulatedLines, str]:
+    """Return the lines of what moves from its start on, and what that is, in words.
+
+    A loop without a drive stays at rest there: it has an orbit that is searched for.
+    """
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.flows import flow_of
     from trimmer.response.respond import respond
+    from trimmer.response.self_excited import orbit_by_itself
     from trimmer.spectra.comparison import SimulatedLines
 
-    motion = respond(mechanism).motion
-    if motion.orbit is None:
-        raise OptionError(
-            f"the simulated motion does not repeat, so it has no lines to compare: {motion.message} Average "
-            "the measured spectrum (trimmer spectrum --average), and see trimmer respond for the mechanism"
-        )
-    measures = motion.orbit.measures.outputs[output]
-    count = motion.orbit.period_count
-    frequency = mechanism.frequency or 1.0 / motion.orbit.period
-    unit = motion.orbit.flow.outputs[output].unit
-    return SimulatedLines(measures.amplitudes, frequency, count, unit), motion.message
+    if subject.frequency is None and not isinstance(subject, Mechanism):
+        orbit = orbit_by_itself(flow_of(subject))
+        told = orbit.message
+    else:
+        motion = respond(subject).motion
+        if motion.orbit is None:
+            raise OptionError(
+                f"the simulated motion does not repeat, so it has no lines to compare: {motion.message} "
+                "Average the measured spectrum (trimmer spectrum --average), and see trimmer respond for the "
+                "mechanism"
+            )
+        orbit, told = motion.orbit, motion.message
+    frequency = subject.frequency or 1.0 / orbit.period
+    lines, unit = orbit.measures.outputs[output].amplitudes, orbit.flow.outputs[output].unit
+    by_itself = subject.frequency is None
+    return SimulatedLines(lines, frequency, orbit.period_count, unit, by_itself), told
 
 
 COMMAND = Command(

@@ -29,7 +29,7 @@ class Compared:
 
     Attributes:
         file: File of the measurement.
-        against: File of the mechanism.
+        against: File of the mechanism; None of a loop.
         output: Name of its output.
         settled: What the mechanism settles to, in sentences.
         chosen: The recording.
@@ -37,7 +37,7 @@ class Compared:
     """
 
     file: Path
-    against: Path
+    against: Path | None
     output: str
     settled: str
     chosen: ChosenRecording
@@ -56,7 +56,7 @@ def as_json(compared: Compared) -> str:
     comparison = compared.comparison
     content = {
         "file": str(compared.file),
-        "against": str(compared.against),
+        "against": None if compared.against is None else str(compared.against),
         "output": compared.output,
         "settled": compared.settled,
         "signal": signal_json(comparison.signal),
@@ -116,7 +116,7 @@ def _head(compared: Compared) -> Iterator[str]:
         f"measured: {signal.heading} of {compared.file}, {signal.values.size} samples at "
         f"{signal.sample_rate:.9g} Hz, {signal.duration:.6g} s"
     )
-    yield f"simulated: {compared.output} of {compared.against}, as {signal.quantity.word}"
+    yield f"simulated: {compared.output} of {compared.against or 'the loop'}, as {signal.quantity.word}"
     yield from wrapped(compared.settled, "  ", "  ")
     how = "found in the measurement" if comparison.found else "as given"
     yield (
