@@ -11,13 +11,14 @@ from report.design.figures.over_time import motion_over_time
 from report.design.quantities import percent, place_words, shown, written
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
-from trimmer.contact.control_loops import ControlLoop, control_loops
+from trimmer.contact.control_loops import control_loops
 from trimmer.design.design import Design
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.found_step import FoundStep
 from trimmer.design.kept_map import DesignMap
 from trimmer.design.linear import LinearState
 from trimmer.design.targets import OF_STEP, Measure, unit_of_measure
+from trimmer.linear.margins import Margins
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -131,18 +132,18 @@ def loop_rows(state: LinearState, design: Design) -> Rows:
     if not any(each.sample is None for each in controllers.values()):
         return rows
     found = control_loops(design.file.mechanism, state.open)
-    closed = f"grows by e in {shown(1.0 / found.grows, 's')}" if found.grows else "stable"
-    return rows + [[each.controller, *_margins(each), closed] for each in found.loops]
+    closed = f"grows by e in {shown(1.0 / found.grows, 's')}" if found.grows else found.marginal or "stable"
+    return rows + [[name, *_margins(each), closed] for name, each in found.loops.items()]
 
 
-def _margins(loop: ControlLoop) -> tuple[str, str, str]:
-    way = "may rise" if loop.gain_margin >= 1 else "may fall"
-    gain = f"{way} to {written(loop.gain_margin)} times" if math.isfinite(loop.gain_margin) else "any gain"
-    phase = f"{written(math.degrees(loop.phase_margin))}° at {_hertz(loop.gain_crossing)}"
+def _margins(loop: Margins) -> tuple[str, str, str]:
+    way = "may rise" if loop.gain.value >= 1 else "may fall"
+    gain = f"{way} to {written(loop.gain.value)} times" if math.isfinite(loop.gain.value) else "any gain"
+    phase = f"{written(math.degrees(loop.phase.value))}° at {_hertz(loop.phase.omega)}"
     return (
-        f"{gain}{f', {_hertz(loop.phase_crossing)}' if math.isfinite(loop.phase_crossing) else ''}",
-        phase if math.isfinite(loop.phase_margin) else "any phase",
-        f"{written(loop.modulus_margin)} at {_hertz(loop.nearest)}",
+        f"{gain}{f', {_hertz(loop.gain.omega)}' if math.isfinite(loop.gain.omega) else ''}",
+        phase if math.isfinite(loop.phase.value) else "any phase",
+        f"{written(loop.modulus.value)} at {_hertz(loop.modulus.omega)}",
     )
 
 
