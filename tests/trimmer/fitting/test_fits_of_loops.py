@@ -52,6 +52,56 @@ def test_numbers_of_a_loop_are_found_again_in_a_record_of_another_integrator() -
     assert fit.judgement.sentences[0].startswith("the loop explains the measurement within its noise")
 
 
+def relay(level: float, hysteresis: float) -> trimmer.ClosedLoop:
+    """A relay round 1/(s (s + 1) (s + 2)), which vibrates by itself."""
+    return trimmer.ClosedLoop(control.tf([1], [1, 3, 2, 0]), trimmer.Relay(level, hysteresis=hysteresis))
+
+
+@cache
+def cycle(level: float, hysteresis: float) -> trimmer.Signal:
+    """Its output from the first minute on, from switch to switch by a method of order eight, with noise."""
+    rate, time, state, sign = 20.0, 0.0, np.zeros(3), 1.0
+    times, values = 60.0 + np.arange(3000) / rate, np.empty(3000)
+    while time < times[-1]:
+
+        def rates(_: float, x: np.ndarray, push: float = sign * level) -> list[float]:
+            return [push - 3 * x[0] - 2 * x[1], x[0], x[1]]
+
+        def switches(_: float, x: np.ndarray, side: float = sign) -> float:
+            return float(x[2] - side * hysteresis)
+
+        switches.terminal, switches.direction = True, sign  # type: ignore[attr-defined]
+        found = solve_ivp(
+            rates, (time, 300.0), state, "DOP853", events=switches, dense_output=True, rtol=1e-9, atol=1e-11
+        )
+        inside = (times >= time) & (times <= found.t[-1])
+        if inside.any():
+            values[inside] = found.sol(times[inside])[2]
+        time, state, sign = found.t[-1], found.y[:, -1], -sign
+    noise = 1e-4 * np.random.default_rng(5).normal(size=times.size)
+    return trimmer.Signal(values + noise, rate, "output", "")
+
+
+def test_a_limit_cycle_gives_back_the_numbers_of_its_loop_from_its_period_too() -> None:
+    places = ["element.level", "element.hysteresis"]
+    fit = trimmer.fit(relay(1.0, 0.15), {"output": cycle(1.3, 0.2)}, places, settings=ONCE)
+    for number, true in zip(fit.numbers, (1.3, 0.2), strict=True):
+        assert number.lower is not None and number.upper is not None
+        assert number.upper - number.lower < 1e-3 * true
+        assert abs(number.value - true) < number.upper - number.lower
+    assert fit.judgement.explained
+    own = 1.0 / trimmer.periodic_orbits(relay(1.3, 0.2))[0].period
+    assert abs(fit.measured.frequency - own) < 4.0 * fit.measured.frequency_deviation < 1e-6
+    assert fit.subject.frequency is None
+    # The orbit with which it begins is 7 % faster.
+    assert abs(own * trimmer.periodic_orbits(relay(1.0, 0.15))[0].period - 1.0) > 1e-3
+
+
+def test_of_one_number_the_period_may_speak_against_the_loop() -> None:
+    fit = trimmer.fit(relay(1.3, 0.3), {"output": cycle(1.3, 0.2)}, ["element.level"], settings=ONCE)
+    assert not fit.judgement.explained
+
+
 AUTONOMOUS = trimmer.ClosedLoop(control.tf([1], [1, 3, 2, 0]), trimmer.Relay(1.0))
 MOVED = trimmer.TrimmerLoop(trimmer.TrimmerParameters.thesis(), trimmer.FrictionBacklash(4e-5), DRIVE)
 
@@ -59,7 +109,7 @@ MOVED = trimmer.TrimmerLoop(trimmer.TrimmerParameters.thesis(), trimmer.Friction
 @pytest.mark.parametrize(
     ("loop", "output", "free", "told"),
     [
-        (AUTONOMOUS, "output", [], "the loop has no drive"),
+        (AUTONOMOUS, "start", [], "the loop has no output 'start'"),
         (driven(0.4, 1.5), "output", ["drive.phase"], "is fitted anyway"),
         (driven(0.4, 1.5), "output", ["start.x[0]"], "does not depend on it"),
         (driven(0.4, 1.5), "output", ["element.gap"], "after element comes threshold or slope"),
