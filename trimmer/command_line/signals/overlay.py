@@ -66,6 +66,8 @@ def _run(arguments: Namespace) -> int:
     sources = {**SOURCES, "file": "the file of the signal", "against": "the file of the mechanism"}
     check_targets(arguments, {"plot": PICTURES}, sources)
     subject: Mechanism | TrimmerLoop
+    if arguments.against is None and arguments.element is None and arguments.drive is None:
+        raise OptionError("name the mechanism (--against FILE), or choose a loop (--element, --drive)")
     if arguments.against is None:
         subject = chosen_loop(arguments)
         output = _output_of_loop(subject, arguments.output)
