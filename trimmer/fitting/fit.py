@@ -219,7 +219,7 @@ def _result(subject: Subject, misfit: Misfit, searched: FitSearch, settings: Fit
         shift=(2 * np.pi - angle) / (2 * np.pi) * measured.period_count / measured.frequency,
         orbit=best.motion.orbit,
         searched=searched,
-        judgement=judge(measured, best, len(unknowns), called(subject)),
+        judgement=judge(measured, best, len(unknowns), called(subject), misfit.model.by_itself),
         weak=weak_directions(unknowns, jacobian, allowed),
         notes=tuple(_notes(subject, misfit, best)),
     )

@@ -71,7 +71,13 @@ class Judgement:
         return self.probability >= UNLIKELY
 
 
-def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int, called: str = "mechanism") -> Judgement:
+def judge(
+    measured: MeasuredLines,
+    fitted: Fitted,
+    unknowns: int,
+    called: str = "mechanism",
+    by_itself: bool = False,
+) -> Judgement:
     """Hold what a fit leaves against the noise.
 
     Args:
@@ -79,10 +85,11 @@ def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int, called: str = 
         fitted: The fit.
         unknowns: Number of fitted numbers.
         called: What moves, in a word.
+        by_itself: Whether there is no drive, so that the period is a datum too.
     """
     from scipy.stats import f
 
-    freedom = max(fitted.residual.size - unknowns - 1, 1)
+    freedom = max(2 * measured.lines.size + by_itself - unknowns - 1, 1)
     # Each line has a noise of its own, so that altogether many more are known than of one.
     known = max(measured.freedom * max(len(measured.lines) / _shared(measured), 1.0), 1.0)
     # Weights that are estimated are too large in the mean, which makes chi-square larger.
