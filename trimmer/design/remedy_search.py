@@ -270,9 +270,8 @@ def _cost(trial: Trial, scan: Scan, targets: tuple[Target, ...]) -> tuple[int, f
 def _places(
     mechanism: Mechanism, missed: tuple[Target, ...], sensitivities: Sensitivities | None
 ) -> list[tuple[str, str, float]]:
-    every = sorted(designable(mechanism), key=lambda each: _order(each[0]))
-    if is_stepped(each.measure for each in missed):  # What an axis moves is given.
-        every = [each for each in every if _is_set(each[0])]
+    stepped = is_stepped(each.measure for each in missed)
+    every = sorted(designable(mechanism, stepped=stepped), key=lambda each: _order(each[0]))
     asked = [MeasureOfPart(each.measure, each.part) for each in missed if each.measure is not Measure.PERIOD]
     ranked = _interleaved(
         [[e.place for e in sensitivities.ranked(a)] for a in asked] if sensitivities else []
@@ -280,12 +279,6 @@ def _places(
     chosen = [each for each in every if each[0] in ranked[:PLACES]]
     others = [each for each in every if each not in chosen]
     return [*chosen, *others][:PLACES]
-
-
-def _is_set(place: str) -> bool:
-    """Say whether a number of an axis is set: of a controller, a gap or a friction."""
-    section, *_, key = parse_place(place)
-    return section in ("controllers", "frictions") or key == "gap"
 
 
 def _order(place: str) -> int:

@@ -16,7 +16,7 @@ from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures, measure
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.kinds import numbers_of_part
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.place_text import place_text
+from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.quantities import PARTS, Range
 from trimmer.response.forced_orbit import exact_orbit
 from trimmer.response.orbit import Orbit
@@ -108,7 +108,7 @@ def sensitivities(
     every = all_measures(mechanism, switched=motion.switched is not None, stepped=stepped)
     asked = tuple(each for each in every if each.measure is not Measure.PERIOD)
     found, failed = [], []
-    numbers = list(designable(mechanism))
+    numbers = list(designable(mechanism, stepped=stepped))
     for place, unit, value in takewhile(lambda _: not deadline.passed, numbers):
         wide = _slopes(mechanism, place, value, motion, asked, STEP)
         narrow = _slopes(mechanism, place, value, motion, asked, STEP / 2)
@@ -125,8 +125,18 @@ def sensitivities(
     return Sensitivities(STEP, tuple(found), tuple(failed), tuple(place for place, *_ in numbers[tried:]))
 
 
-def designable(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:
-    """Return place, SI unit and value of each number that a designer may change, as far as it is not zero."""
+def designable(mechanism: Mechanism, *, stepped: bool = False) -> Iterator[tuple[str, str, float]]:
+    """Return place, SI unit and value of each number that a designer may change, as far as it is not zero.
+
+    What an axis moves is given: of one that is ``stepped`` they are those of controllers, gaps and frictions.
+    """
+    for each in _every(mechanism):
+        section, *_, key = parse_place(each[0])
+        if not stepped or section in ("controllers", "frictions") or key == "gap":
+            yield each
+
+
+def _every(mechanism: Mechanism) -> Iterator[tuple[str, str, float]]:
     if mechanism.frequency is not None:
         yield "frequency", "Hz", mechanism.frequency
     for section in PARTS:

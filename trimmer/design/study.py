@@ -300,7 +300,9 @@ class Study:
         wanted = pairs or {(by_role[0], each): () for each in by_role[1:]}
         begun, found = SPENT[Stage.NEIGHBOURS], []
         for number, ((first, second), targets) in enumerate(wanted.items(), start=1):
-            share = begun + (SPENT[Stage.MAP] - begun) * number / len(wanted)
+            # Where an axis hunts matters most.
+            part = 1.0 if self.file.stepped else number / len(wanted)
+            share = begun + (SPENT[Stage.MAP] - begun) * part
             found.append(self._map(first, second, targets, self.deadline.share(share)))
         return tuple(each for each in found if each is not None)
 

@@ -29,8 +29,8 @@ STRETCHES = (5, 20, 80, 320, 1280)
 """How long is followed at most, in periods of the slowest mode."""
 CYCLES = (5, 20, 80)
 """The same in periods of a cycle."""
-MOST_EVENTS = 5000
-"""Events after which no further stretch is followed of what was not seen to rest."""
+MOST_EVENTS = 1500
+"""Events, as far as they can be foreseen, up to which a further stretch is followed without a known cycle."""
 ALIKE, AT_LAST = 1e-3, 0.1
 """Share by which two stretches of a motion that hunts evenly may differ in size; at the end of the wait."""
 ON_CYCLE = 1e-3
@@ -102,7 +102,7 @@ def followed(
                 return StepEnd(flow, course, True, limit, limit, limit, settled=False)
             rests = True if limit is not None else rests
         begin = at + 0.5 * length if cycle is None else course.duration - cycle.period
-        last = length == lengths[-1] or len(course.events) > MOST_EVENTS
+        last = length == lengths[-1] or (cycle is None and 4 * len(course.events) > MOST_EVENTS)
         end = _end(flow, course, output, begin, wanted, cycle, AT_LAST if last else ALIKE)
         if last or not reached or (end.settled and not rests):
             break
