@@ -1,10 +1,13 @@
 """The dimension check: what passes, what fails, and that SymPy's unit system agrees."""
 
+import re
+
 import pytest
 import sympy
 from sympy.physics.units import length, mass, time
 from sympy.physics.units.systems.si import SI
 
+from derivations import symbols
 from derivations.dimension_checks import dimension_checks, require_consistent
 from derivations.dimensions import FORCE, LENGTH, MASS, NUMBER, TIME, DimensionError, dimension_of
 from derivations.linear_trimmer import derive_linear_trimmer
@@ -21,6 +24,27 @@ def test_every_symbol_has_a_meaning_and_a_unit_once():
     names = [quantity.symbol for quantity in QUANTITIES]
     assert len(set(names)) == len(names)
     assert all(quantity.meaning and quantity.unit.text for quantity in QUANTITIES)
+
+
+UNITS = [each for each in vars(symbols).values() if isinstance(each, symbols.Unit)]
+OF_NAMES = {"kg": MASS, "m": LENGTH, "s": TIME, "N": FORCE, "Hz": TIME**-1, "rad": NUMBER, "1": NUMBER}
+
+
+def written(text):
+    """Return the dimension that a unit is written with: a product, over a product or a single unit."""
+    above, below = re.fullmatch(r"(.*?)(?:(?<!\^1)(?<!\^-1)/\(?([^)]*)\)?)?", text.replace("²", "^2")).groups(
+        ""
+    )
+    found = NUMBER
+    for part, sign in ((above, 1), (below, -1)):
+        for name, power in re.findall(r"(\w+)(?:\^(-?\d+(?:/\d+)?))?", part):
+            found = found * OF_NAMES[name] ** (sign * sympy.Rational(power or 1))
+    return found
+
+
+@pytest.mark.parametrize("unit", UNITS, ids=lambda unit: unit.text)
+def test_a_unit_has_the_dimension_that_it_is_written_with(unit):
+    assert written(unit.text) == unit.dimension
 
 
 @pytest.mark.parametrize(

@@ -81,6 +81,7 @@ def test_a_servo_comes_to_rest_as_found_elsewhere() -> None:
     times += [0.05472929491831017, 0.055770306452762076]
     assert [event.time for event in motion.events] == pytest.approx(times, abs=1e-12)
     assert [event.part for event in motion.events[::3]] == ["bearing", "shaft", "bearing"]
+    assert {event.unit for event in motion.events} == {"rad/s"}
     assert abs(motion.output("torque", np.linspace(0.0, 0.4, 4001))).max() == 2.0
     assert motion.energy.residual < 1e-12
 
