@@ -167,8 +167,8 @@ def test_a_number_is_found_however_it_is_written(shared: Page) -> None:
     assert "Sec. 5.2.1: smallest gap" not in search(page, "3e-8")
 
 
-def test_the_derivation_and_the_nomenclature_are_searched(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+def test_the_derivation_and_the_nomenclature_are_searched(shared: Page) -> None:
+    page = shared
     assert "Relay" in search(page, "relay switches")
     (symbol,) = search(page, "stiffness between masses")
     assert symbol.startswith("k1")
@@ -177,7 +177,7 @@ def test_the_derivation_and_the_nomenclature_are_searched(visit: Callable[..., V
 
 
 def test_other_words_for_the_same_thing_find_it(visit: Callable[..., Visit]) -> None:
-    page = visit().page
+    page = visit().page  # its own, as what is searched is read once
     page.evaluate("document.querySelector('#provenance').append(' of the dead band')")
     for words in ("dead zone", "Deadband", "dead-zone"):
         assert search(page, words) == ["Provenance of the dead band"]
