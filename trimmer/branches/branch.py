@@ -23,6 +23,7 @@ class BranchEnd(Choice):
     REJOINED = "it joins the branch with half the period, or the symmetric one"
     TORN = "the motion jumps, as where static friction gives way at once, and no orbit lies beyond"
     GRAZED = "a rigid wall is touched there without speed, where an impact is born or dies"
+    INFINITE_PERIOD = "its period grows without bound"
     NOT_ISOLATED = (
         "a multiplier is 1, so that no single orbit goes on: as where something sticks all the time, which "
         "it could do anywhere, or where nothing is lost"

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from trimmer.arguments import real_array, whole_number
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
+from trimmer.branches.endless_period import endless_period
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
 from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.period_maps.fitting import fitting
@@ -177,7 +178,20 @@ def _self_excited(
     doubled: DrivenMap = map
     for _ in range(passage.halvings):
         doubled, first = doubled.doubled(), np.append(first[:-1], 0.5 * first[-1])
-    return _followed(continuation(doubled, first, begin, end, settings), map)
+    return _with_end(_followed(continuation(doubled, first, begin, end, settings), map))
+
+
+def _with_end(branch: FollowedBranch) -> FollowedBranch:
+    """Return a branch without a drive, with where its period grows without bound if it ends for that."""
+    if branch.reason is not BranchEnd.STEP_TOO_SMALL:
+        return branch
+    values, periods = (
+        np.array([getattr(each, name) for each in branch.points]) for name in ("value", "period")
+    )
+    found = endless_period(values, periods)
+    if found is None:
+        return branch
+    return replace(branch, reason=BranchEnd.INFINITE_PERIOD, message=found.told, endless=found)
 
 
 def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) -> Orbit | None:

@@ -12,6 +12,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.balanced import BalancedOrbit, balanced_beside
 from trimmer.branches.branch import BranchEnd, BranchPoint
+from trimmer.branches.endless_period import EndlessPeriod
 from trimmer.branches.outputs import OutputMeasure, output_measures
 from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.period_maps.driven_passage import DrivenPassage
@@ -150,6 +151,7 @@ class FollowedBranch(Tabular, Drawn):
         branches: Branches that part from this one at period doubling and symmetry breaking, and those that
             it joins there.
         parted: The special point at which this one parts from another; None if it was begun by itself.
+        endless: Where its period grows without bound, if it ends for that reason.
     """
 
     map: DrivenMap
@@ -159,6 +161,7 @@ class FollowedBranch(Tabular, Drawn):
     message: str
     branches: tuple[FollowedBranch, ...] = ()
     parted: SpecialPoint | None = None
+    endless: EndlessPeriod | None = None
 
     @property
     def periods(self) -> int:

@@ -45,6 +45,8 @@ RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 CLOSE = 10.0
 """Factor of the least distance up to which states count as one: what has settled comes back closest."""
+MOST_ROWS = 1500
+"""Segments of all recurrences that are tried in a stretch: Newton's method follows each many times."""
 MOST_TRIED = 6
 """Recurrences that are tried in each stretch, nearest in time first."""
 FROM_NEARBY = Patience(iterations=20, halvings=4, followed=2)
@@ -352,17 +354,18 @@ def _once(flow: Flow, shot: Shot) -> Shot:
 def _recurrences(course: Course, sizes: Reals) -> list[tuple[int, int, float]]:
     """Return pairs of rows at which an event left nearly the same state, and how near, late ones first."""
     log, count, happened = course.log, len(sizes), what_happened(course.log)
+    left = MOST_ROWS
     alike = happened & np.append(np.diff(log.start) > 0, False)
     found = []
     for last in np.flatnonzero(alike)[::-1]:
-        same = alike & (log.mode == log.mode[last]) & (log.part == log.part[last])
-        same &= log.kind == log.kind[last]
-        same[last:] = False
-        earlier = np.flatnonzero(same)
+        before = slice(max(last - left, 0), last)
+        same = alike[before] & (log.mode[before] == log.mode[last]) & (log.part[before] == log.part[last])
+        earlier = before.start + np.flatnonzero(same & (log.kind[before] == log.kind[last]))
         apart = abs((log.state[earlier, :count] - log.state[last, :count]) / sizes).max(axis=1, initial=0.0)
         near = earlier[apart < min(NEAR, CLOSE * apart.min(initial=np.inf) + SAME)]
         if len(near):
             found.append((int(near[-1]), int(last), float(apart.min())))
-        if len(found) == MOST_TRIED:
+            left -= int(last - near[-1])
+        if len(found) == MOST_TRIED or left <= 0:
             break
     return found

@@ -1,0 +1,72 @@
+"""Where a period grows without bound, beside laws in closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from trimmer.branches.branch import BranchEnd
+from trimmer.branches.endless_period import endless_period
+from trimmer.branches.follow import follow
+from trimmer.mechanism.mechanism import Mechanism
+
+STICTION = """
+[bodies]
+motor = { inertia = 2e-4 }
+[frictions]
+bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
+[outputs]
+angle = { motor = 1 }
+[controllers.axis]
+kind = "pid"
+measure = "angle"
+reference = "path"
+acts = ["ground", "motor"]
+kp = 6.0
+ki = 120.0
+kd = 0.05
+filter_time = 1e-3
+limit = 2.0
+[references]
+path = { step = 0.5, at = 0.01 }
+"""
+
+
+def test_laws_whose_end_is_known() -> None:
+    values = 0.05 + np.geomspace(3e-2, 6e-4, 100)
+    inverse = endless_period(values, 0.0432 + 0.02007 / (values - 0.05))
+    assert inverse is not None and not inverse.logarithmic
+    assert inverse.value == pytest.approx(0.05, abs=1e-8)
+    assert abs(inverse.value - 0.05) <= 2.0 * inverse.uncertainty + 1e-12
+    periods = np.linspace(1.0, 6.0, 60)
+    logarithm = endless_period(2.0 + 0.5 * np.exp(-3.0 * periods), periods)
+    assert logarithm is not None and logarithm.logarithmic
+    assert logarithm.value == pytest.approx(2.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("values", "periods"),
+    [
+        (np.linspace(3.0, 1.0, 60), 3.0 / np.linspace(3.0, 1.0, 60)),  # far from its end
+        (np.linspace(3.0, 1.0, 60), 1.0 + 0.2 * np.linspace(0.0, 2.0, 60) ** 4),  # no end
+        (np.linspace(3.0, 1.0, 60), np.linspace(2.0, 1.0, 60)),  # falls
+        (np.array([1.0, 2.0, 1.5, 1.2, 1.1]), np.geomspace(1.0, 9.0, 5)),  # turns back
+        (np.array([1.0]), np.array([2.0])),
+    ],
+)
+def test_periods_that_do_not_grow_without_bound(values: np.ndarray, periods: np.ndarray) -> None:
+    assert endless_period(values, periods) is None
+
+
+@pytest.mark.slow
+def test_hunting_with_stiction_ends_where_static_friction_is_kinetic() -> None:
+    """All of a slip is in proportion to the drop of friction, so that a wait is in inverse proportion."""
+    branch = follow(Mechanism.from_toml_text(STICTION), "frictions.bearing.static", 0.08, 0.05)
+    assert branch.reason is BranchEnd.INFINITE_PERIOD and branch.success
+    assert branch.endless is not None and not branch.endless.logarithmic
+    assert branch.endless.value == pytest.approx(0.05, abs=1e-8)
+    assert abs(branch.endless.value - 0.05) <= 3.0 * branch.endless.uncertainty
+    slip = 2.0 * branch.points[0].period - 1.0  # Waits are as long as the drop allows: T = slip + c / drop.
+    first, last = branch.points[0], branch.points[-1]
+    waits = [each.period * (each.value - 0.05) for each in (first, last)]
+    assert waits[0] == pytest.approx(waits[1], rel=0.1) and slip > 0
