@@ -13,10 +13,13 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-GROWN = 3.0
+GROWN = 4.0
 """Factor by which the period has grown along the branch, at least."""
 SPACING = 0.85
 """Factor between the periods at which the law is asked."""
+SHARES = np.arange(1.0, 5.0) / 4.0
+"""Shares of the longest period at which it is asked whether the law is the logarithm's: of an inverse one the
+steps between them would be as 6 : 2 : 1."""
 EVEN = 0.1
 """Share by which ratios of steps differ at most from one to the next where the law is the logarithm's."""
 NEAR = 0.1
@@ -66,7 +69,7 @@ def endless_period(values: Reals, periods: Reals) -> EndlessPeriod | None:
     if len(values) < 5 or periods[-1] < GROWN * periods[0] or not ((steps > 0).all() or (steps < 0).all()):
         return None
     longest = float(periods[-1])
-    evenly = np.interp(longest * (1.0 - 0.1 * np.arange(4.0)[::-1]), periods, values)
+    evenly = np.interp(longest * SHARES, periods, values)
     ratios = np.diff(evenly)[1:] / np.diff(evenly)[:-1]
     alike = abs(ratios[1] - ratios[0]) <= EVEN * (1.0 - ratios.max())
     logarithmic = bool(ratios.max() < 1.0 and alike)
