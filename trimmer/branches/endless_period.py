@@ -20,6 +20,8 @@ SPACING = 0.85
 SHARES = np.arange(1.0, 5.0) / 4.0
 """Shares of the longest period at which it is asked whether the law is the logarithm's: of an inverse one the
 steps between them would be as 6 : 2 : 1."""
+LATE = np.array([0.7, 0.8, 0.9, 1.0])
+"""Shares of the longest period from which its limit is extrapolated then."""
 EVEN = 0.1
 """Share by which ratios of steps differ at most from one to the next where the law is the logarithm's."""
 NEAR = 0.1
@@ -73,7 +75,11 @@ def endless_period(values: Reals, periods: Reals) -> EndlessPeriod | None:
     ratios = np.diff(evenly)[1:] / np.diff(evenly)[:-1]
     alike = abs(ratios[1] - ratios[0]) <= EVEN * (1.0 - ratios.max())
     logarithmic = bool(ratios.max() < 1.0 and alike)
-    found = _of_logarithm(evenly) if logarithmic else _of_inverse(values, periods)
+    found = (
+        _of_logarithm(np.interp(longest * LATE, periods, values))
+        if logarithmic
+        else _of_inverse(values, periods)
+    )
     ahead, span = found[0] - values[-1], values[-1] - values[0]
     spread = float(np.ptp(found))
     sure = 0 < ahead * np.sign(span) <= NEAR * abs(span) and spread <= SURE * abs(ahead)
