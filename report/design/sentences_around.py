@@ -17,19 +17,19 @@ from trimmer.design.design import Design
 from trimmer.design.kept_map import DesignMap
 from trimmer.design.paths import NumberPath, PathSide
 from trimmer.design.sensitivity import Sensitivity
-from trimmer.design.targets import OF_STEP, Measure
+from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
 from trimmer.maps.cells import described
 from trimmer.response.response import MotionKind
 
 
-def map_sentences(drawn: DesignMap, switched: bool) -> str:
+def map_sentences(drawn: DesignMap, switched: bool, stepped: bool = False) -> str:
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
     own = f"In the cell nearest to the file’s own point the motion is {_cell_words(drawn)}."
     starts = "Each cell is what comes of the file’s start alone; from other starts other motions may come."
     failed = len(result.failures)
-    if any(one.measure in OF_STEP for one in drawn.targets):
+    if stepped:
         told = "Each cell is one motion from the file’s start through its steps. What does not come is white."
         return told + (f" {capital(count(failed, 'cell'))} could not be followed." if failed else "")
     told = "Where a contact does not close its times are left white." if switched else f"{own} {starts}"
