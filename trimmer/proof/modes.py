@@ -14,6 +14,8 @@ from trimmer.motion.flow import Flow
 from trimmer.response.orbit import Orbit
 
 MOST_ZEROS = 3
+LEAST = 1e-6
+"""Size of a state as a share of the largest of its kind that it has at least: below that it hardly moves."""
 SMALL = 1e-10
 """Share of its terms below which a derivative of an event function is taken for zero by law."""
 
@@ -59,6 +61,8 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     segments: list[dict[str, Any]] = []
     largest = abs(log.state).max(axis=0)
     largest[:n] = np.maximum(largest[:n], orbit.sizes)
+    for kind in layout.kinds:
+        largest[kind] = np.maximum(largest[kind], LEAST * largest[kind].max(initial=0.0))
     ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
     for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
         mode = seen.mode(last)

@@ -166,7 +166,7 @@ class Motion:
         middle = self.follow([arb(each.mid()) for each in self.start], arb(0))
         every = [*middle.starts, *middle.ends]
         sizes = [max(float(abs(each[i, 0]).upper()) for each in every) for i in range(self.n)]
-        floor = max(sizes) * 2.0**-20
+        floor = max(sizes) * 2.0**-10
         return [arb(max(each, floor)) for each in sizes] + [arb(1) for _ in self.forcing]
 
     def follow(self, start: list[arb], longer: arb, with_change: bool = False) -> Followed:
