@@ -131,8 +131,8 @@ def designable(mechanism: Mechanism, *, stepped: bool = False) -> Iterator[tuple
     What an axis moves is given: of one that is ``stepped`` they are those of controllers, gaps and frictions.
     """
     for each in _every(mechanism):
-        section, *_, key = parse_place(each[0])
-        if not stepped or section in ("controllers", "frictions") or key == "gap":
+        words = parse_place(each[0])  # one alone of the frequency
+        if not stepped or words[0] in ("controllers", "frictions") or words[-1] == "gap":
             yield each
 
 
