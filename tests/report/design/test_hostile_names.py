@@ -79,6 +79,7 @@ class Small:
     subtitle: str
     origin: Origin
     figures: Mapping[str, Figure]
+    explorable: None = None
 
 
 TEMPLATE = """
