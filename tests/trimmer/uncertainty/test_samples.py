@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from trimmer import MotionKind, respond
+from trimmer.command_line.mechanisms.sample_text import as_json
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
@@ -21,7 +23,7 @@ from trimmer.uncertainty.sample_file import SampleFile, sample_file_of_text
 from trimmer.uncertainty.sample_inputs import SampleSettings
 from trimmer.uncertainty.sample_records import Keeping
 from trimmer.uncertainty.samples import Samples, sample
-from trimmer.uncertainty.study import study_samples
+from trimmer.uncertainty.study import SampleStudy, study_samples
 
 TEXT = """
 frequency = 0.2
@@ -157,13 +159,16 @@ def test_what_was_drawn_and_found_is_told(samples) -> None:
     counts = list(samples.kinds.values())
     assert counts == sorted(counts, reverse=True)
     chaotic = Trial((0.4, 4.0), MotionKind.CHAOTIC, None, samples.trials[0].measures)
-    failed = Trial((0.4, 4.0), None, None, ((STROKE, np.nan),))
+    unknown = tuple((each, np.nan) for each, _ in samples.trials[0].measures)
+    failed = Trial((0.4, 4.0), None, None, unknown)
     mixed = replace(samples, trials=(failed, chaotic, *samples.trials[:1], chaotic))
     assert next(iter(mixed.kinds.items())) == ("chaotic over 60 drive periods", 2)
     assert (mixed.failed, mixed.kinds["failed"]) == (1, 1)
     assert mixed.message.endswith(" 1 motion could not be followed to its end.")
     np.testing.assert_array_equal(mixed.measured(STROKE)[0], np.nan)
     assert mixed.met.tolist()[0] is False
+    told = json.loads(as_json(SampleStudy(mixed, {}, None, math.nan)))["kinds"]
+    assert (told["failed"]["count"], told["failed"]["share"]) == (1, 0.25)
 
 
 def test_what_the_file_only_gives_a_range_of_is_named() -> None:
