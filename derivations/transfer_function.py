@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy
@@ -47,6 +48,27 @@ def transfer_functions(matrices: MotionMatrices) -> TransferFunctions:
     return TransferFunctions(
         denominator, numerators(matrices.displacement_force), numerators(matrices.velocity_force)
     )
+
+
+def numerator_of_force(matrices: MotionMatrices, force: Sequence[int]) -> tuple[sympy.Expr, ...]:
+    """Return the numerator that leads from a set of forces to the displacement that does work with them.
+
+    Args:
+        matrices: Of n bodies.
+        force: For each body its share of the force, and of the displacement, such as 1 and -1 for a pair.
+
+    Returns:
+        The 2n - 1 coefficients over the denominator of ``TransferFunctions``, from s^(2n-2) down to s^0, 1/kg
+        for the first.
+    """
+    column = sympy.ImmutableMatrix(list(force))
+    dynamic_stiffness = matrices.mass * s**2 + matrices.damping * s + matrices.stiffness
+    shares = (
+        share * _determinant(_with_column(dynamic_stiffness, index, column))
+        for index, share in enumerate(force)
+        if share
+    )
+    return _coefficients(sympy.Add(*shares), matrices.mass.det(), 2 * len(force) - 2)
 
 
 def _with_column(matrix: sympy.Matrix, index: int, column: sympy.ImmutableMatrix) -> sympy.Matrix:

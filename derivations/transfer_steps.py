@@ -7,7 +7,7 @@ import sympy
 from derivations.latex import latex
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.step import Formula, NarrativeStep
-from derivations.transfer_function import transfer_functions
+from derivations.transfer_function import numerator_of_force, transfer_functions
 
 CUTTER, GUARD = 1, 3
 
@@ -66,6 +66,12 @@ def output_numerator(derivation: LinearTrimmer) -> list[sympy.Expr]:
     """Return the coefficients of the numerator for q2 − q4 from the pin's displacement, highest first."""
     rows = derivation.transfer.from_displacement
     return [sympy.factor(cutter - guard) for cutter, guard in zip(rows[CUTTER], rows[GUARD], strict=True)]
+
+
+def rubbing_numerator(derivation: LinearTrimmer) -> list[sympy.Expr]:
+    """Return the coefficients for q2 − q4 from a force on the cutter and its reaction on the guard."""
+    pair = [{CUTTER: 1, GUARD: -1}.get(body, 0) for body in range(len(derivation.mechanism.bodies))]
+    return list(numerator_of_force(derivation.matrices, pair))
 
 
 def _named(name: str, coefficients: list[sympy.Expr]) -> tuple[Formula, ...]:

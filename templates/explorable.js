@@ -9,23 +9,36 @@ const explorableModel = (formulas) => {
   const cross = ([a, b], [c, d]) => a * d - b * c;
   const size = ([a, b]) => Math.hypot(a, b);
 
-  // N + 1/G with its slopes by the angle of flight and by the frequency; complex numbers are pairs.
-  const residual = ({ gap, load, damping, force, share }, flight, omega, inverse) => {
+  // N + 1/G with its slopes by the angle of flight and by the frequency; complex numbers are pairs. Friction rubs between
+  // cutter and guard: its N_f, by way of the response H to this pair of forces, counts as N_f H / G at the pin.
+  const linear = ({ damping, share }, omega) =>
+    [formulas.inverseResponse(omega, damping, share), formulas.rubbing(omega, damping, share)];
+  const residual = (settings, flight, omega, known) => {
+    const { gap, load, force } = settings;
     const gamma = load * omega;
     const element = formulas.element(flight, gamma);
     const amplitude = gap / element.ratio;
     const friction = formulas.friction(force, amplitude);
-    const g = inverse ?? formulas.inverseResponse(omega, damping, share);
+    const [g, place] = known ?? linear(settings, omega);
     const amplitudeBy = (ratioBy) => -amplitude * ratioBy / element.ratio;
     const [byFlight, byGamma] = [element.ratioByFlight, element.ratioByGamma].map(amplitudeBy);
-    const gain = [element.real, element.imaginary + friction.imaginary];
+    // j times a factor, seen from the pin.
+    const rubbed = (factor, { real, imaginary } = place) => [-factor * imaginary, factor * real];
+    const byAmplitude = rubbed(friction.imaginaryByAmplitude);
+    const moved = rubbed(friction.imaginary, { real: place.realByOmega, imaginary: place.imaginaryByOmega });
+    const seen = rubbed(friction.imaginary);
+    const gain = [element.real + seen[0], element.imaginary + seen[1]];
     return {
       gamma, amplitude, gain, ratio: element.ratio, separation: element.separation, inverse: [g.real, g.imaginary],
+      backlash: [element.real, element.imaginary], rubbing: friction.imaginary,
       value: [gain[0] + g.real, gain[1] + g.imaginary],
-      byFlight: [element.realByFlight, element.imaginaryByFlight + friction.imaginaryByAmplitude * byFlight],
+      byFlight: [
+        element.realByFlight + byAmplitude[0] * byFlight,
+        element.imaginaryByFlight + byAmplitude[1] * byFlight,
+      ],
       byOmega: [
-        load * element.realByGamma + g.realByOmega,
-        load * (element.imaginaryByGamma + friction.imaginaryByAmplitude * byGamma) + g.imaginaryByOmega,
+        load * (element.realByGamma + byAmplitude[0] * byGamma) + moved[0] + g.realByOmega,
+        load * (element.imaginaryByGamma + byAmplitude[1] * byGamma) + moved[1] + g.imaginaryByOmega,
       ],
     };
   };
@@ -33,13 +46,14 @@ const explorableModel = (formulas) => {
   const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
   const over = ([a, b], [c, d]) => [(a * c + b * d) / (c * c + d * d), (b * c - a * d) / (c * c + d * d)];
 
-  // Poles of 1 + N G, N frozen, that oscillate and grow, besides the limit cycle's own: the roots of a polynomial, all at
-  // once by Durand and Kerner's method, with the limit cycle's frequency as unit.
-  const otherGrowingPoles = ({ damping, share }, gain, omega) => {
+  // Poles of 1 + N G + N_f H, both N frozen, that oscillate and grow, besides the limit cycle's own: the roots of a
+  // polynomial, all at once by Durand and Kerner's method, with the limit cycle's frequency as unit.
+  const otherGrowingPoles = ({ damping, share }, gain, rubbing, omega) => {
     const named = formulas.polynomials(damping, share);
     const powers = [8, 7, 6, 5, 4, 3, 2, 1, 0];
     const scaled = powers.map((power) => times(
-      [named[`a${power}`] + gain[0] * named[`b${power}`], gain[1] * named[`b${power}`]], [omega ** (power - 8), 0]));
+      [named[`a${power}`] + gain[0] * named[`b${power}`], gain[1] * named[`b${power}`] + rubbing * named[`h${power}`]],
+      [omega ** (power - 8), 0]));
     const polynomial = scaled.map((each) => over(each, scaled[0]));
     const value = (z) => polynomial.reduce((sum, each) => [0, 1].map((part) => times(sum, z)[part] + each[part]), [0, 0]);
     let roots = powers.slice(1).map((power) => [1.1 * Math.cos(0.8 * power + 0.4), 1.1 * Math.sin(0.8 * power + 0.4)]);
@@ -70,15 +84,15 @@ const explorableModel = (formulas) => {
     if (size(at.value) > 1e-9 * size(at.gain)) return undefined;
     // Loeb's rule; the amplitude falls as the flight grows longer.
     const returns = cross(at.byFlight, at.byOmega) < 0;
-    const others = otherGrowingPoles(settings, at.gain, omega);
+    const others = otherGrowingPoles(settings, at.backlash, at.rubbing, omega);
     return { ...at, flight, omega, frequency: omega / TURN, returns, others, stable: returns && others === 0 };
   };
 
   // All solutions between 60 and 1500 Hz: cells in which both parts change their sign, then Newton's method.
   const solve = (settings) => {
     const rows = OMEGAS.map((omega) => {
-      const inverse = formulas.inverseResponse(omega, settings.damping, settings.share);
-      return FLIGHTS.map((flight) => residual(settings, flight, omega, inverse).value);
+      const known = linear(settings, omega);
+      return FLIGHTS.map((flight) => residual(settings, flight, omega, known).value);
     });
     const found = [];
     for (let i = 0; i + 1 < OMEGAS.length; i += 1) {
@@ -101,7 +115,7 @@ const explorableModel = (formulas) => {
   const locus = (settings) => spaced(Math.log(60), Math.log(1500), 3000).map((each) => response(settings, TURN * Math.exp(each)));
   // -1/N for a frequency that is kept, as a contour is drawn.
   const contour = (settings, omega) => spaced(0.03, Math.PI, 200).map((flight) => {
-    const [real, imaginary] = residual(settings, flight, omega).gain;
+    const [real, imaginary] = residual(settings, flight, omega).gain; // with friction as seen from the pin
     return [-real / (real * real + imaginary * imaginary), imaginary / (real * real + imaginary * imaginary)];
   });
   // Pin and load over one period, over A: flight and contact, then both with the other sign.

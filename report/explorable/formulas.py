@@ -23,7 +23,7 @@ from derivations.elements.friction import FORCE
 from derivations.elements.waveform import THETA
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import A, c2, k2, omega, s
-from derivations.transfer_steps import output_numerator
+from derivations.transfer_steps import output_numerator, rubbing_numerator
 
 SHARE = sympy.Symbol("share", nonnegative=True)
 """Share of the pin's velocity that acts on the bridge: 0 in the thesis's loop, 1 in the trimmer."""
@@ -57,6 +57,7 @@ def functions(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational
     """
     return (
         _inverse_response(derivation, values),
+        _rubbing(derivation, values),
         _polynomials(derivation, values),
         _element(),
         _friction(values[k2]),
@@ -67,11 +68,33 @@ def functions(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational
 
 def _inverse_response(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> Function:
     """Return 1/G at s = jω and its derivative by ω, from the coefficients of the transfer function."""
+    plant = _plant(derivation, values)
+    return _over_numerator("inverseResponse", plant["b"], plant["a"])
+
+
+def _rubbing(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> Function:
+    """Return k2 H/G at s = jω and its derivative by ω.
+
+    H leads from a force on the cutter, and its reaction on the guard, to the output. There the friction rubs.
+    """
+    plant = _plant(derivation, values)
+    return _over_numerator("rubbing", plant["b"], plant["h"])
+
+
+def _plant(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> dict[str, sympy.Expr]:
+    """Return the numerators of G (``b``) and of k2 H (``h``) over their common denominator (``a``)."""
     fixed = {symbol: value for symbol, value in values.items() if symbol != c2}
     numerator = _polynomial(output_numerator(derivation), fixed)
-    denominator = _polynomial(list(derivation.transfer.denominator), fixed)
-    numerator *= 1 + SHARE * s * c2 / fixed[k2]
-    real, imaginary = _parts(numerator), _parts(denominator)
+    return {
+        "b": sympy.expand(numerator * (1 + SHARE * s * c2 / fixed[k2])),
+        "h": sympy.expand(fixed[k2] * _polynomial(rubbing_numerator(derivation), fixed)),
+        "a": _polynomial(list(derivation.transfer.denominator), fixed),
+    }
+
+
+def _over_numerator(name: str, divisor: sympy.Expr, dividend: sympy.Expr) -> Function:
+    """Return a quotient of two polynomials in s at s = jω, and its derivative by ω."""
+    real, imaginary = _parts(divisor), _parts(dividend)
     below, above = sympy.symbols("P_r P_i", real=True), sympy.symbols("Q_r Q_i", real=True)
     by_below, by_above = sympy.symbols("dP_r dP_i", real=True), sympy.symbols("dQ_r dQ_i", real=True)
     quotient = (above[0] + sympy.I * above[1]) / (below[0] + sympy.I * below[1])
@@ -85,20 +108,17 @@ def _inverse_response(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.
         *zip(by_above, (sympy.horner(each.diff(omega), omega) for each in imaginary), strict=True),
     )
     results = {}
-    for name, value in (("", quotient), ("ByOmega", change)):
+    for suffix, value in (("", quotient), ("ByOmega", change)):
         for part, take in (("real", sympy.re), ("imaginary", sympy.im)):
-            results[f"{part}{name}"] = sympy.simplify(take(value))
-    return Function("inverseResponse", (omega, c2, SHARE), results, given)
+            results[f"{part}{suffix}"] = sympy.simplify(take(value))
+    return Function(name, (omega, c2, SHARE), results, given)
 
 
 def _polynomials(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> Function:
-    """Return the coefficients of both polynomials of G, for the poles of the closed loop."""
-    fixed = {symbol: value for symbol, value in values.items() if symbol != c2}
-    numerator = _polynomial(output_numerator(derivation), fixed) * (1 + SHARE * s * c2 / fixed[k2])
-    denominator = _polynomial(list(derivation.transfer.denominator), fixed)
+    """Return the coefficients of the polynomials of G and k2 H, for the poles of the closed loop."""
     results = {
-        f"{name}{power}": sympy.expand(polynomial).coeff(s, power)
-        for name, polynomial in (("b", numerator), ("a", denominator))
+        f"{name}{power}": polynomial.coeff(s, power)
+        for name, polynomial in _plant(derivation, values).items()
         for power in range(len(derivation.transfer.denominator) - 1, -1, -1)
     }
     return Function("polynomials", (c2, SHARE), results)
@@ -156,7 +176,7 @@ def _element() -> Function:
 
 
 def _friction(stiffness: sympy.Rational) -> Function:
-    """Return the imaginary part of N of Coulomb friction over the stiffness of the bridge."""
+    """Return the imaginary part of N of Coulomb friction over the stiffness of the bridge, and its slope."""
     imaginary = friction_term() / sympy.I / stiffness
     results = {"imaginary": imaginary, "imaginaryByAmplitude": imaginary.diff(A)}
     return Function("friction", (FORCE, A), results)

@@ -50,7 +50,7 @@ def _sliders(damping: float) -> tuple[Slider, ...]:
         Slider("gap", "Gap g, the total clearance", -6.0, -3.0, math.log10(GAP), True, 1e6, "µm"),
         Slider("load", "Load behind the play, M/D", -6.0, -1.0, math.log10(TIME_CONSTANT), True, 1e3, "ms"),
         Slider("damping", "Damping c₂ of the driving bridge", 0.0, 4 * damping, damping, False, 1.0, "N s/m"),
-        Slider("force", "Dry friction force, divided by k₂ in the loop", 0.0, 2.0, 0.0, False, 1.0, "N"),
+        Slider("force", "Dry friction between cutter and guard", 0.0, 2.0, 0.0, False, 1.0, "N"),
         Slider("share", "Share of the pin’s velocity (0: thesis)", 0.0, 1.0, 0.0, False, 100.0, "%"),
     )
 

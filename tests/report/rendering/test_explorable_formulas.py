@@ -12,15 +12,25 @@ from derivations.linear_trimmer import derive_linear_trimmer
 from report.explorable.formulas import functions
 from report.explorable.script import script
 from report.folders import templates
+from report.numbers.friction_in_place import force_response, largest_force
 from report.numbers.linear_numbers import exact_values
 from tests.quick import quick
 from tests.report.rendering.page_checks import opened
-from trimmer import TrimmerParameters, ViscousBacklash, limit_cycles, response_at, transfer_function
+from trimmer import (
+    FrictionBacklash,
+    TrimmerParameters,
+    ViscousBacklash,
+    limit_cycles,
+    pin_model,
+    response_at,
+    transfer_function,
+)
 from trimmer.elements.backlashes.contact_equation import steady_motion
 from trimmer.linear import InputChannels
 
 CLOSE = 1e-12
 PARAMETERS = TrimmerParameters.thesis()
+PIN = InputChannels.DISPLACEMENT_ONLY
 POINTS = [(flight, gamma) for flight in (0.3, 0.9, 1.7, 2.6, 3.1) for gamma in (0.02, 0.3, 1.25, 4.7, 60.0)]
 FREQUENCIES = (60.0, 206.0, 227.0, 354.0, 480.0, 549.0, 612.0, 733.63, 1139.0, 1500.0)
 
@@ -124,8 +134,23 @@ def test_friction_ends_the_limit_cycle_and_the_gap_only_scales_it(page):
     small, large = solved(page, gap=4e-6), solved(page, gap=4e-4)
     assert [each["omega"] for each in small] == pytest.approx([each["omega"] for each in large], rel=1e-12)
     assert large[0]["amplitude"] == pytest.approx(100 * small[0]["amplitude"], rel=1e-10)
-    assert solved(page, load=1e-6, force=1.5) != []
-    assert solved(page, load=1e-6, force=1.7) == []
+    unstable, stable = limit_cycles(pin_model(PARAMETERS, channels=PIN), FrictionBacklash(1.0))
+    most = 2e-4 * largest_force(PARAMETERS, PIN, unstable, stable).force_per_gap
+    # The load of the page is not quite without mass: its flight shifts the force by less than a hundredth.
+    assert len(solved(page, load=1e-6, force=0.98 * most)) == 2
+    assert solved(page, load=1e-6, force=1.02 * most) == []
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize(("damping", "share"), [(0.4, 0.0), (1.3, 1.0)])
+def test_friction_rubs_between_cutter_and_guard(page, damping, share):
+    parameters = TrimmerParameters(**{**vars(PARAMETERS), "c2": damping})
+    channels = InputChannels.DISPLACEMENT_AND_VELOCITY if share else PIN
+    pin, pair = transfer_function(parameters, channels=channels), force_response(parameters)
+    for omega in (2 * math.pi * frequency for frequency in FREQUENCIES):
+        found = in_page(page, "rubbing", omega, damping, share)
+        expected = parameters.k2 * complex(response_at(pair, omega)) / complex(response_at(pin, omega))
+        assert abs(complex(found["real"], found["imaginary"]) / expected - 1) < 1e-9
 
 
 def test_the_formulas_are_small_and_hold_no_foreign_code(printed):
