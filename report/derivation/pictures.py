@@ -77,7 +77,9 @@ def _picture(step: str, waveform: Waveform, values: Values) -> Figure:
 def _caption(values: Values) -> str:
     shown = ((GAP, "g/A"), (GAMMA, r"\gamma"))
     given = ", ".join(f"${name} = {float(values[symbol]):.3g}$" for symbol, name in shown if symbol in values)
-    upright = "Upright lines part the pieces that are integrated one by one."
+    upright = (
+        "Vertical lines are drawn where one piece ends and the next begins; each is integrated by itself."
+    )
     return f"{upright} Drawn for {given}." if given else upright
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Self, final
 
+from report.document.advice import Advice
 from report.pages.explorable import Panel, Slider
 from report.pages.figure import Figure
 
@@ -44,13 +45,12 @@ class Highlight:
 
 @dataclass(frozen=True)
 class Opening:
-    """The first screen: what was found, what matters most, what a designer does (Markdown)."""
+    """The first screen: what was found, what matters most (Markdown), and what a designer is advised."""
 
     sentences: str
     highlights: tuple[Highlight, ...]
     figure: Figure
-    do: tuple[str, ...]
-    do_not: tuple[str, ...]
+    advice: tuple[Advice, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -80,14 +80,32 @@ class CorrectedResult:
     remark: str = ""
 
 
+@dataclass(frozen=True)
+class Root:
+    """A slip from which others grow, or those that stand alone, which need no words.
+
+    ``title`` is plain text with TeX mathematics, ``words`` Markdown; ``claims`` are ids, the root's first.
+    """
+
+    title: str
+    words: str
+    claims: tuple[str, ...]
+
+    @property
+    def size(self) -> int:
+        """How many claims it has."""
+        return len(self.claims)
+
+
 @final
 @dataclass(frozen=True)
 class Overview(ExtraChapter):
-    """The first screen, the research questions with their answers, and corrected predictions."""
+    """The first screen, what changes a conclusion, the research questions, and corrected predictions."""
 
     opening: Opening | None = None
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
+    roots: tuple[Root, ...] = ()
 
     @property
     def figures(self) -> tuple[Figure, ...]:
@@ -96,14 +114,19 @@ class Overview(ExtraChapter):
 
     @property
     def named(self) -> Mapping[str, str]:
-        """Claims that answers and corrected predictions are about."""
+        """Claims that roots, answers and corrected predictions are about."""
+        rooted = {claim: f"the root “{root.title}”" for root in self.roots for claim in root.claims}
         answered = {claim: "a research question" for answer in self.answers for claim in answer.claims}
-        return answered | {each.claim: f"the corrected result “{each.quantity}”" for each in self.corrected}
+        return (
+            rooted
+            | answered
+            | {each.claim: f"the corrected result “{each.quantity}”" for each in self.corrected}
+        )
 
     def part(self, kept: Collection[str]) -> Self:
         """Return the corrected predictions of some claims; the rest is about the whole report."""
         corrected = tuple(each for each in self.corrected if each.claim in kept)
-        return replace(self, opening=None, answers=(), corrected=corrected)
+        return replace(self, opening=None, roots=(), answers=(), corrected=corrected)
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,9 @@ from report.numbers.evidence import Evidence
 from report.overview.answers import answers
 from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
+from report.overview.roots import ROOTS
 
 
 def overview(known: Evidence) -> Overview:
-    """Return the first screen, the answers to the research questions, and the corrected predictions."""
-    return Overview(opening(known), answers(known), corrected_results(known))
+    """Return the first screen, the roots, the research questions, and the corrected predictions."""
+    return Overview(opening(known), answers(known), corrected_results(known), ROOTS)

@@ -12,7 +12,7 @@ from report.document.thesis import Chapter
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.items import Item, items
-from report.judging.verdict import Certainty, Grade, grade
+from report.judging.verdict import Certainty, Grade, Verdict, grade
 from report.rendering.selection import chapter_name
 
 SYMBOLS = {
@@ -87,7 +87,11 @@ class CountRow:
     @property
     def reproduced(self) -> int:
         """How many follow as printed."""
-        return sum(count.number for count in self.counts if count.grade is Grade.REPRODUCED)
+        return self.number(Grade.REPRODUCED)
+
+    def number(self, grade: Grade) -> int:
+        """Return how many have a grade."""
+        return sum(count.number for count in self.counts if count.grade is grade)
 
 
 def count_table(document: Document) -> tuple[CountRow, ...]:
@@ -123,6 +127,11 @@ def kinds_in_words(document: Document) -> str:
     numbers = Counter(finding.kind for finding in document.findings)
     said = [f"{numbers[kind]} {_KINDS_IN_WORDS[kind][numbers[kind] > 1]}" for kind in Kind if numbers[kind]]
     return " and ".join(filter(None, (", ".join(said[:-1]), *said[-1:])))
+
+
+def partly(finding: Finding) -> bool:
+    """Return whether a card that says what is wrong has parts that are right."""
+    return finding.verdict.is_wrong and any(part.verdict is Verdict.REPRODUCED for part in finding.parts)
 
 
 def figures_judged(document: Document) -> int:

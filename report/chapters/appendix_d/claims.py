@@ -8,10 +8,10 @@ from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u,
 from report.chapters.chapter_2.claims import trimmer_printed
 from report.chapters.chapter_2.claims.section_2_2_1 import MOTOR_ITEM
 from report.chapters.chapter_2.claims.section_2_2_2 import transformed_state_space
-from report.judging.comparisons.expression import SameExpression
 from report.judging.comparisons.printed import total
-from report.judging.parts import expression, lost_in_the_copy, same
+from report.judging.parts import expression, made_here, same
 from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence
 
 V1, V2, *_ = velocities
@@ -47,12 +47,16 @@ def slope_of_lagrangian(known: Evidence) -> Record:
         derived,
         left=r"\frac{\partial L}{\partial q_1}",
         second=same("the spring forces on the motor at rest", spring_force, derived),
-        copy_fault=lost_in_the_copy("the minus sign before the slope", SameExpression(-printed, derived)),
+        slip=made_here("the minus sign before the slope is left out", -derived),
+        severity=Severity.SLIP,
+        certainty=Certainty.READING,
     )
     yield text(r"""
-        As copied, every sign is reversed: the right side is $-\partial L/\partial q_1$. One minus sign before
-        the slope, which the Euler-Lagrange equation has there, makes the line right. That
-        [equation D.5](#eq-D.5) has the right signs speaks for a sign lost in the copy.
+        Every sign is reversed: the right side is $-\partial L/\partial q_1$. One minus sign before the slope,
+        which the Euler-Lagrange equation has there, makes the line right; [equation D.5](#eq-D.5) has the
+        right signs, so nothing comes of it. A machine that read the page could have dropped one minus sign.
+        But it has kept those of the right side and of all lines around it; so the slip is rather the
+        author's. The page shows it.
     """)
 
 

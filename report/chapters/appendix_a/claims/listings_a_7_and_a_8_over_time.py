@@ -21,12 +21,12 @@ from report.judging.parts import (
     close,
     digits,
     expression,
-    lost_in_the_copy,
     made_here,
     part,
     so,
 )
 from report.judging.record import Record, claim, text
+from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import contact_angle_by_bisection
 from report.numbers.listed_blocks import (
@@ -105,11 +105,19 @@ def friction_controlled(_: Evidence) -> Record:
     yield from friction_parts()
     as_read = blocks_closed(FRICTION_LINES)
     one_less = blocks_closed(FRICTION_LINES[:-1])
-    yield part("blocks", as_read, copy_fault=lost_in_the_copy("one end is read twice", one_less))
+    yield part(
+        "blocks",
+        as_read,
+        second=so("without line 12 each block is closed once", one_less.compare().agrees),
+        severity=Severity.SLIP,
+        certainty=Certainty.READING,
+    )
     yield text("""
         The three branches are those of a load without inertia between walls a total $D$ apart, for any input.
-        As read, line 12 is one `end` too many, and the function cannot be run; without it, it can. The page
-        shows whether the line is there. Caption and arguments are [judged apart](#txt-A.7-captions).
+        Line 12 is one `end` too many, and the function cannot be run; without it, it can. A machine that read
+        the page could have read an `end` twice. But then it would have read a number of a line with it that
+        is not there, in the right place; so the line is rather the author's. The page shows it. Caption and
+        arguments are [judged apart](#txt-A.7-captions).
     """)
 
 

@@ -176,8 +176,8 @@ def waveform(_: Evidence) -> Record:
         After the trough it stays at $-(A - b)$. The printed signs are exchanged, so the output would jump by
         ${sympy.latex(2 * (A - b))}$ at the start of contact, and the bridge would leave the gap.
 
-        None on results: the integrals of [equation 2.37](#eq-2.37) repeat the signs, but their values are
-        those of the right waveform. So the describing function is not touched.
+        No result is affected: the integrals of [equation 2.37](#eq-2.37) repeat the signs, but their values
+        are those of the right waveform. So the describing function is not touched.
     """)
 
 
@@ -206,7 +206,7 @@ def first_segment(_: Evidence) -> Record:
         As at [equation 2.36](#eq-2.36), in words: the first piece follows the pin's peak, where the bridge
         rests at its highest, at $+(A - b)$. The text gives it a minus sign, and the third piece a plus sign.
 
-        None on results, as there.
+        No result is affected, as there.
     """)
 
 

@@ -184,7 +184,7 @@ def input_choice(_: Evidence) -> Record:
         If the input is the velocity, the footnote is right: it does not matter which sinusoid the velocity
         is. If it is the displacement, as the sentence before and section 5.2.4 suggest, it is wrong. Friction
         follows the velocity, which leads the displacement by a quarter period, so $N = j\,4F_c/(\pi A)$: the
-        same size, turned by 90 degrees. No scaling removes a phase.
+        same size, turned by 90 degrees. A factor cannot turn a phase back.
 
         Section 5.2.4 puts the real value into a loop whose signal is a displacement. That makes friction a
         switching spring, which stores energy, where it is a damper, which takes it.

@@ -93,8 +93,8 @@ def backlash_part(_: Evidence) -> Record:
         The real part is $b_1/A$ with $b_1$ of [equation 2.40](#eq-2.40), whose factor $A/\pi$ is missing. As
         printed it has the unit 1/m, and tends to $\pi/A$ instead of one for large amplitudes.
 
-        None on results: equation 5.14 repeats it, but [Listing A.6](#lst-A.6), which draws the contours, has
-        the factor.
+        No result is affected: equation 5.14 repeats it, but [Listing A.6](#lst-A.6), which draws the
+        contours, has the factor.
     """)
 
 

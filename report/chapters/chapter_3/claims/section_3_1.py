@@ -122,13 +122,14 @@ def sign_of_the_output(known: Evidence) -> Record:
         method="all solutions of harmonic balance for either sign",
         second=so(gain, not low <= 1 <= high),
         item=OUTPUT,
-        severity=Severity.CONCLUSION,
+        severity=Severity.SLIP,
         certainty=Certainty.READING,
     )
     yield text("""
         Section 3.1 gives the output map as $x_4 - x_2$; equation 2.14 and Listing A.1 have $x_2 - x_4$. Read
-        as a slip of the pen, which is likely, it has no effect: a measured spectrum does not see the sign,
-        and chapter 5 computes with the other one. Read as the output of the loop it leaves no limit cycle
+        as a slip of the pen it has no effect: a measured spectrum does not see the sign, and chapter 5
+        computes with the other one. This reading is the likelier one, as the sentence is about what the
+        camera measures, and the card is graded by it. Read as the output of the loop it leaves no limit cycle
         with Listing A.1: backlash only lags, so with the sign turned $G$ would have to lead, which it does by
         little and with too large a gain.
 

@@ -166,7 +166,7 @@ def drive_frequency(_: Evidence) -> Record:
         bin of these spectra. By the bins of experiment 1 the drive lies between {low:.2f} and {high:.2f} Hz,
         so the three decimals carry no information.
 
-        None on results: section 5.2.1 and appendix A.9 quote {QUOTED[1][1]} Hz again, and the models of
+        No result is affected: section 5.2.1 and appendix A.9 quote {QUOTED[1][1]} Hz again, and the models of
         chapters 4 and 5 run at {DRIVE_FREQUENCY:.0f} Hz.
     """)
 
@@ -226,6 +226,10 @@ def no_limit_cycle(known: Evidence) -> Record:
         second=second,
     )
     yield text("""
+        What is printed as found, no limit cycle in either experiment, is right. Only the remark that the
+        describing function let expect one is not. The thesis says itself that nothing came of it, and draws
+        no conclusion from it: the card is graded as a slip.
+
         The observation is what the model demands for every gap and friction: a driven trimmer has no limit
         cycle where play only passes the pin's displacement on, as in the thesis. So it does not say whether
         friction, or play, could keep one up in a loop. A bridge that rattles in its play with a mass of its

@@ -258,7 +258,7 @@ def force_unit(known: Evidence) -> Record:
         """,
         method="all solutions of harmonic balance, friction between cutter and guard",
         second=at_the_merger(known),
-        severity=Severity.CONCLUSION,
+        severity=Severity.SLIP,
         certainty=Certainty.READING,
     )
     yield text(f"""
@@ -267,8 +267,9 @@ def force_unit(known: Evidence) -> Record:
         output enters as a displacement of the pin, so 0.015 is 15 mm of its travel, ten times the
         eccentricity. The small amplitude for which the section neglects friction was found with that relay.
         Read as said of limit cycles that friction makes by itself, the conclusion is right, since there are
-        none. Read as said of those of backlash it is not: friction in newtons, between cutter and guard, ends
-        the limit cycle of a small gap.
+        none. The section is about friction alone, so this reading is the likelier one, and the card is graded
+        by it and by what is printed, a unit. Read as said of the limit cycles of backlash the conclusion is
+        wrong: friction in newtons, between cutter and guard, ends the limit cycle of a small gap.
 
         The force that ends a limit cycle is in proportion to the gap. The bound of 1.0 N ends it for gaps up
         to {1e6 * BOUND / per_gap:.0f} µm; for a larger gap a limit cycle is left.

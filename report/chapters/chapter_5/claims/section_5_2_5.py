@@ -11,7 +11,7 @@ from report.judging.claim import ClaimPart, Confirmation
 from report.judging.comparisons.printed import power_of
 from report.judging.parts import assertion, close, digits, equal, made_here, repeated, so
 from report.judging.record import Record, claim, text
-from report.judging.verdict import Severity
+from report.judging.verdict import Certainty, Severity
 from report.numbers.equivalent_nonlinearity import FORCE, EquivalentNumbers, NewtonSolution
 from report.numbers.evidence import Evidence
 from report.numbers.independent import limit_cycles
@@ -69,6 +69,7 @@ def frequency_part(numbers: EquivalentNumbers) -> ClaimPart:
         slip=made_here(slip, math.floor(1000 * less_force.frequency) / 1000),
         item="737.514 Hz, limit cycle predicted with 0.6 N of friction",
         severity=Severity.SLIP,
+        certainty=Certainty.READING,
     )
 
 
@@ -93,8 +94,11 @@ def prediction(known: Evidence) -> Record:
         With the right friction term there is no limit cycle at {FORCE} N: friction between cutter and guard
         ends it at {numbers.force_of_merger:.4f} N for this gap. The printed one comes from line 18 of Listing
         A.6, whose [friction term](#txt-5.2.5-coulomb-term) feeds the oscillation. The listings give
-        {rounded.frequency:.3f} Hz; the printed last digits come out with 0.15 N, the force of figure 5.21.
-        Equation 5.14, which the text names as what is drawn, gives {numbers.as_printed.frequency:.0f} Hz.
+        {rounded.frequency:.3f} Hz. There are two readings of the printed last digits. They come out with 0.15
+        N, the force of figure 5.21, and the last one cut off. Or the solver stopped before it was there: with
+        its usual tolerance `fsolve` of Octave ends between 736.589 and 737.520 Hz, depending on where it
+        starts, and calls most of these solved. Nothing in the text decides between the two. Equation 5.14,
+        which the text names as what is drawn, gives {numbers.as_printed.frequency:.0f} Hz.
 
         The comparison with 733.33 Hz, figures 5.23 and 5.24 and the peak of 736.993 Hz that is taken for this
         limit cycle lose their ground. Its amplitude of {1e3 * listing.amplitude:.1f} mm, which the text does

@@ -61,9 +61,9 @@ def dominant_friction(known: Evidence) -> Record:
         limit cycle for {1e6 * LARGE_GAP:.0f} µm it is {inertia:.0f} N. So neither limit holds; the general
         backlash is the one to use.
 
-        The recommendation of chapter 7 may rest on ease, not on physics. The predicted frequency lies at
-        {cycle.frequency:.1f} Hz with friction alone and at {heavy.frequency:.1f} Hz with inertia alone, where
-        the amplitude is {smaller:.0f} % smaller.
+        The recommendation of chapter 7 may have been made for convenience, not for a physical reason. The
+        predicted frequency lies at {cycle.frequency:.1f} Hz with friction alone and at {heavy.frequency:.1f}
+        Hz with inertia alone, where the amplitude is {smaller:.0f} % smaller.
     """)
 
 
