@@ -12,6 +12,8 @@ from report.building.progress import Progress
 from report.cache.content_key import content_key
 from report.cache.stage_store import StageStore
 from report.data.text_copy import read_build_time
+from report.document.advice import NAME as ADVICE
+from report.document.advice import advice_json
 from report.document.document import Document
 from report.octave.archive import write_files
 from report.pages.formats import Format
@@ -59,6 +61,8 @@ def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
     document = select(_content(store, progress), request.chapters)
     (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request, store))
     write_files(document.programs, directory / OCTAVE)
+    if document.overview.opening is not None:
+        write_atomically(directory / ADVICE, advice_json(document.overview.opening.advice))
     log = directory / LOG
     write_atomically(log, progress.log())
     return Built(document, files, log, time.perf_counter() - started)

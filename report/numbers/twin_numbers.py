@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
+from report.numbers.twin.advice import LINES, Searched, read_advice, tried_again
 from report.numbers.twin.cases import (
     PHASES,
     SHOWN,
@@ -15,7 +16,6 @@ from report.numbers.twin.cases import (
     TwinCase,
     followed,
     independent,
-    lead_to_one,
     twin_case,
 )
 from report.numbers.twin.frozen_bridge import FrozenBridge, frozen_bridge
@@ -29,7 +29,6 @@ from report.numbers.twin.mechanism import (
     FREQUENCY,
     SMALL_FORCE,
     SMALL_GAP,
-    STIFFNESS,
     STROKE,
     twin,
 )
@@ -45,13 +44,6 @@ FORCES: Final = (0.0, 1.0, 2.0, 3.0, 4.0)
 """Frictions without play, N."""
 SOLVED_AGAIN: Final = 100
 """Every so many orbits of a branch one is solved again."""
-STARTS: Final = 8
-"""Starts from which what is advised to designers is tried."""
-ADVISED: Final = (
-    twin(),
-    twin(EXPERIMENT_GAP, SMALL_FORCE).with_value(STIFFNESS, 10e3),
-    twin(150e-6, SMALL_FORCE, 155.0),
-)
 SCALE: Final = 0.5
 """Factor by which amplitude, gap and friction are changed together."""
 
@@ -99,8 +91,7 @@ class TwinNumbers:
         mirror_apart: Distance of the mirror image from the motion itself, m.
         linear_stroke: Without play and friction, from the linear trimmer's response, m peak to peak.
         branches_again: Largest relative change of the stroke where kept orbits are solved again.
-        advised: Of each of ``ADVISED`` (40 µm; a soft bridge at 0.2 mm; 155 Hz at 0.15 mm): whether
-            ``STARTS`` starts lead to one motion of the drive's period, mirror images apart.
+        advice: Lines of advice with what their searches found, tried again at a few points.
         friction: Kept map over gap and friction.
         speed: Kept map over gap and frequency of the drive, 0.5 N.
         stiffness: Kept map over gap and stiffness of the bridge, 0.5 N.
@@ -122,7 +113,7 @@ class TwinNumbers:
     mirror_apart: float
     linear_stroke: float
     branches_again: float
-    advised: tuple[bool, ...]
+    advice: tuple[Searched, ...]
     friction: MapNumbers
     speed: MapNumbers
     stiffness: MapNumbers
@@ -170,7 +161,7 @@ def solve_twin() -> TwinNumbers:
         mirror_apart=apart,
         linear_stroke=_linear_stroke(),
         branches_again=_branches_again(branches),
-        advised=tuple(lead_to_one(each, STARTS) for each in ADVISED),
+        advice=tuple(map(tried_again, read_advice(LINES))),
         friction=friction,
         speed=speed,
         stiffness=stiffness,

@@ -15,7 +15,8 @@ from trimmer.drawing.cells import draw_cells
 
 NAME: Final = "opening-map"
 TITLE: Final = "What play does to the motion at 110 Hz"
-HEIGHT: Final = 1.55
+SIZE: Final = (1.9, 4.6)
+"""Height and width, inches: narrow enough for a telephone."""
 COLOURS: Final = ("#dbe9f6", "#e69f00", "#7a1f1f")
 NAMES: Final = ("repeats with the drive", "repeats later", "does not repeat")
 
@@ -34,7 +35,7 @@ def _map(known: Evidence) -> Drawing:
     from matplotlib.patches import Patch
 
     numbers = known.twin.friction
-    canvas = new_figure(HEIGHT)
+    canvas = new_figure(*SIZE)
     axes = canvas.subplots()
     count = numbers.kept.period_count
     cells = np.where(count == 1, 0, np.where(count > 1, 1, 2))
@@ -47,5 +48,5 @@ def _map(known: Evidence) -> Drawing:
         Patch(facecolor=colour, edgecolor="0.4", label=name)
         for colour, name in zip(COLOURS, NAMES, strict=True)
     ]
-    canvas.legend(handles=handles, loc="outside right center")
+    canvas.legend(handles=handles, loc="outside lower center", ncols=len(handles), handlelength=1.2)
     return canvas

@@ -1,4 +1,4 @@
-"""``make maps``: compute the maps and branches that are kept with the code.
+"""``make maps``: compute the maps, branches and searches that are kept with the code.
 
 Each map is written cell by cell into a folder of ``build/maps``, and a run that was interrupted goes on from
 there. The folder is named after the code that computes cells, so that nothing goes on from what other code
@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 
 from report.cache.source_closure import SourceTree
+from report.numbers.twin.advice import LINES, search, write_advice
 from report.numbers.twin.closed_loop import FILE as LOOP_FILE
 from report.numbers.twin.closed_loop import LOOP_COURSES, without_friction
 from report.numbers.twin.grids import COURSES, GRIDS, Grid, KeptCourse
@@ -67,6 +68,15 @@ def make_branches() -> None:
     write_branches([(each, _followed(each, without_friction(each))) for each in LOOP_COURSES], LOOP_FILE)
 
 
+def make_advice() -> None:
+    """Search the boxes of the advice; it takes minutes, and nothing of it is resumed."""
+    found = []
+    for line in LINES:
+        print(f"advice {line.id}", file=sys.stderr)
+        found.append(search(line))
+    write_advice(found)
+
+
 def _followed(course: KeptCourse, state: Reals | None = None) -> FollowedBranch:
     print(f"branch {course.name}", file=sys.stderr)
     interval = course.place, course.start, course.stop
@@ -96,6 +106,7 @@ def main() -> int:
     try:
         make(work_folder())
         make_branches()
+        make_advice()
     except MapInterruptedError as interrupt:
         print(f"{str(interrupt).partition(';')[0]}; `make maps` goes on", file=sys.stderr)
         return INTERRUPTED

@@ -218,18 +218,6 @@ def independent(gap: float, force: float) -> Independent:
     )
 
 
-def lead_to_one(mechanism: Mechanism, starts: int) -> bool:
-    """Return whether several starts lead to one motion of the drive's period, mirror images apart.
-
-    Args:
-        mechanism: What moves.
-        starts: How many starts; the first is rest, the others are random.
-    """
-    motions = respond(mechanism, starts=starts, most_periods=MOST_WAITED).motions
-    unlike = [motion for motion in motions if not motion.mirrored]
-    return len(unlike) == 1 and all(motion.period_count == 1 for motion in motions)
-
-
 def _bridge(found: Followed) -> Reals:
     """Return where the bridge is relative to the motor, m, at each sample of the motion."""
     motion = MechanismMotion(found.flow, found.course)

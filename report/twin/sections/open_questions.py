@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from report.judging.parts import equal, so
+from report.judging.parts import so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
-from report.numbers.thesis import EXPERIMENT_GAP
-from report.numbers.twin_numbers import STARTS
 from report.twin.observation import Observed, SectionRecord, observation
 
 MAPS = "report/numbers/twin/map_numbers.py"
@@ -43,21 +41,6 @@ def starts(known: Evidence) -> Observed:
     yield so("motions told apart by their exact orbits, of others by kind", min(beside, numbers.several) > 0)
 
 
-@observation("twin-open-advice", source="report/numbers/twin_numbers.py", title="Starts and the advice.")
-def advice(known: Evidence) -> Observed:
-    numbers = known.twin.starts
-    force = known.twin.friction_for_experiment
-    motions = int(numbers.kept.motion_count[numbers.row(force), numbers.column(EXPERIMENT_GAP)])
-    yield text(f"""
-        What is advised to designers was tried from {STARTS} starts each: 40 µm with 0.5 N, a bridge of 10
-        kN/m with 0.2 mm, and 155 Hz with 0.15 mm lead to one motion of the drive's period, mirror images
-        apart. Friction of {force:.1f} N against 0.2 mm does not stand this test: there the starts led to
-        {motions} motions.
-    """)
-    yield equal("the motions that these starts settle to", set(known.twin.advised), {True})
-    yield so("motions in that cell of the map from several starts", motions > 1)
-
-
 @observation("twin-open-parameters", source="report/numbers/twin/mechanism.py", title="The machine itself.")
 def parameters(known: Evidence) -> Observed:
     friction = known.twin.small.frozen.force
@@ -74,4 +57,4 @@ def parameters(known: Evidence) -> Observed:
     )
 
 
-SECTION = SectionRecord("twin-open", "What stays open", (cells, starts, advice, parameters))
+SECTION = SectionRecord("twin-open", "What stays open", (cells, starts, parameters))

@@ -22,7 +22,7 @@ KEPT = Path(__file__).with_name("kept.txt")
 SUMMED = ("amplitude", "frequency", "stable", "duration", "force_per_gap")
 """What is told of an orbit, a limit cycle or a motion."""
 LEFT_OUT = {
-    *("kept", "branches", "branches_again", "over_force", "over_gap"),
+    *("advice", "kept", "branches", "branches_again", "over_force", "over_gap"),
     *("repeat", "mirror", "miss", "distance", "residual", "apart", "mirror_miss", "mirror_apart"),
     "left_above",
 }

@@ -8,6 +8,7 @@ import sympy
 
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
+from report.document.advice import Advice
 from report.document.document import Document
 from report.document.extras import Answer, CorrectedResult, Highlight, Opening, Overview
 from report.document.thesis import Chapter, Program
@@ -132,8 +133,17 @@ def opening() -> Opening:
             Highlight(("txt-5.1.2-roll-off",), "The roll-off is 40 dB per decade, not 60.", "Use 40."),
         ),
         _another(figures()[0], "opening"),
-        ("Compute *your* trimmer.",),
-        ("Trust $G$ blindly.", "Tune."),
+        (
+            _advice("Compute *your* trimmer.", True),
+            _advice("Trust $G$ blindly.", False),
+            _advice("Tune.", False),
+        ),
+    )
+
+
+def _advice(words: str, wanted: bool) -> Advice:
+    return Advice(
+        "line", words, "", wanted, {}, {"frequency": (1.0, 2.0)}, "period_count", ("periodic",), 1.0
     )
 
 

@@ -55,6 +55,7 @@ def test_the_twin_is_the_mechanism_of_the_example(project_folder):
 def test_all_files_are_there_and_moderate_in_size():
     assert {path.name for path in FOLDER.glob("*.json")} == {
         *(f"{grid.name}.json" for grid in GRIDS),
+        "advice.json",
         "branches.json",
         "loop.json",
     }

@@ -1,0 +1,99 @@
+"""Each line of advice is a box that anybody can test with ``trimmer respond``, from rest."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from report.document.advice import advice_json
+from report.numbers.twin.advice import BOUNDED, LINES, attempt, read_advice, tried_again
+from report.numbers.twin.kept_files import KeptDataError
+from report.numbers.twin.mechanism import FORCE, SPEED
+from report.twin.observation import UnsupportedObservationError
+from report.twin.sections.design import SECTION
+from tests.json_document import documented, keys
+from trimmer.command_line.main import main
+
+ADVICE = json.loads(advice_json(LINES))
+NAMED = [line.id for line in LINES]
+
+
+def test_the_file_has_the_keys_that_are_documented():
+    found = {key.replace(".at_least", ".at_most") for key in keys(ADVICE, ("[].set", "[].over"))}
+    assert {"[]" + key.removeprefix("[]") for key in found} == {
+        key.replace(".PLACE", "") for key in documented("advice.json of trimmer report")
+    } - {"[].at_least"}
+    assert all(("at_most" in line) != ("at_least" in line) for line in ADVICE)
+
+
+@pytest.mark.parametrize("line", LINES, ids=NAMED)
+def test_a_box_reaches_five_per_cent_of_speed_and_half_of_the_friction_to_either_side(line):
+    for place, share in ((SPEED, 0.05), (FORCE, 0.5)):
+        low, high = line.over[place]
+        middle = (low + high) / 2
+        assert (high - low) / 2 >= share * middle * (1 - 1e-9)
+
+
+@pytest.mark.parametrize("number", range(len(LINES)), ids=NAMED)
+def test_it_holds_at_a_point_of_its_box_that_the_search_did_not_try(number, capsys, project_folder):
+    line = ADVICE[number]
+    shares = np.random.default_rng(1000 + number).random(len(line["over"]))
+    point = {
+        place: low + s * (high - low)
+        for s, (place, (low, high)) in zip(shares, line["over"].items(), strict=True)
+    }
+    options = [f"--set={place}={value!r}" for place, value in (line["set"] | point).items()]
+    assert main(["respond", str(project_folder / "examples" / "thesis-play.toml"), "--json", *options]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["kind"] in line["kinds"]
+    value = found
+    for key in line["measure"].split("."):
+        value = value[key]
+    assert line.get("at_least", -np.inf) <= value <= line.get("at_most", np.inf)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("searched", read_advice(LINES), ids=NAMED)
+def test_what_the_search_found_is_found_again(searched):
+    """Of motions that repeat; those that do not differ with rounding."""
+    for kept in searched.tried[::8]:
+        found = attempt(searched.line, kept.point)
+        assert searched.line.holds(found.kind, found.value)
+        if found.kind == kept.kind == "periodic":
+            assert found.value == pytest.approx(kept.value, rel=1e-4)
+
+
+def test_a_bound_that_the_search_broke_stops_the_build(evidence):
+    found = next(each for each in evidence.twin.advice if each.line.id == "calm-speed")
+    broken = replace(found, line=replace(found.line, at_most=0.999 * found.worst.value))
+    assert found.holds
+    assert not broken.holds
+    known = replace(evidence, twin=replace(evidence.twin, advice=(broken, *evidence.twin.advice[1:])))
+    with pytest.raises(UnsupportedObservationError, match=r"twin-do-calm-speed: .* does not hold"):
+        SECTION.items[1].finished(known)
+
+
+def test_a_bound_that_breaks_now_is_noticed_though_the_search_kept_it():
+    (found,) = (each for each in read_advice(LINES) if each.line.id == "soft-motor")
+    again = tried_again(found)
+    assert len(again.again) >= 4
+    assert again.holds
+    lower = replace(found.line, at_most=0.999 * again.again[0].value)
+    assert not replace(again, line=lower, tried=()).holds
+
+
+def test_another_kind_of_motion_than_those_allowed_breaks_a_line():
+    line = LINES[0]
+    assert line.holds("periodic", 1.0)
+    assert not line.holds("chaotic", 1.0)
+    assert not line.holds("periodic", None)
+    assert "chaotic" in BOUNDED
+
+
+def test_a_search_of_another_box_is_refused():
+    wider = replace(LINES[0], over=LINES[0].over | {SPEED: (140.0, 160.0)})
+    with pytest.raises(KeptDataError, match=r"advice\.json .* was made from another .*make maps"):
+        read_advice([wider, *LINES[1:]])
