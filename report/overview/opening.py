@@ -39,7 +39,7 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         Highlight(
             ("twin-main",),
             f"Where the bridge pushes back, 0.2 mm and 2 N repeat after {known.twin.main.twin.period_count} "
-            "drive periods, which gives lines at thirds of the drive.",
+            "drive periods, with lines at thirds of the drive.",
             "Look for peaks between the harmonics too.",
         ),
         Highlight(

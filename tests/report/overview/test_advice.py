@@ -40,7 +40,7 @@ def test_a_box_reaches_five_per_cent_of_speed_and_half_of_the_friction_to_either
 @pytest.mark.parametrize("number", range(len(LINES)), ids=NAMED)
 def test_it_holds_at_a_point_of_its_box_that_the_search_did_not_try(number, capsys, project_folder):
     line = ADVICE[number]
-    shares = np.random.default_rng(1000 + number).random(len(line["over"]))
+    shares = np.random.default_rng(1000 + number).random(len(line["over"])).tolist()
     point = {
         place: low + s * (high - low)
         for s, (place, (low, high)) in zip(shares, line["over"].items(), strict=True)
