@@ -53,10 +53,11 @@ def slope_of_lagrangian(known: Evidence) -> Record:
     )
     yield text(r"""
         Every sign is reversed: the right side is $-\partial L/\partial q_1$. One minus sign before the slope,
-        which the Euler-Lagrange equation has there, makes the line right; [equation D.5](#eq-D.5) has the
-        right signs, so nothing comes of it. A machine that read the page could have dropped one minus sign.
-        But it has kept those of the right side and of all lines around it; so the slip is rather the
-        author's. The page shows it.
+        which the Euler-Lagrange equation has there, makes the line right. A machine that read the page could
+        have dropped it, but it has kept every minus sign of the right side and of the lines around. So the
+        slip is rather the author's; the page shows it.
+
+        Nothing comes of it: [equation D.5](#eq-D.5) has the right signs.
     """)
 
 

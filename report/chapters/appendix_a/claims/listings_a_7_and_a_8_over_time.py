@@ -115,9 +115,11 @@ def friction_controlled(_: Evidence) -> Record:
     yield text("""
         The three branches are those of a load without inertia between walls a total $D$ apart, for any input.
         Line 12 is one `end` too many, and the function cannot be run; without it, it can. A machine that read
-        the page could have read an `end` twice. But then it would have read a number of a line with it that
-        is not there, in the right place; so the line is rather the author's. The page shows it. Caption and
-        arguments are [judged apart](#txt-A.7-captions).
+        the page could have read an `end` twice, but it would have had to invent the number of its line as
+        well. So the line is rather the author's; the page shows it.
+
+        Nothing else is touched: what was simulated cannot have had that line. Caption and arguments are
+        [judged apart](#txt-A.7-captions).
     """)
 
 

@@ -226,13 +226,13 @@ def no_limit_cycle(known: Evidence) -> Record:
         second=second,
     )
     yield text("""
-        What is printed as found, no limit cycle in either experiment, is right. Only the remark that the
-        describing function let expect one is not. The thesis says itself that nothing came of it, and draws
-        no conclusion from it: the card is graded as a slip. The observation is what the model demands for
-        every gap and friction: a driven trimmer has no limit cycle where play only passes the pin's
-        displacement on, as in the thesis. So it does not say whether friction, or play, could keep one up in
-        a loop. A bridge that rattles in its play with a mass of its own is outside of that model and of this
-        proof; what it does is computed in the chapter on the real trimmer.
+        What is printed as found, no limit cycle in either experiment, is what the model demands for every gap
+        and friction: a driven trimmer has none where play only passes the pin's displacement on, as in the
+        thesis. Only the remark that the describing function let expect one is wrong. The thesis says itself
+        that nothing came of it, and draws no conclusion from it, so the card is graded as a slip. A bridge
+        that rattles in its play with a mass of its own is outside of that model and of this proof; what it
+        does is computed in the chapter on the real trimmer.
 
-        The experiment cannot test the describing function; a loop with feedback would have to be built.
+        The experiment cannot test the describing function, nor whether friction or play could keep a limit
+        cycle up in a loop; a loop with feedback would have to be built.
     """)

@@ -265,12 +265,12 @@ def force_unit(known: Evidence) -> Record:
         A Coulomb force is in newtons, as section 3.3 and the bound of 1.0 N have it; the captions and
         sections 5.2.4 and 5.2.5 write [-]. In a loop with $G$ as its linear part it is neither: the relay's
         output enters as a displacement of the pin, so 0.015 is 15 mm of its travel, ten times the
-        eccentricity. The small amplitude for which the section neglects friction was found with that relay.
-        Read as said of limit cycles that friction makes by itself, the conclusion is right, since there are
-        none. The section is about friction alone, so this reading is the likelier one, and the card is graded
-        by it and by what is printed, a unit. Read as said of the limit cycles of backlash the conclusion is
-        wrong: friction in newtons, between cutter and guard, ends the limit cycle of a small gap.
+        eccentricity. Read as said of limit cycles that friction makes by itself, the conclusion is right,
+        since there are none. Read as said of those of backlash it is wrong: friction in newtons, between
+        cutter and guard, ends the limit cycle of a small gap. The section is about friction alone, so the
+        first reading is the likelier one, and the card is graded by it and by the unit that is printed.
 
         The force that ends a limit cycle is in proportion to the gap. The bound of 1.0 N ends it for gaps up
-        to {1e6 * BOUND / per_gap:.0f} µm; for a larger gap a limit cycle is left.
+        to {1e6 * BOUND / per_gap:.0f} µm; for a larger gap a limit cycle is left. The small amplitude for
+        which the section neglects friction was found with the relay of 0.015.
     """)

@@ -93,12 +93,11 @@ def prediction(known: Evidence) -> Record:
     yield text(f"""
         With the right friction term there is no limit cycle at {FORCE} N: friction between cutter and guard
         ends it at {numbers.force_of_merger:.4f} N for this gap. The printed one comes from line 18 of Listing
-        A.6, whose [friction term](#txt-5.2.5-coulomb-term) feeds the oscillation. The listings give
-        {rounded.frequency:.3f} Hz. There are two readings of the printed last digits. They come out with 0.15
-        N, the force of figure 5.21, and the last one cut off. Or the solver stopped before it was there: with
-        its usual tolerance `fsolve` of Octave calls 736.589 to 737.517 Hz solved, depending on where it
-        starts. Nothing in the text decides between the two. Equation 5.14, which the text names as what is
-        drawn, gives {numbers.as_printed.frequency:.0f} Hz.
+        A.6, whose [friction term](#txt-5.2.5-coulomb-term) feeds the oscillation; the listings give
+        {rounded.frequency:.3f} Hz. The printed last digits can be read in two ways. They come out with 0.15
+        N, the force of figure 5.21, and the last one cut off; or the solver stopped early, as `fsolve` of
+        Octave, with its usual tolerance, calls 736.589 to 737.517 Hz solved, depending on where it starts.
+        Equation 5.14, which the text names as what is drawn, gives {numbers.as_printed.frequency:.0f} Hz.
 
         The comparison with 733.33 Hz, figures 5.23 and 5.24 and the peak of 736.993 Hz that is taken for this
         limit cycle lose their ground. Its amplitude of {1e3 * listing.amplitude:.1f} mm, which the text does
