@@ -143,6 +143,7 @@ class MechanismFlow(Flow):
         if sampled is None:
             return instant
         mode, state = self.modes.number(instant.statuses), instant.state.copy()
+        sampled.require_countable(self.modes[mode].flow[: self.size, : self.size])
         extended = np.concatenate([state, layout.forcing_at(0.0)])
         for place, signal in sampled.remembered(self.modes):
             state[place] = signal(mode) @ extended

@@ -11,10 +11,12 @@ import numpy as np
 from trimmer.contact.controllers.sampled_laws import BEFORE, Law, law_of
 from trimmer.contact.layout import Rows
 from trimmer.contact.outputs import signal_of, speed_beyond
+from trimmer.errors import MechanismError
 from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
 from trimmer.hybrid.system import Sampler
 from trimmer.mechanism.controls.controllers import DIFFERENCE
 from trimmer.mechanism.parts import OutputKind
+from trimmer.mechanism.place_text import place_text
 from trimmer.motion.signals import Steady
 
 if TYPE_CHECKING:
@@ -25,6 +27,11 @@ if TYPE_CHECKING:
     from trimmer.hybrid.tables import Modes
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.signals import Signal
+
+NEGLIGIBLE = 1e-9
+"""Share of the largest eigenvalue below which another one is that of a state that stays."""
+SHORTEST = 1e-9
+"""Shortest sample, as a share of the slowest period."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +66,23 @@ class SampledControllers:
             )
             for name, held in self.layout.held.items()
         )
+
+    def require_countable(self, flow: Reals) -> None:
+        """Refuse samples of which the slowest mode of the state's flow, (n, n), or the drive has too many.
+
+        Raises:
+            MechanismError: if one is shorter than 1e-9 of the slowest period.
+        """
+        moduli = abs(np.linalg.eigvals(flow))
+        moving = moduli[moduli > NEGLIGIBLE * moduli.max(initial=0.0)]
+        slowest = max(2 * np.pi / moving.min(initial=np.inf), self.layout.period or 0.0)
+        for name, held in self.layout.held.items():
+            if held.sample < SHORTEST * slowest:
+                raise MechanismError(
+                    f"{place_text(('controllers', name, 'sample'))} = {held.sample:g}: it is shorter than "
+                    f"{SHORTEST:g} of the slowest period, {slowest:.3g} s, and no motion could count so many "
+                    "samples; give a longer one, or none for a continuous controller"
+                )
 
     def sampling(self, modes: Modes[Any], number: int) -> tuple[Reals, Reals]:
         """Return what each demands in a mode, (c, N), and what it writes, (c, 3, h, N)."""

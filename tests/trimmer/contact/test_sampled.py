@@ -307,3 +307,24 @@ def test_what_is_demanded_before_the_limit() -> None:
     # The first sample behind the step: kp e + ki T e + kd e (1 - T/(filter_time + T))/filter_time.
     assert found.largest_demand == pytest.approx(0.4 * (3.0 + 10.0 * 5e-4 + 0.06 / 1.5e-3), rel=1e-12)
     assert found.largest_control == 1.0
+
+
+def test_no_sample_is_far_shorter_than_the_slowest_period() -> None:
+    """Of a mass of 1 kg on 25 N/m, 2 pi/5 s, or of its drive where that is slower."""
+
+    def axis(sample: float, frequency: float | None) -> Mechanism:
+        return Mechanism(
+            {"slide": Body(1.0)},
+            links={"spring": Link(("ground", "slide"), 25.0)},
+            outputs={"place": Output({"slide": 1.0})},
+            controllers={"axis": Pid(measure="place", acts=("ground", "slide"), kp=1.0, sample=sample)},
+            frequency=frequency,
+        )
+
+    for frequency, slowest in ((None, 0.4e-9 * np.pi), (0.1, 1e-8)):
+        assert simulate(axis(1.01 * slowest, frequency), duration=20 * slowest).success
+        for ask in (respond, lambda machine: simulate(machine, duration=1.0)):
+            with pytest.raises(
+                MechanismError, match=r"controllers\.axis\.sample = \S+: it is shorter than 1e-"
+            ):
+                ask(axis(0.99 * slowest, frequency))
