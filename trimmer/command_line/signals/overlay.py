@@ -79,7 +79,8 @@ def _run(arguments: Namespace) -> int:
     comparison, told = compared_motion(arguments, chosen.signal, subject, output)
     if arguments.plot is not None:
         write_picture(arguments, comparison_figure(comparison))
-    compared = Compared(arguments.file, arguments.against, output, told, chosen, comparison)
+    driven = subject.frequency is not None
+    compared = Compared(arguments.file, arguments.against, output, told, chosen, comparison, driven)
     show((as_json if arguments.json else as_text)(compared), arguments.plot)
     return 0
 

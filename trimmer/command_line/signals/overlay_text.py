@@ -34,6 +34,7 @@ class Compared:
         settled: What the mechanism settles to, in sentences.
         chosen: The recording.
         comparison: The comparison.
+        driven: Whether what is simulated has a drive.
     """
 
     file: Path
@@ -42,6 +43,7 @@ class Compared:
     settled: str
     chosen: ChosenRecording
     comparison: MotionComparison
+    driven: bool
 
 
 def as_text(compared: Compared) -> str:
@@ -96,7 +98,7 @@ def _notes(compared: Compared) -> list[str]:
     wrong = [fault.sentence for fault in (*compared.chosen.faults, *faults(comparison.signal))]
     notes = notes_of(compared.chosen, compared.chosen.signal, wrong)
     apart = comparison.frequency / comparison.simulated_frequency - 1.0
-    if abs(apart) > _OTHER_FREQUENCY:
+    if compared.driven and abs(apart) > _OTHER_FREQUENCY:
         notes.append(
             f"the measured drive is {100 * apart:+.3g} % off that of the simulation; lines are compared "
             f"order by order, so simulate at the measured one (--set frequency={comparison.frequency:.6g}Hz)"
@@ -119,10 +121,9 @@ def _head(compared: Compared) -> Iterator[str]:
     yield f"simulated: {compared.output} of {compared.against or 'the loop'}, as {signal.quantity.word}"
     yield from wrapped(compared.settled, "  ", "  ")
     how = "found in the measurement" if comparison.found else "as given"
-    yield (
-        f"drive: {comparison.frequency:.8g} Hz measured ({how}), {comparison.simulated_frequency:.8g} Hz "
-        "simulated"
-    )
+    what = "drive" if compared.driven else "vibration by itself"
+    measured, simulated = comparison.frequency, comparison.simulated_frequency
+    yield f"{what}: {measured:.8g} Hz measured ({how}), {simulated:.8g} Hz simulated"
     for note in _notes(compared):
         yield from wrapped(f"note: {note}", "", "  ")
 
@@ -130,11 +131,13 @@ def _head(compared: Compared) -> Iterator[str]:
 def _alignment(compared: Compared) -> Iterator[str]:
     comparison = compared.comparison
     degrees = 360.0 * comparison.shift * comparison.frequency
+    cycle = "the drive" if compared.driven else "its cycle"
+    began = "in the drive's period" if compared.driven else "in the cycle"
     size = comparison.measured.size
     yield "Waveforms, aligned in time"
     yield from wrapped(
-        f"the simulation is shifted by {comparison.shift:.6g} s, {degrees:.4g} deg of the drive, where the "
-        "squares of the difference are least: when the measurement began in the drive's period is not known",
+        f"the simulation is shifted by {comparison.shift:.6g} s, {degrees:.4g} deg of {cycle}, where the "
+        f"squares of the difference are least: when the measurement began {began} is not known",
         "  ",
         "  ",
     )
