@@ -248,6 +248,7 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     Raises:
         SignalError: if there is no such line, or it explains little.
     """
+    what, how = ("vibration", "it vibrates") if simulated.by_itself else ("drive", "it was driven")
     if simulated.by_itself:
         near_to = frequency_by_itself(signal, simulated.frequency)
         simulated = replace(simulated, frequency=near_to, by_itself=False)
@@ -261,8 +262,8 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     ]
     if not near:
         raise SignalError(
-            f"no line of the measurement is within {100 * NEAR:g} % of a harmonic of the drive at "
-            f"{simulated.frequency:g} Hz; say at which frequency it was driven (--drive)"
+            f"no line of the measurement is within {100 * NEAR:g} % of a harmonic of the {what} at "
+            f"{simulated.frequency:g} Hz; say at which frequency {how} (--drive)"
         )
     from scipy.optimize import minimize_scalar
 
@@ -277,9 +278,9 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     explained = _fit(signal, simulated, frequency).explained
     if explained < _EXPLAINED:
         raise SignalError(
-            f"multiples of {frequency:.6g} Hz, the drive that is nearest to the {simulated.frequency:g} Hz "
+            f"multiples of {frequency:.6g} Hz, the {what} that is nearest to the {simulated.frequency:g} Hz "
             f"of the simulation, explain only {100 * explained:.3g} % of the measurement's variance; say "
-            "at which frequency it was driven (--drive)"
+            f"at which frequency {how} (--drive)"
         )
     return frequency
 

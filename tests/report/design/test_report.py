@@ -23,7 +23,13 @@ from trimmer.design.targets import Measure
 from trimmer.design.verdict import DesignOutcome, DesignVerdict, JudgedTarget, Sureness
 
 SECTIONS = (
-    *("Verdict", "What nobody knows", "The targets over two numbers", "What it settles to"),
+    *(
+        "Verdict",
+        "What nobody knows",
+        "The targets over two numbers",
+        "Move the numbers",
+        "What it settles to",
+    ),
     *("Impacts, forces and wear", "Spectrum", "Exposure to vibration", "How far the motion reaches"),
     *("What to change first", "The mechanism", "Modes and transfer functions", "What this rests on"),
     "Appendix: the equations",

@@ -25,6 +25,7 @@ FORMULAS = """
 const explorableFormulas = {
   inverseResponse: (omega, damping, share) => (
     { real: -omega / 5000, imaginary: 0.1, realByOmega: -1 / 5000, imaginaryByOmega: 0 }),
+  rubbing: () => ({ real: 1, imaginary: 0, realByOmega: 0, imaginaryByOmega: 0 }),
   polynomials: () => ({ %s }),
   element: (flight, gamma) => ({
     separation: 0, ratio: flight, real: 1 - flight / 4, imaginary: -flight / 4, ratioByFlight: 1,
@@ -53,7 +54,7 @@ def explorable() -> Explorable:
     """Return two sliders, a panel of each kind, and formulas that are easy to follow."""
     coefficients = np.poly([-1000.0 * number for number in range(1, 9)])
     named = [f"a{power}: {value}" for power, value in zip(range(8, -1, -1), coefficients, strict=True)]
-    named += [f"b{power}: 0" for power in range(9)]
+    named += [f"{name}{power}: 0" for name in "bh" for power in range(9)]
     return Explorable(
         FORMULAS % ", ".join(named),
         (

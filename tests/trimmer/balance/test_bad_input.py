@@ -26,7 +26,7 @@ from trimmer.linear.frequency_response import UnsupportedSystemError
         (control.tf([1], [1, 0.5], 0.1), "discrete-time"),
         (control.tf([2], [1]), "constant gain"),
         (control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2))), "2 inputs and 2 outputs"),
-        (control.frd([1, 1j, 1], [1, 2, 3]), "not accepted"),  # what a delay needs
+        (control.frd([1, 1j, 1], [1, 2, 3]), "as many responses as frequencies, 4 or more"),
         (control.tf([0], [1, 1]), "identically zero"),
         (control.tf([math.nan], [1, 1]), "numerator of the system holds a number that is infinite or NaN"),
         (control.tf([1], [1, math.inf]), "denominator of the system holds a number that is infinite or NaN"),

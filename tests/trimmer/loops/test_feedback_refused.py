@@ -126,9 +126,9 @@ REFUSED: Mapping[str, tuple[Callable[[], object], type[Exception], str]] = {
         "forced_orbit takes a state as guess",
     ),
     "no prediction": (
-        lambda: trimmer.harmonic_balance(Feedback(plant(), BOTH)),
+        lambda: trimmer.limit_cycles(Feedback(plant(), BOTH)),
         TypeError,
-        "several elements or frictions; periodic_orbits and respond find its motions",
+        "several elements or frictions; harmonic_balance, periodic_orbits and respond find its motions",
     ),
 }
 
