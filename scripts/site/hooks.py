@@ -39,7 +39,7 @@ COPIED = {
     "examples/README.md": MACHINES,
 }
 """Files that stand elsewhere, and where they are in the site."""
-DOWNLOADS = {".toml", ".csv", ".py", ".ipynb"}
+DOWNLOADS = {".toml", ".csv", ".py", ".ipynb", ".json"}
 """Endings of the files in ``examples`` that the site offers."""
 ARCHIVE = "examples.zip"
 """All of them in one file."""
