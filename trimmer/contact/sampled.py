@@ -18,6 +18,7 @@ from trimmer.mechanism.controls.controllers import DIFFERENCE
 from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.place_text import place_text
 from trimmer.motion.signals import Steady
+from trimmer.motion.time_scale import slowest_period
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.signals import Signal
 
-NEGLIGIBLE = 1e-9
-"""Share of the largest eigenvalue below which another one is that of a state that stays."""
 SHORTEST = 1e-9
 """Shortest sample, as a share of the slowest period."""
 
@@ -73,9 +72,7 @@ class SampledControllers:
         Raises:
             MechanismError: if one is shorter than 1e-9 of the slowest period.
         """
-        moduli = abs(np.linalg.eigvals(flow))
-        moving = moduli[moduli > NEGLIGIBLE * moduli.max(initial=0.0)]
-        slowest = max(2 * np.pi / moving.min(initial=np.inf), self.layout.period or 0.0)
+        slowest = max(slowest_period(flow), self.layout.period or 0.0)
         for name, held in self.layout.held.items():
             if held.sample < SHORTEST * slowest:
                 raise MechanismError(

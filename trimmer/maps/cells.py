@@ -22,13 +22,13 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.waves import reach_of
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
+from trimmer.motion.time_scale import time_scale
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
 from trimmer.response.flows import flow_of
 from trimmer.response.linear_lines import LinearLines
 from trimmer.response.linear_motion import LinearMotion
 from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind
-from trimmer.response.self_excited import time_scale
 from trimmer.response.shooting import CLOSED, sizes_of
 
 FIRST_SCALE = 2.0

@@ -16,6 +16,7 @@ from trimmer.hybrid.advance import Instant
 from trimmer.loops.loops import Loop
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
+from trimmer.motion.time_scale import time_scale
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
@@ -24,7 +25,7 @@ from trimmer.response.pace import pace_of
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
-from trimmer.response.self_excited import self_excited, time_scale
+from trimmer.response.self_excited import self_excited
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last

@@ -16,6 +16,7 @@ from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
+from trimmer.motion.time_scale import time_scale
 from trimmer.one_orbit import SAME
 from trimmer.response.arrival import has_arrived, what_happened
 from trimmer.response.asymptotic import asymptotic_rest, runs_on
@@ -272,14 +273,6 @@ def _rest(flow: Flow, instant: Instant) -> Rest:
     if motion is None:
         return Rest(flow, instant, family=False)
     return Rest(flow, motion.limit, motion.free)
-
-
-def time_scale(flow: Flow, instant: Instant) -> float:
-    """Return the period of the slowest mode of the motion at an instant, s."""
-    matrix = flow.modes[flow.modes.number(instant.statuses)].flow[: flow.size, : flow.size]
-    moduli = abs(np.linalg.eigvals(matrix))
-    moving = moduli[moduli > 1e-9 * moduli.max(initial=0.0)]
-    return float(2 * np.pi / moving.min()) if len(moving) else 1.0
 
 
 def at_rest(course: Course, unit: float) -> bool:

@@ -15,8 +15,9 @@ import numpy as np
 from trimmer.hybrid.advance import Ending
 from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along
+from trimmer.motion.time_scale import time_scale
 from trimmer.response.asymptotic import asymptotic_rest
-from trimmer.response.self_excited import at_rest, time_scale
+from trimmer.response.self_excited import at_rest
 from trimmer.response.solved import rest_after
 
 if TYPE_CHECKING:

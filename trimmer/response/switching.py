@@ -10,10 +10,10 @@ from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.time_scale import time_scale
 from trimmer.response.closings import Closing
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.rest import Rest
-from trimmer.response.self_excited import time_scale
 from trimmer.response.solved import rest_after
 
 STRETCHES = (5, 20, 80, 320)
