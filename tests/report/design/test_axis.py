@@ -8,7 +8,7 @@ from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
-from tests.trimmer.response.test_step import SAMPLED, STICTION
+from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import SerialRunner
 from trimmer.design.design_file import design_file_of_text
 from trimmer.design.settings import DesignSettings

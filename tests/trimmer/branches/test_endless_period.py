@@ -5,31 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.trimmer.servos import STICTION
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.endless_period import endless_period
 from trimmer.branches.follow import follow
 from trimmer.mechanism.mechanism import Mechanism
-
-STICTION = """
-[bodies]
-motor = { inertia = 2e-4 }
-[frictions]
-bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
-[outputs]
-angle = { motor = 1 }
-[controllers.axis]
-kind = "pid"
-measure = "angle"
-reference = "path"
-acts = ["ground", "motor"]
-kp = 6.0
-ki = 120.0
-kd = 0.05
-filter_time = 1e-3
-limit = 2.0
-[references]
-path = { step = 0.5, at = 0.01 }
-"""
 
 
 def test_laws_whose_end_is_known() -> None:

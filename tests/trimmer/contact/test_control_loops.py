@@ -9,7 +9,8 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.contact.test_controllers import CONTROLLERS, REFERENCES, SERVO, machine
+from tests.trimmer.contact.test_controllers import CONTROLLERS, REFERENCES, machine
+from tests.trimmer.servos import SERVO
 from trimmer import Mechanism
 from trimmer.command_line.main import main
 from trimmer.contact.control_loops import (

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from tests.trimmer.servos import SERVO
 from trimmer import Mechanism, simulate
 from trimmer.mechanism import (
     Body,
@@ -28,30 +29,6 @@ from trimmer.mechanism import (
     TransferController,
 )
 
-SERVO = """\
-[bodies]
-motor = { inertia = 0.0002 }
-load = { inertia = 0.0005 }
-[plays]
-shaft = { between = ["motor", "load"], stiffness = 80.0, damping = 0.02, gap = 0.01 }
-[frictions]
-bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
-guide = { between = ["ground", "load"], force = 0.08, static = 0.12, viscous = 0.001 }
-[outputs]
-angle = { motor = 1 }
-torque = { control = "axis" }
-[controllers.axis]
-measure = "angle"
-reference = "path"
-acts = ["ground", "motor"]
-kind = "pid"
-kp = 6.0
-kd = 0.09
-filter_time = 1e-3
-limit = 2.0
-[references]
-path = { step = 0.5, at = 0.01 }
-"""
 ENDS = {"measure": "angle", "acts": ("ground", "motor"), "reference": "path"}
 
 

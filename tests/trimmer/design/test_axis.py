@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tests.trimmer.response.test_step import STICTION
+from tests.trimmer.servos import STICTION
 from trimmer import MechanismError, SerialRunner
 from trimmer.design.design_file import DesignFile, design_file_of_text
 from trimmer.design.settings import DesignSettings

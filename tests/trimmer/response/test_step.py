@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 import pytest
 
-from tests.trimmer.contact.test_controllers import SERVO
+from tests.trimmer.servos import SAMPLED, SERVO, STICTION
 from trimmer import Mechanism, MotionKind
 from trimmer.errors import MechanismError
 from trimmer.response.step import step_response
@@ -30,26 +30,6 @@ filter_time = 2e-3
 limit = 0.2
 [references]
 path = { step = 1.0, at = 0.0 }
-"""
-STICTION = """
-[bodies]
-motor = { inertia = 0.0002 }
-[frictions]
-bearing = { between = ["ground", "motor"], force = 0.05, static = 0.08 }
-[outputs]
-angle = { motor = 1 }
-[controllers.axis]
-measure = "angle"
-reference = "path"
-acts = ["ground", "motor"]
-kind = "pid"
-kp = 6.0
-ki = 120.0
-kd = 0.05
-filter_time = 1e-3
-limit = 2.0
-[references]
-path = { step = 0.5, at = 0.01 }
 """
 EXAMPLE = "[references] path = { step = 0.01 }"
 WRITTEN = 'write reference = "path" into one of [controllers]'
@@ -87,33 +67,6 @@ def test_the_integral_follows_the_limit_as_a_second_program_says() -> None:
     }
     found = step_response(Mechanism.from_toml_text(WINDUP), "path", duration=5.0)
     assert asdict(found.measures) == pytest.approx(expected, rel=1e-11, abs=1e-12)
-
-
-SAMPLED = """
-[bodies]
-motor = { inertia = 0.0002 }
-load = { inertia = 0.0005 }
-[links]
-shaft = { between = ["motor", "load"], stiffness = 80.0, damping = 0.02 }
-bearing = { between = ["ground", "motor"], damping = 0.001 }
-guide = { between = ["ground", "load"], damping = 0.001 }
-[outputs]
-angle = { motor = 1 }
-torque = { control = "axis" }
-[controllers.axis]
-measure = "angle"
-reference = "path"
-acts = ["ground", "motor"]
-kind = "pid"
-kp = 1.5
-ki = 10.0
-kd = 0.04
-filter_time = 0.002
-sample = 0.001
-delay = 0.0005
-[references]
-path = { step = 0.5, at = 0.0102 }
-"""
 
 
 def test_a_sampled_controller_follows_as_a_second_program_says() -> None:
