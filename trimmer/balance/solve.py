@@ -175,14 +175,14 @@ def _of_several(
 ) -> FeedbackBalance:
     if frozen_omega is not None:
         raise ValueError("frozen_omega is for one element; leave it out with several")
-    given = None if omega_range is None else _checked_range(omega_range)
+    given = None if omega_range is None else checked_range(omega_range)
     return feedback_balance(loop, given, ORDER if order is None else order)
 
 
 def _of_data(
     loop: MeasuredLoop, omega_range: tuple[float, float] | None, frozen_omega: float | None
 ) -> HarmonicBalance:
-    given = None if omega_range is None else _checked_range(omega_range)
+    given = None if omega_range is None else checked_range(omega_range)
     return balance_of_data(replace(loop, element=_frozen(loop.element, frozen_omega)), given)
 
 
@@ -241,7 +241,7 @@ def _has_zero_on_axis(response: InverseResponse, omegas: tuple[float, float]) ->
 def _solve(
     loop: ClosedLoop, omega_range: tuple[float, float] | None, frozen_omega: float | None
 ) -> tuple[LoopEquation, SearchedRegion]:
-    given = None if omega_range is None else _checked_range(omega_range)
+    given = None if omega_range is None else checked_range(omega_range)
     equation = loop_equation(loop.system, _frozen(loop.element, frozen_omega))
     if not equation.curve.element.has_bounds:
         return equation, solve_sampled(equation.response, equation.curve, given)
@@ -250,7 +250,12 @@ def _solve(
     return equation, solve(equation.response, equation.curve, given)
 
 
-def _checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
+def checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
+    """Return a range of angular frequencies, rad/s.
+
+    Raises:
+        FrequencyRangeError: if it is not 0 < lowest < highest < inf.
+    """
     limits = real_values("omega_range", omega_range)
     lowest, highest = limits.tolist() if limits.shape == (2,) else (math.nan, math.nan)
     if not 0 < lowest < highest < math.inf:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+import math
+from itertools import combinations
 from typing import Any
 
 from flint import acb, arb, ctx, fmpq_poly
@@ -45,11 +46,11 @@ def all_solutions(data: dict[str, Any]) -> list[Solution]:
     if num.is_zero():
         raise UndecidedError("G is zero")
     den = given + fmpq_poly([parts.gain, parts.damping]) * num
-    common = num.gcd(den)
-    num, den = num // common, den // common
-    if den.degree() < max(given.degree() - common.degree(), 1):
+    if den.degree() < max(given.degree(), 1):
         raise UndecidedError("the linear part of the element cancels the highest derivative")
     omegas = data["omega_range"]
+    if omegas is not None and not 0 < omegas[0] < omegas[1] < math.inf:
+        raise ValueError(f"omega_range is {omegas}")
     if keeps_direction(parts):
         found = list(solutions(num, den, given, parts))
     else:
@@ -88,7 +89,7 @@ def _compared(found: list[Solution], data: dict[str, Any]) -> Outcome:
         if not _is_told(each[1], data["plant"]):
             return Outcome(Verdict.UNDECIDED, "", f"{lacking}, where rounding of G decides")
         return Outcome(Verdict.REFUTED, "", lacking)
-    for first, second in pairwise(found):
+    for first, second in combinations(found, 2):
         if all(each.overlaps(other) for each, other in zip(first, second, strict=True)):
             return Outcome(Verdict.UNDECIDED, "", f"two solutions near {_told(first)} are too near to part")
     return Outcome(Verdict.PROVEN, _theorem(listed, data["omega_range"]), "")

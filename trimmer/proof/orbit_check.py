@@ -11,6 +11,7 @@ each segment.
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass
 from functools import cached_property
@@ -239,7 +240,8 @@ class Motion:
         image = image + rest * reaches
         if not all(reaches[i, 0].contains_interior(image[i, 0]) for i in range(inverse.nrows())):
             raise UndecidedError("Krawczyk's operator does not map the ball of starts into itself")
-        return [each + image[i, 0] for i, each in enumerate(middle)], longer, over
+        found = [each + image[i, 0] for i, each in enumerate(middle)]
+        return found, longer + image[self.n, 0] if self.autonomous else longer, over
 
     def _derivative(self, followed: Followed) -> arb_mat:
         """Return the derivative of what is to vanish: the gap of the return, and a phase without drive."""
@@ -280,8 +282,8 @@ def _identity(size: int) -> arb_mat:
 
 
 def _norm(flow: arb_mat) -> arb:
-    rows = ([abs(flow[i, k]) for k in range(flow.ncols())] for i in range(flow.nrows()))
-    return max((arb(sum(row, arb(0)).upper()) for row in rows), key=lambda each: float(each))
+    rows = flow.tolist()
+    return functools.reduce(arb.max, (arb(sum(map(abs, row), arb(0)).upper()) for row in rows), arb(0))
 
 
 def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:
@@ -294,7 +296,7 @@ def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:
     while k < FEW_TERMS and left > arb(2) ** -ORBIT_PRECISION:
         term = segment.flow * term * (late / k)
         found, left, k = found + term, left * size, k + 1
-    largest = max((each.abs_upper() for each in columns.entries()), key=float, default=arb(0))
+    largest = functools.reduce(arb.max, (each.abs_upper() for each in columns.entries()), arb(0))
     off = about((2 * left * largest).upper())
     return found + arb_mat([[off] * found.ncols() for _ in range(found.nrows())])
 

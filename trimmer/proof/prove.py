@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from trimmer.arguments import require_instance, require_instances
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
+from trimmer.balance.solve import checked_range
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import OrbitNotFoundError
@@ -50,6 +51,7 @@ def prove_limit_cycles(
 
     Raises:
         WrongTypeError: if an argument is of another type.
+        FrequencyRangeError: if the range is not 0 < lowest < highest < inf.
         MissingPackageError: if python-flint is not installed.
     """
     listed = limit_cycles.limit_cycles if isinstance(limit_cycles, HarmonicBalance) else limit_cycles
@@ -57,7 +59,7 @@ def prove_limit_cycles(
     data = {
         "plant": plant_data(loop.system),
         "element": element_data(loop.element),
-        "omega_range": None if omega_range is None else [float(each) for each in omega_range],
+        "omega_range": None if omega_range is None else list(checked_range(omega_range)),
         "limit_cycles": [{"amplitude": float(each.amplitude), "omega": float(each.omega)} for each in cycles],
     }
     if data["element"] is None:

@@ -31,7 +31,7 @@ from trimmer import (
 )
 from trimmer.command_line.main import main
 from trimmer.elements import DeadZone, Element, InertiaBacklash
-from trimmer.errors import TrimmerError
+from trimmer.errors import FrequencyRangeError, TrimmerError
 from trimmer.thesis import TrimmerParameters, pin_model
 
 pytest.importorskip("flint")
@@ -111,6 +111,12 @@ def test_a_range_is_part_of_the_theorem() -> None:
     assert prove_limit_cycles(loop, cycles, (100.0, 4000.0)).verdict == "refuted"
 
 
+@pytest.mark.parametrize("omegas", [(5.0, 1.0), (1.0, np.nan), (0.0, np.inf), (-1.0, 3.0), (1.0, 2.0, 3.0)])
+def test_of_a_range_that_is_none_nothing_is_proven(omegas: tuple) -> None:
+    with pytest.raises(FrequencyRangeError, match="0 < lowest < highest < inf"):
+        prove_limit_cycles(ClosedLoop(THIRD, Relay(1.0)), (), omegas)
+
+
 @pytest.mark.parametrize(
     ("system", "element", "reason"),
     [
@@ -181,6 +187,7 @@ def test_a_file_is_verified_in_another_process(proof: Proof, tmp_path: Path) -> 
         (("data", "plant", "numerator"), [8.00001], "the solution nearest to number 1"),
         (("data", "limit_cycles", 0, "amplitude"), 1.2733, "the solution nearest to number 1"),
         (("data", "omega_range"), [1.0, 2.0], "the file says another theorem"),
+        (("data", "omega_range"), [2.0, 1.0], "its data are not those of a proof"),
         (("theorem",), "There is no limit cycle.", "the file says another theorem"),
         (("verdict",), "undecided", "the file says another theorem"),
         (("statement",), "fermat", "statement 'fermat' is none that can be checked"),
