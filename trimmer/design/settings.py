@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from trimmer.arguments import whole_number
+
 
 @dataclass(frozen=True)
 class DesignSettings:
@@ -15,7 +17,8 @@ class DesignSettings:
         most_periods: Drive periods to wait for each to settle.
         cells: Cells along each side of a map.
         cell_periods: Drive periods to wait in each cell.
-        neighbours: How many neighbours there are along each of two numbers, the working point included; odd.
+        neighbours: How many neighbours there are along each of two numbers, the working point included; odd,
+            or a ValueError is raised.
         trials: Values of a number that are tried to each side, to meet a target that is missed.
         machines: Machines of a series that are looked at, if numbers scatter.
         remedy_starts: Starts from which a change is tried that meets the targets.
@@ -36,6 +39,11 @@ class DesignSettings:
     most_points: int = 300
     grid: int = 8
     range_points: int = 17
+
+    def __post_init__(self) -> None:
+        if whole_number("neighbours", self.neighbours, least=1) % 2 == 0:
+            reason = "must be odd, as the file's own value is the middle one, not"
+            raise ValueError(f"neighbours {reason} {self.neighbours}; {self.neighbours + 1} would do")
 
     @property
     def without_cells(self) -> DesignSettings:

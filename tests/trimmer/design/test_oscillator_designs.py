@@ -182,6 +182,18 @@ def test_numbers_of_influence_are_tried_before_the_others() -> None:
     assert tried({3: 1.0, 15: -2.0})[:2] == ("links.l3.stiffness", "links.l15.stiffness")
 
 
+@pytest.mark.parametrize(
+    ("count", "told"),
+    [
+        (2, "neighbours must be odd, as the file's own value is the middle one, not 2; 3 would do"),
+        (0, "neighbours must be a whole number from 1 on, not 0"),
+    ],
+)
+def test_neighbours_around_no_middle_are_refused(count: int, told: str) -> None:
+    with pytest.raises(ValueError, match=f"^{told}$"):
+        DesignSettings(neighbours=count)
+
+
 @pytest.mark.slow
 def test_starts_are_counted_and_neighbours_are_looked_at_around_two_numbers() -> None:
     alone = motions_from_starts(oscillator(), replace(FEW, starts=3))
