@@ -28,6 +28,7 @@ def opening(known: Evidence) -> Opening:
 
 
 def _highlights(known: Evidence) -> tuple[Highlight, ...]:
+    main = known.twin.main.twin
     in_place = known.cycles.equivalent.in_place.merger.force_per_gap * EXPERIMENT_GAP
     return (
         Highlight(
@@ -38,8 +39,8 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         ),
         Highlight(
             ("twin-main",),
-            f"Where the bridge pushes back, 0.2 mm and 2 N repeat after {known.twin.main.twin.period_count} "
-            "drive periods, with lines at thirds of the drive.",
+            f"Where the bridge pushes back, 0.2 mm and 2 N at {main.frequency:.0f} Hz repeat after "
+            f"{main.period_count} drive periods, with lines at thirds of the drive.",
             "Look for peaks between the harmonics too.",
         ),
         Highlight(
