@@ -11,7 +11,7 @@ from report.design.figures.over_time import motion_over_time
 from report.design.quantities import percent, place_words, shown, written
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
-from trimmer.contact.control_loops import control_loops
+from trimmer.contact.control_loops import ControlLoops, loops_of
 from trimmer.design.design import Design
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.found_step import FoundStep
@@ -19,6 +19,7 @@ from trimmer.design.kept_map import DesignMap
 from trimmer.design.linear import LinearState
 from trimmer.design.targets import OF_STEP, Measure, unit_of_measure
 from trimmer.linear.margins import Margins
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
@@ -125,20 +126,22 @@ def hunting_figure(each: DesignMap, number: int) -> Figure:
     )
 
 
-def loop_rows(state: LinearState, design: Design) -> Rows:
-    """Return the margins of the loops of continuous controllers in a state of the contacts, below a head."""
+def loop_rows(state: LinearState, mechanism: Mechanism) -> Rows:
+    """Return the margins of the loops of controllers in a state of the contacts, below a head."""
     rows = [["Loop of", "Gain margin", "Phase margin", "Modulus margin", "Closed"]]
-    controllers = design.file.mechanism.controllers
-    if not any(each.sample is None for each in controllers.values()):
-        return rows
-    found = control_loops(design.file.mechanism, state.open)
-    closed = f"grows by e in {shown(1.0 / found.grows, 's')}" if found.grows else found.marginal or "stable"
-    return rows + [[name, *_margins(each), closed] for name, each in found.loops.items()]
+    for found in loops_of(mechanism, state.open):
+        if found is not None:
+            rows += [[name, *_margins(each, found), _closed(found)] for name, each in found.loops.items()]
+    return rows
 
 
-def _margins(loop: Margins) -> tuple[str, str, str]:
-    way = "may rise" if loop.gain.value >= 1 else "may fall"
-    gain = f"{way} to {written(loop.gain.value)} times" if math.isfinite(loop.gain.value) else "any gain"
+def _closed(found: ControlLoops) -> str:
+    return f"grows by e in {shown(1.0 / found.grows, 's')}" if found.grows else found.marginal or "stable"
+
+
+def _margins(loop: Margins, found: ControlLoops) -> tuple[str, str, str]:
+    way = ("may rise to" if loop.gain.value >= 1 else "may fall to") if found.stable else "limit at"
+    gain = f"{way} {written(loop.gain.value)} times" if math.isfinite(loop.gain.value) else "any gain"
     phase = f"{written(math.degrees(loop.phase.value))}° at {_hertz(loop.phase.omega)}"
     return (
         f"{gain}{f', {_hertz(loop.gain.omega)}' if math.isfinite(loop.gain.omega) else ''}",
@@ -151,16 +154,25 @@ def _hertz(omega: float) -> str:
     return shown(omega / math.tau, "Hz")
 
 
-def loop_sentence(design: Design) -> str:
+def loop_sentence(mechanism: Mechanism) -> str:
     """Say what margins leave out; empty without a controller."""
-    controllers = design.file.mechanism.controllers
+    controllers = mechanism.controllers
     if not controllers:
         return ""
-    sampled = [name for name, each in controllers.items() if each.sample is not None]
-    left = f" Margins of sampled controllers ({listed(sampled)}) are not computed." if sampled else ""
-    if len(sampled) == len(controllers):
-        return left.strip()
-    return (
+    sampled = {name: each.sample for name, each in controllers.items() if each.sample is not None}
+    told = (
         "Margins are of the loop opened where the controller acts, with friction and limits left out: they "
-        f"do not tell of hunting, which comes of these.{left}"
+        "do not tell of hunting, which comes of these."
     )
+    if len(set(sampled.values())) > 1:
+        alone = f"Sampled controllers ({listed(sampled)}) have no margins here, since their samples differ."
+        told = alone if len(sampled) == len(controllers) else f"{told} {alone}"
+    elif sampled:
+        told += (
+            f" Those of sampled controllers ({listed(sampled)}) are exact, from sample to sample, and opened "
+            "at what is demanded at a sample."
+        )
+    if 0 < len(sampled) < len(controllers):
+        hold = f"{listed(sampled)} {'holds' if len(sampled) == 1 else 'hold'}"
+        told += f" Those of other controllers are taken while {hold} what was given last."
+    return told

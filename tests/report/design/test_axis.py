@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
+from report.design.axis import loop_rows, loop_sentence
 from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
 from tests.trimmer.servos import SAMPLED, STICTION
-from trimmer import SerialRunner
+from trimmer import Mechanism, SerialRunner
 from trimmer.design.design_file import design_file_of_text
+from trimmer.design.linear import linear_states
 from trimmer.design.settings import DesignSettings
 from trimmer.design.study import Study
 from trimmer.design.varied_places import varied_places
@@ -40,7 +44,44 @@ def test_an_axis_that_rests_is_told_so() -> None:
     pieces = told(SAMPLED)
     assert "**The file names no targets**, so nothing is judged; angle comes to rest." in pieces["verdict"]
     assert "none: it rests" in pieces["step"]
-    assert "Margins of sampled controllers (axis) are not computed." in pieces["linear"]
+    for told_there in ("may rise to 3.82 times, 139 Hz", "50.1° at 10.5 Hz", "0.661 at 129 Hz"):
+        assert told_there in pieces["linear"]  # as `trimmer linear` has it
+    assert "sampled controllers (axis) are exact, from sample to sample" in pieces["linear"]
     file = design_file_of_text(SAMPLED, "mine.toml")
     places = [each.place for each in varied_places(file.mechanism, None)]
     assert places == ["controllers.axis.kp", "controllers.axis.ki"]
+
+
+LAW = SAMPLED[SAMPLED.index("[controllers.axis]") : SAMPLED.index("[references]")]
+OTHER = LAW.replace("axis", "other")
+
+
+@pytest.mark.parametrize(
+    ("beside", "rows", "words"),
+    [
+        ("", ["axis"], "are exact, from sample to sample, and opened at what is demanded at a sample."),
+        (
+            re.sub("sample.*|delay.*", "", OTHER),
+            ["other", "axis"],
+            "are taken while axis holds what was given last.",
+        ),
+        (
+            OTHER.replace("0.001", "0.002"),
+            [],
+            "Sampled controllers (axis and other) have no margins here, since their samples differ.",
+        ),
+    ],
+)
+def test_margins_are_of_samples_that_agree(beside: str, rows: list[str], words: str) -> None:
+    mechanism = Mechanism.from_toml_text(SAMPLED + beside)
+    (state,) = linear_states(mechanism)
+    assert [row[0] for row in loop_rows(state, mechanism)[1:]] == rows
+    told = loop_sentence(mechanism)
+    assert told.endswith(words) and told.startswith("Margins are" if rows else words)
+
+
+def test_what_is_unstable_is_not_said_to_stay_so() -> None:
+    mechanism = Mechanism.from_toml_text(SAMPLED.replace("kp = 1.5", "kp = 50"))
+    (state,) = linear_states(mechanism)
+    (row,) = loop_rows(state, mechanism)[1:]
+    assert row[1].startswith("limit at 0.") and row[4].startswith("grows by e in")
