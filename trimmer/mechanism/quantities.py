@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 from trimmer.arguments import scalar
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop, Wall
+from trimmer.mechanism.problems import NOTHING
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.units import quantity
 
@@ -96,6 +97,11 @@ def is_number(value: object) -> bool:
     """Say whether a value is a real number; truth values are none, scalars of NumPy are."""
     number = scalar(value)
     return isinstance(number, Real) and not isinstance(number, bool)
+
+
+def if_plain(value: object) -> object:
+    """Return a text or a number, and of what else stands in a file nothing, as it is too long to show."""
+    return value if isinstance(value, str) or is_number(value) else NOTHING
 
 
 FREQUENCY = NumberField("Hz", "110 Hz", Range.POSITIVE)

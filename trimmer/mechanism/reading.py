@@ -31,8 +31,8 @@ from trimmer.mechanism.outputs import output_of, problems_of_form
 from trimmer.mechanism.parts import Body, Point
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.points import problems_of_weights
-from trimmer.mechanism.problems import NOTHING, Problem, as_message_of_file
-from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, is_number
+from trimmer.mechanism.problems import Problem, as_message_of_file
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, NumberField, if_plain
 from trimmer.mechanism.sense import NO_MASS
 from trimmer.mechanism.structures.ends import problems_of_dots
 from trimmer.mechanism.structures.reading import problems_of_keys, structure_of
@@ -140,7 +140,7 @@ def _problems_of_form(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find unknown and missing keys, and what should be a table and is none."""
     for key, value in content.items():
         if key not in KEYS:
-            yield Problem((key,), _unknown(key, KEYS, "the top of the file"), _if_plain(value))
+            yield Problem((key,), _unknown(key, KEYS, "the top of the file"), if_plain(value))
         elif key in SECTIONS and not isinstance(value, dict):
             yield Problem((key,), f"is a section: write [{key}] on a line of its own", value)
         elif key in _FORMS:
@@ -160,7 +160,7 @@ def _problems_of_part(place: tuple[str, str], entries: object) -> Iterator[Probl
     unknown = [key for key in entries if key not in known]
     for key in unknown:
         reason = _unknown(key, known, f"a part of [{place[0]}]")
-        yield Problem((*place, key), reason, _if_plain(entries[key]))
+        yield Problem((*place, key), reason, if_plain(entries[key]))
     if unknown:  # what is missing is there perhaps, but misspelt
         return
     if kind is Structure:
@@ -272,10 +272,6 @@ class _Converter:
 
 def _unknown(key: str, known: tuple[str, ...] | list[str], where: str) -> str:
     return f"unknown key; {near_match(key, known) or f'{where} may hold {listed(known)}'}"
-
-
-def _if_plain(value: object) -> object:
-    return value if isinstance(value, str) or is_number(value) else NOTHING
 
 
 def _example(kind: type, key: str | None = None) -> str:

@@ -9,8 +9,8 @@ import numpy as np
 
 from trimmer.errors import MechanismError, UncertaintyError
 from trimmer.mechanism.place_text import parse_place, place_text
-from trimmer.mechanism.problems import NOTHING, Problem, in_one
-from trimmer.mechanism.quantities import is_number
+from trimmer.mechanism.problems import Problem, in_one
+from trimmer.mechanism.quantities import if_plain, is_number
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import listed, near_match
 from trimmer.uncertainty.distributions import (
@@ -204,11 +204,7 @@ class _DistributionReader:
         return None
 
     def _wrong(self, key: str, reason: str, value: object) -> None:
-        self._problems.append(Problem((*self._where, key), reason, _plain(value)))
-
-
-def _plain(value: object) -> object:
-    return value if isinstance(value, str) or is_number(value) else NOTHING
+        self._problems.append(Problem((*self._where, key), reason, if_plain(value)))
 
 
 def _joints(

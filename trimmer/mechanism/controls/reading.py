@@ -12,8 +12,8 @@ from trimmer.mechanism.controls.numbers import ROWS, kind_of, numbers_of
 from trimmer.mechanism.controls.references import REFERENCES
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.place_text import Place
-from trimmer.mechanism.problems import NOTHING, Problem
-from trimmer.mechanism.quantities import NumberField, is_number
+from trimmer.mechanism.problems import Problem
+from trimmer.mechanism.quantities import NumberField, if_plain
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import listed, near_match
 
@@ -45,8 +45,7 @@ def problems_of_form(place: tuple[str, str], entries: object) -> Iterator[Proble
     for key in unknown:
         value, word = entries[key], kind.word  # type: ignore[attr-defined]
         advice = near_match(key, known) or f"{word!r} may hold {listed(known)}"
-        shown = value if isinstance(value, str) or is_number(value) else NOTHING
-        yield Problem((*place, key), f"unknown key; {advice}", shown)
+        yield Problem((*place, key), f"unknown key; {advice}", if_plain(value))
     for each in fields(kind):
         if each.default is MISSING and each.name not in entries and not unknown:
             yield Problem((*place, each.name), f"missing; add {_EXAMPLES[each.name]}")
