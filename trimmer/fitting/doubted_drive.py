@@ -11,6 +11,7 @@ import numpy as np
 
 from trimmer.fitting.measured import MeasuredLines, drive_near
 from trimmer.signals.signal import SignalError
+from trimmer.spectra.comparison import sought
 
 OFF = 0.25
 """Periods of the last line that is compared by which a drive may be off by the end of the record."""
@@ -30,11 +31,11 @@ def doubts_of(measured: MeasuredLines) -> Iterator[str]:
 
 
 def _larger(measured: MeasuredLines) -> Iterator[str]:
-    name = measured.outputs[0]
+    name, (what, _) = measured.outputs[0], sought(measured.by_itself)
     strays = [each for each in measured.strays if each.output == name]
     stray = max(strays, key=lambda each: each.amplitude, default=None)
     if stray is not None and stray.amplitude > abs(measured.lines[:, 0]).max():
-        yield f"the largest line of the record is at {stray.frequency:.5g} Hz, no multiple of the drive"
+        yield f"the largest line of the record is at {stray.frequency:.5g} Hz, no multiple of the {what}"
 
 
 def _own(measured: MeasuredLines) -> Iterator[str]:

@@ -29,7 +29,6 @@ from trimmer.response.flows import called, flow_of, require_subject
 from trimmer.signals.faults import faults
 from trimmer.signals.quantity import MotionQuantity, quantity_of
 from trimmer.signals.signal import Signal, SignalError
-from trimmer.spectra.comparison import frequency_by_itself
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -124,8 +123,8 @@ def fit(
     unknowns = unknowns_of(mechanism, free)
     units = {name: each.unit for name, each in flow_of(mechanism).outputs.items()}
     plain = {name: unit for name, unit in units.items() if quantity_of(unit) is MotionQuantity.OTHER}
-    lines = measure_lines(measured, _near(mechanism, measured), drive_frequency, plain)
-    if mechanism.frequency is None and lines.period_count > 1:
+    lines = measure_lines(measured, _near(mechanism), drive_frequency, plain, mechanism.frequency is None)
+    if lines.by_itself and lines.period_count > 1:
         raise FitError(
             f"the record repeats after {lines.period_count} periods of {lines.frequency:.6g} Hz; say with "
             f"which frequency it repeats: {lines.frequency / lines.period_count:.6g} Hz (--drive)"
@@ -134,9 +133,7 @@ def fit(
         raise FitError(
             f"{len(unknowns)} numbers cannot be fitted to {lines.lines.size} lines; fit fewer (--free)"
         )
-    driven = mechanism
-    if mechanism.frequency is not None:
-        driven = mechanism.with_value("frequency", lines.frequency)
+    driven = mechanism if lines.by_itself else mechanism.with_value("frequency", lines.frequency)
     count = len(lines.lines)
     own = (0 if name in plain else quantity_of(units[name]).derivatives for name in lines.outputs)
     derivatives = tuple(np.subtract(lines.derivatives, tuple(own)).tolist())
@@ -148,17 +145,13 @@ def fit(
     return _result(mechanism, misfit, searched, settings)
 
 
-def _near(subject: Subject, measured: Mapping[str, Signal]) -> float:
-    """Return the frequency near which that of the measurement is looked for, Hz.
-
-    Without a drive it is found in the record: how far off that of the orbit is is what the fit is about.
-    """
+def _near(subject: Subject) -> float:
+    """Return the frequency near which that of the measurement is looked for, Hz."""
     if subject.frequency is not None:
         return subject.frequency
     from trimmer.response.self_excited import orbit_by_itself
 
-    first = next(iter(measured.values()))
-    return frequency_by_itself(first, 1.0 / orbit_by_itself(flow_of(subject)).period)
+    return 1.0 / orbit_by_itself(flow_of(subject)).period
 
 
 def _check(subject: Subject, measured: Mapping[str, Signal]) -> None:
@@ -219,7 +212,7 @@ def _result(subject: Subject, misfit: Misfit, searched: FitSearch, settings: Fit
         shift=(2 * np.pi - angle) / (2 * np.pi) * measured.period_count / measured.frequency,
         orbit=best.motion.orbit,
         searched=searched,
-        judgement=judge(measured, best, len(unknowns), called(subject), misfit.model.by_itself),
+        judgement=judge(measured, best, len(unknowns), called(subject)),
         weak=weak_directions(unknowns, jacobian, allowed),
         notes=tuple(_notes(subject, misfit, best)),
     )

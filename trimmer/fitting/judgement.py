@@ -12,6 +12,7 @@ import numpy as np
 from trimmer.fitting.measured import WINDOW_SHARE
 from trimmer.fitting.stray import in_words
 from trimmer.messages import listed
+from trimmer.spectra.comparison import sought
 
 if TYPE_CHECKING:
     from trimmer.fitting.measured import MeasuredLines
@@ -71,13 +72,7 @@ class Judgement:
         return self.probability >= UNLIKELY
 
 
-def judge(
-    measured: MeasuredLines,
-    fitted: Fitted,
-    unknowns: int,
-    called: str = "mechanism",
-    by_itself: bool = False,
-) -> Judgement:
+def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int, called: str = "mechanism") -> Judgement:
     """Hold what a fit leaves against the noise.
 
     Args:
@@ -85,11 +80,10 @@ def judge(
         fitted: The fit.
         unknowns: Number of fitted numbers.
         called: What moves, in a word.
-        by_itself: Whether there is no drive, so that the period is a datum too.
     """
     from scipy.stats import f
 
-    freedom = max(2 * measured.lines.size + by_itself - unknowns - 1, 1)
+    freedom = max(2 * measured.lines.size + measured.by_itself - unknowns - 1, 1)
     # Each line has a noise of its own, so that altogether many more are known than of one.
     known = max(measured.freedom * max(len(measured.lines) / _shared(measured), 1.0), 1.0)
     # Weights that are estimated are too large in the mean, which makes chi-square larger.
@@ -140,18 +134,19 @@ def _sentences(measured: MeasuredLines, fitted: Fitted, judged: Judgement, calle
         )
     if judged.excesses:
         yield f"more than noise is left {_where(judged)}"
+    what, _ = sought(measured.by_itself)
     named = dict.fromkeys("{}/{}".format(*each.fraction) for each in measured.strays if each.fraction)
     if measured.period_count > 1:
         yield f"the measured motion repeats after {measured.period_count} drive periods"
     if named:
         yield (
-            f"the measurement has lines at {_first(named)} of the drive, which a motion that repeats after "
-            f"{in_words(measured.period_count)} does not have"
+            f"the measurement has lines at {_first(named)} of the {what}, which a motion that repeats after "
+            f"{in_words(measured.period_count, what)} does not have"
         )
     others = [each for each in measured.strays if each.fraction is None]
     if others:
         told = _first(dict.fromkeys(f"{each.frequency:.4g} Hz" for each in others))
-        yield f"the measurement has lines at {told}, which are no fraction of the drive; they are left out"
+        yield f"the measurement has lines at {told}, which are no fraction of the {what}; they are left out"
 
 
 def _first(names: Iterable[str]) -> str:

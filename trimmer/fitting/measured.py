@@ -16,7 +16,7 @@ from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.fitting.stray import StrayLine, fraction_of, peaks_of, place_of, repeats_after, tolerance
 from trimmer.signals.quantity import MotionQuantity
 from trimmer.signals.signal import Signal, SignalError
-from trimmer.spectra.comparison import SimulatedLines, found_frequency
+from trimmer.spectra.comparison import SimulatedLines, found_frequency, sought
 from trimmer.spectra.harmonics import MOST_HARMONICS, HarmonicFit, fit_harmonics
 from trimmer.spectra.window import Window
 
@@ -58,6 +58,8 @@ class MeasuredLines:
         freedom: Degrees of freedom of the noise that is estimated for a line.
         strays: Lines at no multiple of 1/k of the drive, largest first.
         noiseless: Whether the noise was so small that ``SMALLEST_NOISE`` stands for it.
+        by_itself: Whether there is no drive: then what is told of it is meant of the vibration, and its
+            frequency is a datum too.
     """
 
     signals: Mapping[str, Signal]
@@ -69,6 +71,7 @@ class MeasuredLines:
     freedom: float
     strays: tuple[StrayLine, ...]
     noiseless: bool
+    by_itself: bool = False
 
     @property
     def outputs(self) -> tuple[str, ...]:
@@ -118,6 +121,7 @@ def measure_lines(
     near: float,
     drive_frequency: float | None = None,
     plain: Mapping[str, str] | None = None,
+    by_itself: bool = False,
 ) -> MeasuredLines:
     """Take the lines of a steady motion out of its record.
 
@@ -127,6 +131,7 @@ def measure_lines(
         drive_frequency: That of the drive, Hz, if it is known.
         plain: Units of outputs that are no motion, as forces or plain numbers, empty for the latter: their
             signals are taken as they are in this unit.
+        by_itself: Whether there is no drive, and the vibration is looked for about the largest line.
 
     Raises:
         SignalError: if a signal is no motion, they have unlike times, there is no drive, or the record is
@@ -141,20 +146,20 @@ def measure_lines(
     if len({(each.values.size, each.sample_rate, each.start) for each in signals.values()}) > 1:
         raise SignalError("the signals have unlike times: give one record of all outputs, without gaps")
     found = drive_frequency is None
-    frequency = drive_near(first, near, 1) if drive_frequency is None else drive_frequency
-    measured = _MeasuredRecord(signals, frequency, found, 1).measured()
+    frequency = drive_near(first, near, 1, by_itself) if drive_frequency is None else drive_frequency
+    measured = _MeasuredRecord(signals, frequency, found, 1, by_itself).measured()
     periods = repeats_after(measured.strays)
     if periods > 1 and measured.periods >= FEWEST_PERIODS * periods:
         # The lines at fractions spoil a little what was found without them.
         frequency = drive_near(first, frequency, periods) if found else frequency
-        return _MeasuredRecord(signals, frequency, found, periods).measured()
+        return _MeasuredRecord(signals, frequency, found, periods, by_itself).measured()
     return measured
 
 
-def drive_near(signal: Signal, near: float, periods: int) -> float:
+def drive_near(signal: Signal, near: float, periods: int, by_itself: bool = False) -> float:
     """Return the frequency of the drive of a motion that repeats after some periods of it, Hz."""
     count = min(MOST_HARMONICS * periods, MOST_SOUGHT)
-    return found_frequency(signal, SimulatedLines(np.ones(count, complex), near, periods))
+    return found_frequency(signal, SimulatedLines(np.ones(count, complex), near, periods, "", by_itself))
 
 
 def _motion(signal: Signal) -> Signal:
@@ -174,6 +179,7 @@ class _MeasuredRecord:
     frequency: float
     found: bool
     period_count: int
+    by_itself: bool
 
     @property
     def first(self) -> Signal:
@@ -199,9 +205,10 @@ class _MeasuredRecord:
         covariances, freedom, smallest = self._noise(lines, rests, between)
         seen = (abs(lines) ** 2 > 2 * math.log(lines.size / RARE) * _diagonals(covariances)).any(axis=1)
         if not seen.any():
+            what, how = sought(self.by_itself)
             raise SignalError(
-                f"no multiple of the drive at {self.frequency:.6g} Hz stands out of the noise; say at which "
-                "frequency it was driven (--drive)"
+                f"no multiple of the {what} at {self.frequency:.6g} Hz stands out of the noise; say at which "
+                f"frequency {how} (--drive)"
             )
         last = int(np.flatnonzero(seen)[-1]) + 1
         kept = min(count, max(math.ceil(1.25 * last) + 2 * self.period_count, 3 * self.period_count))
@@ -215,14 +222,15 @@ class _MeasuredRecord:
             freedom,
             strays,
             bool(smallest),
+            self.by_itself,
         )
 
     def _count(self) -> int:
         """Return how many lines the record shows."""
-        rate, samples = self.first.sample_rate, self.first.values.size
+        rate, samples, (what, _) = self.first.sample_rate, self.first.values.size, sought(self.by_itself)
         if self.first.duration * self.step < FEWEST_PERIODS:
             raise SignalError(
-                f"the record holds {self.first.duration * self.frequency:.3g} periods of the drive at "
+                f"the record holds {self.first.duration * self.frequency:.3g} periods of the {what} at "
                 f"{self.frequency:.6g} Hz; {FEWEST_PERIODS * self.period_count} or more are needed, so that "
                 "noise is seen between the lines: measure longer"
             )
@@ -230,7 +238,7 @@ class _MeasuredRecord:
         highest = min(highest, *(each.trusted.highest for each in self.signals.values()))
         count = min(math.floor(highest / self.step), MOST_ORDERS * self.period_count, (samples - 1) // 2)
         if count < self.period_count:
-            raise SignalError(f"samples at {rate:g} Hz show no drive at {self.frequency:g} Hz")
+            raise SignalError(f"samples at {rate:g} Hz show no {what} at {self.frequency:g} Hz")
         return count
 
     def _between(self, lines: Complexes, rests: Complexes) -> tuple[Flags, tuple[StrayLine, ...]]:

@@ -82,6 +82,6 @@ def peaks_of(power: Reals, limit: float) -> list[int]:
     return [int(place) + 1 for place in np.flatnonzero(rising)]
 
 
-def in_words(count: int) -> str:
-    """Return a number of drive periods in words."""
-    return "one drive period" if count == 1 else f"{count} drive periods"
+def in_words(count: int, what: str = "drive") -> str:
+    """Return a number of periods of the drive, or of what else, in words."""
+    return f"one {what} period" if count == 1 else f"{count} {what} periods"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -225,21 +225,16 @@ def _derivatives(signal: Signal, simulated: SimulatedLines) -> int:
     return quantity.derivatives - own.derivatives
 
 
-def frequency_by_itself(signal: Signal, own: float) -> float:
-    """Return about which frequency a vibration without a drive is looked for, Hz.
-
-    It is that of the largest peak, over the order at which it is nearest to the frequency of a simulation.
-
-    Args:
-        signal: The measured motion.
-        own: Frequency of the simulation, Hz.
-    """
-    found = peaks(amplitude_spectrum(signal.values, signal.sample_rate), 1)
-    return float(found[0].frequency / max(round(found[0].frequency / own), 1)) if found else own
+def sought(by_itself: bool) -> tuple[str, str]:
+    """Return what is looked for in a measurement, and what its frequency would say, in words."""
+    return ("vibration", "it vibrates") if by_itself else ("drive", "it was driven")
 
 
 def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     """Find the drive: the largest line near its harmonics, and what explains most beside it.
+
+    Without a drive it is looked for about the largest peak, over the order at which that is nearest to the
+    frequency of the simulation.
 
     Args:
         signal: The measured motion, SI.
@@ -248,22 +243,20 @@ def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     Raises:
         SignalError: if there is no such line, or it explains little.
     """
-    what, how = ("vibration", "it vibrates") if simulated.by_itself else ("drive", "it was driven")
-    if simulated.by_itself:
-        near_to = frequency_by_itself(signal, simulated.frequency)
-        simulated = replace(simulated, frequency=near_to, by_itself=False)
-    spectrum = amplitude_spectrum(signal.values, signal.sample_rate)
+    what, how = sought(simulated.by_itself)
+    spectrum, about = amplitude_spectrum(signal.values, signal.sample_rate), simulated.frequency
+    lines = [peak.frequency for peak in peaks(spectrum, 20) if peak.frequency in signal.trusted]
+    if simulated.by_itself and lines:
+        about = lines[0] / max(round(lines[0] / about), 1)
     near = [
-        peak.frequency / order
-        for peak in peaks(spectrum, 20)
-        if peak.frequency in signal.trusted
-        and (order := round(peak.frequency / simulated.frequency))
-        and abs(peak.frequency / order - simulated.frequency) <= NEAR * simulated.frequency
+        line / order
+        for line in lines
+        if (order := round(line / about)) and abs(line / order - about) <= NEAR * about
     ]
     if not near:
         raise SignalError(
             f"no line of the measurement is within {100 * NEAR:g} % of a harmonic of the {what} at "
-            f"{simulated.frequency:g} Hz; say at which frequency {how} (--drive)"
+            f"{about:g} Hz; say at which frequency {how} (--drive)"
         )
     from scipy.optimize import minimize_scalar
 
@@ -294,8 +287,8 @@ def _fit(signal: Signal, simulated: SimulatedLines, frequency: float) -> Harmoni
     count = min(simulated.displacement.size, math.floor(highest / step))
     if count < simulated.period_count:
         raise SignalError(
-            f"the measurement is {signal.trusted.sentence}, and samples at {rate:g} Hz show no drive at "
-            f"{frequency:g} Hz"
+            f"the measurement is {signal.trusted.sentence}, and samples at {rate:g} Hz show no "
+            f"{sought(simulated.by_itself)[0]} at {frequency:g} Hz"
         )
     return fit_harmonics(signal.values, rate, step, count, window)
 

@@ -181,7 +181,7 @@ def test_what_nothing_was_measured_of_is_refused() -> None:
     signal = Signal(np.ones(100), 1e3, "stroke", "m")
     with pytest.raises(FitError, match="did you mean stroke"):
         fit_numbers(trimmer(), {"strok": signal})
-    with pytest.raises(SignalError, match="no line of the measurement is within 3 % of a harmonic"):
+    with pytest.raises(SignalError, match=r"no line of the measurement is .* of the vibration at"):
         fit_numbers(Mechanism.from_toml("examples/block-on-belt.toml"), {"block": signal})
     with pytest.raises(FitError, match="nothing was measured"):
         fit_numbers(trimmer(), {})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -96,7 +97,10 @@ def test_lines_between_the_harmonics_are_told_apart() -> None:
     )
     _, half, other = judge(measured(LINES, strays=strays), fitted(LINES, 1.0), 1).sentences
     assert "lines at 3/2 of the drive, which a motion that repeats after one drive period" in half
-    assert "lines at 71.3 Hz, which are no fraction" in other
+    assert "lines at 71.3 Hz, which are no fraction of the drive" in other
+    by_itself = replace(measured(LINES, strays=strays), by_itself=True)
+    told = judge(by_itself, fitted(LINES, 1.0), 1).sentences
+    assert told[1:] == tuple(each.replace("drive", "vibration") for each in (half, other))
 
 
 def test_six_lines_are_named_and_the_others_counted() -> None:

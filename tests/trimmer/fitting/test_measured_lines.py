@@ -164,20 +164,21 @@ def test_units_are_those_of_the_system() -> None:
             {"a": Signal(np.cos(2 * np.pi * 50 * TIMES), RATE, "a", "V")},
             "does not tell whether it is a displ",
         ),
-        ({"a": Signal(np.cos(2 * np.pi * 50 * TIMES), 80.0, "a", "m")}, "show no drive"),
+        ({"a": Signal(np.cos(2 * np.pi * 50 * TIMES), 80.0, "a", "m")}, "show no drive at 50 Hz"),
         (
             {each: Signal(np.ones(100 * i), RATE, each, "m") for i, each in enumerate("ab", start=1)},
             "unlike times",
         ),
         (
             {"a": Signal(np.random.default_rng(1).normal(size=COUNT), RATE, "a", "m")},
-            "stands out of the noise",
+            "no multiple of the drive at 50 Hz stands out of the noise",
         ),
     ],
 )
 def test_records_that_cannot_be_used(signals: dict[str, Signal], told: str) -> None:
-    with pytest.raises(SignalError, match=told):
-        measure_lines(signals, DRIVE, DRIVE)
+    for by_itself, what in ((False, "drive"), (True, "vibration")):
+        with pytest.raises(SignalError, match=told.replace("drive", what)):
+            measure_lines(signals, DRIVE, DRIVE, None, by_itself)
 
 
 def test_weak_directions_are_those_of_small_singular_values() -> None:

@@ -80,6 +80,8 @@ def test_what_cannot_be_compared_is_refused() -> None:
         compare_motions(Signal(NOISE, RATE, "x", "V"), SimulatedLines(LINES, 110.0))
     with pytest.raises(SignalError, match="show no drive at 4000 Hz"):
         compare_motions(Signal(NOISE, RATE, "x", "m"), SimulatedLines(LINES, 110.0), 4000.0)
+    with pytest.raises(SignalError, match="show no vibration at 4000 Hz"):
+        compare_motions(Signal(NOISE, RATE, "x", "m"), SimulatedLines(LINES, 110.0, by_itself=True), 4000.0)
     with pytest.raises(SignalError, match="displacement must be finite"):
         SimulatedLines(np.array([np.nan]), 110.0)
 
@@ -160,6 +162,14 @@ def test_a_drive_is_found_within_three_percent_and_must_explain_the_motion() -> 
     assert turned.residual == pytest.approx(0.5)
     # -(cos a + 0.04 cos 2a) is at most 0.96: of the squares 4.16 + 1.04 - 4 0.96 are left.
     assert turned.inverted_residual == pytest.approx(np.sqrt(1.36 / 4.16), rel=1e-9)
+
+
+def test_a_vibration_by_itself_is_looked_for_about_the_largest_line_that_is_to_be_trusted() -> None:
+    lines = np.array([1e-3, 0.9e-3])
+    hum = Signal(motion(100.0, lines) + motion(13.0, 1.05 * lines[:1]), RATE, "x", "m", trusted=Band(50.0))
+    for simulated in (70.0, 130.0):
+        found = found_frequency(hum, SimulatedLines(lines, simulated, by_itself=True))
+        assert found == pytest.approx(100.0, rel=1e-4)
 
 
 def test_simulated_lines_are_complex_numbers_in_a_row() -> None:

@@ -57,7 +57,7 @@ def _head(shown: ShownFit) -> Iterator[str]:
             f"{signal.values.size} samples at {signal.sample_rate:.9g} Hz"
         )
     how = "found in the measurement" if measured.found else "as given"
-    if shown.fit.before.frequency is None:
+    if measured.by_itself:
         off = 1.0 / shown.fit.orbit.period - measured.frequency
         yield (
             f"vibration by itself: {measured.frequency:.8g} Hz ({how}, "
