@@ -25,7 +25,7 @@ from trimmer.design.linear import LinearState, driving
 from trimmer.design.paths import NumberPath
 from trimmer.design.spectrum import OutputLine
 from trimmer.design.targets import Measure, unit_of_measure
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design.trial import MeasureOfPart, all_measures
 from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
@@ -308,7 +308,7 @@ def _influences(design: Design) -> Iterator[Figure]:
 
 
 def important(design: Design) -> list[MeasureOfPart]:
-    """Return the measures to look at first: those of targets, then stroke, held body, impact, wear."""
+    """Return the measures to look at first: of targets, then of steps, or stroke, held body, impact, wear."""
     motion, mechanism = design.motion, design.file.mechanism
     if motion is None:
         return []
@@ -317,6 +317,8 @@ def important(design: Design) -> list[MeasureOfPart]:
         for each in design.file.targets
         if each.measure is not Measure.PERIOD
     ]
+    if design.file.stepped:
+        return list(dict.fromkeys((*found, *all_measures(mechanism, stepped=True))))
     if mechanism.outputs:
         found.append(MeasureOfPart(Measure.STROKE, next(iter(mechanism.outputs))))
     if motion.rms_acceleration:

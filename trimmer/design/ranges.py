@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.arrays import Flags, Integers, Reals
 from trimmer.design.design_file import OpenRange
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Target, is_stepped, is_switched
+from trimmer.design.targets import Target, is_switched
 from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
@@ -68,14 +68,16 @@ def study_ranges(
     targets: tuple[Target, ...],
     settings: DesignSettings,
     runner: Runner,
+    *,
+    stepped: bool = False,
 ) -> RangeStudy | None:
     """Look at points of the ranges: evenly spaced for one, points of a Sobol sequence for several.
 
-    Those that the runner leaves out are missing; None if all are.
+    Where it is ``stepped``, what controllers make of their steps is measured. Points that the runner leaves
+    out are missing; None if all are.
     """
     places = tuple(each.place for each in ranges)
     switched = is_switched(mechanism, (each.measure for each in targets))
-    stepped = is_stepped(each.measure for each in targets)
     asked = all_measures(mechanism, switched=switched, stepped=stepped)
     work = TrialWork(mechanism, places, asked, settings.cell_periods)
     shares = _points(len(ranges), settings)

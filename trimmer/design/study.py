@@ -219,8 +219,9 @@ class Study:
         file = self.file
         if not file.ranges or not file.is_tried:
             return None
-        make = partial(study_ranges, file.mechanism, file.ranges, file.targets, self.settings)
-        depends = (file.ranges, file.targets, self.settings.range_points, self.settings.cell_periods)
+        settings, stepped = self.settings, file.stepped
+        make = partial(study_ranges, file.mechanism, file.ranges, file.targets, settings, stepped=stepped)
+        depends = (file.ranges, file.targets, settings.range_points, settings.cell_periods)
         return self._made(Stage.RANGES, (), depends, make, None)
 
     def around(self, motions: Motions) -> Around | None:

@@ -11,6 +11,7 @@ from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
+from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner
 from trimmer.design.design_file import design_file_of_text
@@ -50,6 +51,13 @@ def test_an_axis_that_rests_is_told_so() -> None:
     file = design_file_of_text(SAMPLED, "mine.toml")
     places = [each.place for each in varied_places(file.mechanism, None)]
     assert places == ["controllers.axis.kp", "controllers.axis.ki"]
+
+
+@pytest.mark.parametrize("targets", ["", "[targets]\novershoot_at_most = 40\n"])
+def test_a_number_that_nobody_knows_is_told_by_steps_alone(targets: str) -> None:
+    """Overshoots in closed form, as in tests/trimmer/design/test_axis.py."""
+    ranges = told(AXIS.replace('"2 kg"', '"2 kg..3 kg"') + targets)["ranges"]
+    assert "30.5 %" in ranges and "38.8 %" in ranges
 
 
 LAW = SAMPLED[SAMPLED.index("[controllers.axis]") : SAMPLED.index("[references]")]

@@ -113,6 +113,14 @@ def test_gains_are_found_that_meet_the_targets_and_drawn() -> None:
     assert kp.of(MeasureOfPart(Measure.OVERSHOOT, "axis")).value == pytest.approx(slope, rel=1e-5)
 
 
+def test_a_range_without_targets_has_the_measures_of_the_step() -> None:
+    """A mass of 3 kg overshoots as one of 2 kg with two thirds of kv."""
+    ranges = study(file("", ('"2 kg"', '"2 kg..3 kg"'))).ranges()
+    assert ranges is not None
+    ends = overshoot(), overshoot(kv=KV * MASS / 3)
+    assert ranges.extremes(MeasureOfPart(Measure.OVERSHOOT, "axis")) == pytest.approx(ends, rel=1e-9)
+
+
 NO_STEP = (
     "no controller follows a step, so that there is none to measure; give one a reference, with "
     "path = { step = 0.01 } below [references]"
