@@ -24,10 +24,10 @@ from trimmer.mechanism.place_text import parse_place
 from trimmer.messages import listed
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
+from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.orbit import NEUTRAL, Orbit
-from trimmer.response.self_excited import orbit_by_itself
 from trimmer.response.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
 

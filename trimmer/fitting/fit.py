@@ -149,7 +149,7 @@ def _near(subject: Subject) -> float:
     """Return the frequency near which that of the measurement is looked for, Hz."""
     if subject.frequency is not None:
         return subject.frequency
-    from trimmer.response.self_excited import orbit_by_itself
+    from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 
     return 1.0 / orbit_by_itself(flow_of(subject)).period
 

@@ -15,9 +15,9 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import read
 from trimmer.motion.subject import Subject
+from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 from trimmer.response.flows import flow_of
 from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.self_excited import orbit_by_itself
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import Patience, Return, solve
 

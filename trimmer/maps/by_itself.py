@@ -11,8 +11,8 @@ from trimmer.errors import DivergingMotionError
 from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.system import NOTHING
 from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
+from trimmer.response.by_itself.self_excited import STRETCHES, self_excited
 from trimmer.response.response import MotionKind
-from trimmer.response.self_excited import STRETCHES, self_excited
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals

@@ -14,9 +14,9 @@ from trimmer.maps.inputs import MapInputs, Settings, checked_inputs, is_driven
 from trimmer.maps.result import MotionMap
 from trimmer.motion.chosen import chosen_measure
 from trimmer.progress import progress_bar
+from trimmer.response.by_itself.self_excited import STRETCHES
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.pace import pace_of
-from trimmer.response.self_excited import STRETCHES
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner, SerialRunner
 

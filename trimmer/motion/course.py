@@ -67,6 +67,14 @@ class Course:
         """Return the extended states, (times, N), at times, s, that do not decrease."""
         return sample(self.modes.tables, self.log, times)
 
+    def instant(self, time: float) -> Instant:
+        """Return a motion without a drive at a time, s, amid a segment, where nothing happens."""
+        row = int(np.searchsorted(self.log.start, time, side="right")) - 1
+        state = self.states(np.array([time]))[0, : self.modes.system.layout.state_count]
+        statuses = self.modes[int(self.log.mode[row])].statuses
+        zeros = np.zeros_like(self.end.zeros)
+        return replace(self.end, state=state, statuses=statuses, phase=0.0, periods=0, zeros=zeros)
+
     def turned(self, time: float, phase: float) -> Course:
         """Return a motion that repeats after whole periods as one that begins at a later instant of it.
 

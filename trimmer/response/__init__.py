@@ -1,7 +1,7 @@
 """What a mechanism or a loop settles to: exact periodic motions, and statistics of what does not repeat.
 
 ``shooting`` solves for a state that returns, ``orbit`` is what it gives, with its ``multipliers``, and
-``forced_orbit`` its entry; ``self_excited`` does the same without a drive, where the period is unknown.
+``forced_orbit`` its entry; ``by_itself`` is all of this without a drive, where the period is unknown.
 ``respond`` follows a motion from its start: ``settling`` looks for orbits on the way, ``recurrence`` says
 whether the motion comes to one, and ``same`` whether two are one. What meets no event any more is solved for:
 ``linear_motion`` is it in closed form, ``linear_lines`` its exact measures, ``rest`` where it stands still,

@@ -67,7 +67,7 @@ def exact_orbit(
     subject: Subject, periods: int = 1, guess: Start = None, settling: int | None = None
 ) -> Orbit:
     """Find an exact periodic motion of a mechanism or a loop; see ``forced_orbit``."""
-    from trimmer.response.self_excited import orbit_by_itself, self_excited_orbit
+    from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself, self_excited_orbit
     from trimmer.response.starts import instant_of
 
     whole_number("periods", periods, 1)

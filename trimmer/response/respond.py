@@ -17,6 +17,8 @@ from trimmer.loops.loops import Loop
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale
+from trimmer.response.by_itself.self_excited import self_excited
+from trimmer.response.by_itself.unrepeated import unrepeated
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
@@ -25,12 +27,10 @@ from trimmer.response.pace import pace_of
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
-from trimmer.response.self_excited import self_excited
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import sizes_of
 from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import Start, instant_of
-from trimmer.response.unrepeated import unrepeated
 from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 
 MOST_PERIODS = 1000

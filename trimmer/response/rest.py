@@ -17,6 +17,8 @@ from trimmer.motion.measures import Measures
 
 SAMPLES = 64
 """Instants in the period of the fastest wave at which forces are taken."""
+RESTING = 1e-9
+"""Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,3 +81,27 @@ class Rest:
             else 1
         )
         return self.flow.forces(self.course, self.course.duration * np.arange(count) / count)
+
+
+def at_rest(course: Course, unit: float) -> bool:
+    """Return whether a motion has come to rest at its end.
+
+    Args:
+        course: The motion.
+        unit: A time in which it would move, s.
+    """
+    layout = course.modes.system.layout
+    states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
+    sizes = layout.lengths * abs(states).max(axis=0)
+    for kind in layout.kinds:
+        sizes[kind] = sizes[kind].max(initial=0.0)
+    flow = course.modes[course.modes.number(course.end.statuses)].flow
+    extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
+    rates = layout.lengths * abs((flow @ extended)[: layout.state_count]) * unit
+    speeds = layout.lengths * abs(course.end.state) * unit
+    for rate in layout.rates:
+        displacement = layout.kinds[0]
+        sizes[rate] = 2 * np.pi * sizes[displacement] / unit
+        # A frame that moves along does not make what moves rest.
+        rates[displacement] = np.maximum(rates[displacement], speeds[rate])
+    return bool((rates <= RESTING * sizes).all())

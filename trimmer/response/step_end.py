@@ -16,8 +16,8 @@ from trimmer.hybrid.advance import Ending
 from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along
 from trimmer.motion.time_scale import time_scale
-from trimmer.response.asymptotic import asymptotic_rest
-from trimmer.response.self_excited import at_rest
+from trimmer.response.by_itself.asymptotic import asymptotic_rest
+from trimmer.response.rest import at_rest
 from trimmer.response.solved import rest_after
 
 if TYPE_CHECKING:

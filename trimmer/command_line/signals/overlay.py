@@ -139,9 +139,9 @@ def _simulated_lines(subject: Mechanism | TrimmerLoop, output: str) -> tuple[Sim
     A loop without a drive stays at rest there: it has an orbit that is searched for.
     """
     from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
     from trimmer.response.flows import flow_of
     from trimmer.response.respond import respond
-    from trimmer.response.self_excited import orbit_by_itself
     from trimmer.spectra.comparison import SimulatedLines
 
     if subject.frequency is None and not isinstance(subject, Mechanism):

@@ -8,8 +8,6 @@ smaller, it never ends.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from trimmer.motion.course import Course
@@ -37,16 +35,11 @@ def rest_dying_away(flow: Flow, course: Course) -> Rest | None:
     swings = np.ptp(log.state[:, : flow.size], axis=0)
     for row in np.flatnonzero(lasted > 0)[: -1 - SEGMENTS : -1]:
         times = log.start[row] + lasted[row] * np.array(SHARES)
-        states = course.states(times)[:, : flow.size]
-        if (np.ptp(states, axis=0) > SLOW * swings).any():
+        reached = [course.instant(time) for time in times]
+        if (np.ptp([each.state for each in reached], axis=0) > SLOW * swings).any():
             continue
-        quiet = replace(
-            course.end,
-            statuses=course.modes[int(log.mode[row])].statuses,
-            zeros=np.zeros_like(course.end.zeros),
-        )
-        for state in states:
-            motion = linear_motion(flow, flow.at(state, course.end.phase, like=quiet))
+        for each in reached:
+            motion = linear_motion(flow, flow.at(each.state, course.end.phase, like=each))
             if motion is not None and motion.still and motion.dies_away:
                 return Rest(flow, flow.at(motion.limit.state), motion.free)
     return None

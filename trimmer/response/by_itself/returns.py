@@ -6,17 +6,17 @@ growth of a small distance is taken along the motion that is known, from amid on
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.variation import propagated
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.response.arrival import what_happened
+from trimmer.response.by_itself.arrival import what_happened
 from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.shooting import sizes_of
 
@@ -119,7 +119,7 @@ class Returns:
         """Say whether a motion beside it is far from it, or meets other events, over the same returns."""
         (begin,) = self._amid(self.rows[-1 - MEASURED :][:1])
         log, sizes = self.course.log, sizes_of(self.course)
-        instant = instant_at(self.course, float(begin), self.flow)
+        instant = self.course.instant(float(begin))
         direction = np.random.default_rng(SEED).normal(size=self.flow.size)
         state = instant.state + APART * sizes * direction / np.linalg.norm(direction)
         beside = self.flow.timed(self.flow.at(state, like=instant), self.course.duration - begin)
@@ -134,15 +134,6 @@ class Returns:
             return True
         apart = self.flow.reduced(log.state[ours][:, : len(sizes)] - theirs.state[others][:, : len(sizes)])
         return bool((abs(apart) / sizes).max(initial=0.0) > GROWN * APART)
-
-
-def instant_at(course: Course, time: float, flow: Flow) -> Instant:
-    """Return a motion at a time, s, at which nothing happens."""
-    row = int(np.searchsorted(course.log.start, time, side="right")) - 1
-    state = course.states(np.array([time]))[0, : flow.size]
-    statuses = course.modes[int(course.log.mode[row])].statuses
-    zeros = np.zeros_like(course.end.zeros)
-    return replace(course.end, state=state, statuses=statuses, phase=0.0, periods=0, zeros=zeros)
 
 
 def _growth(flow: Flow, course: Course, times: Reals) -> Reals:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from trimmer.hybrid.advance import Ending
 from trimmer.motion.flow import Flow
+from trimmer.response.by_itself.returns import Returns
+from trimmer.response.by_itself.self_excited import STRETCHES, SelfExcited
 from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.returns import Returns
-from trimmer.response.self_excited import STRETCHES, SelfExcited
 from trimmer.response.window import Window, watch
 
 RETURNS = 512

@@ -1,0 +1,77 @@
+"""The orbit of what moves without a drive: from a start, or from the search of a loop."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from trimmer.errors import OrbitNotFoundError
+from trimmer.hybrid.advance import Instant
+from trimmer.motion.flow import Flow
+from trimmer.response.by_itself.recurrences import once, recurring
+from trimmer.response.by_itself.self_excited import self_excited
+from trimmer.response.orbit import Orbit, orbit_of
+from trimmer.response.shooting import CLOSED, Return, solve
+
+
+def self_excited_orbit(flow: Flow, instant: Instant) -> Orbit:
+    """Find a periodic motion without a drive, from what a start settles to.
+
+    An unstable one that the motion passes will do where it settles to none.
+
+    Args:
+        flow: The motion of the mechanism.
+        instant: The start.
+
+    Raises:
+        OrbitNotFoundError: if nothing repeats in the time that was waited; the message says what was seen.
+    """
+    found = self_excited(flow, instant)
+    orbit = found.orbit or found.passed
+    if orbit is None and found.returns is not None and found.returns.chaotic:
+        orbit = next(iter(recurring(flow, found.returns.course)), None)
+    if orbit is not None:
+        return orbit
+    if found.rest is not None:
+        within = found.waited + (found.solved.decay if found.solved else 0.0)
+        raise OrbitNotFoundError(f"it comes to rest within {within:.6g} s, and nothing sets it in motion")
+    if found.solved is not None:
+        raise OrbitNotFoundError("it runs on a torus for ever; another start may repeat")
+    raise OrbitNotFoundError(f"nothing repeats within {found.waited:.6g} s; another start may settle")
+
+
+def orbit_by_itself(flow: Flow) -> Orbit:
+    """Find a periodic motion without a drive, of what moves from rest; of a loop one that was searched for.
+
+    At rest nothing happens in a closed loop. So it is the stable orbit of largest amplitude there that
+    ``periodic_orbits`` finds, or the largest unstable one if there is no other. Of a trimmer with frictions
+    between its bodies it is what that orbit without them leads to.
+
+    Raises:
+        OrbitNotFoundError: if there is none.
+    """
+    from trimmer.loops.feedback import Feedback
+    from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.trimmer_loop import TrimmerLoop
+
+    loop = flow.subject
+    begins = isinstance(loop, Feedback) and bool(loop.start)
+    if begins or not isinstance(loop, ClosedLoop | Feedback | TrimmerLoop):
+        return self_excited_orbit(flow, flow.rest())
+    from trimmer.orbits.periodic_orbits import periodic_orbits
+
+    rubs = isinstance(loop, TrimmerLoop) and bool(loop.frictions)
+    found = periodic_orbits(replace(loop, frictions=()) if isinstance(loop, TrimmerLoop) else loop)
+    if not found:
+        raise OrbitNotFoundError(f"the loop has no orbit to begin with: {found.message}")
+    first = next((orbit for orbit in found if orbit.stable), found[0])
+    if rubs:
+        return self_excited_orbit(flow, flow.at(np.ascontiguousarray(first.motion.log.state[0][: flow.size])))
+    state = np.ascontiguousarray(first.motion.log.state[0][: flow.size])
+    statuses = first.motion.loop.modes[int(first.motion.log.mode[0])].statuses
+    begin = replace(flow.at(state), statuses=statuses)
+    shot = solve(Return(flow, 0), flow.at(state, like=begin), first.period)
+    if shot is None or shot.miss > CLOSED:
+        raise OrbitNotFoundError("the orbit of the loop cannot be followed")
+    return orbit_of(flow, once(flow, shot), 0)
