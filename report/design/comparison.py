@@ -23,10 +23,10 @@ from report.design.words import (
 from report.pages.drawing.drawn import drawn
 from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
-from trimmer.design.comparison import DesignComparison
+from trimmer.design.comparison import DesignComparison, measures_of
 from trimmer.design.design import Design
 from trimmer.design.targets import Measure, unit_of_measure
-from trimmer.design.trial import MeasureOfPart, all_measures
+from trimmer.design.trial import MeasureOfPart
 
 NEITHER = "—"
 
@@ -96,10 +96,9 @@ def _number(value: float | None, unit: str) -> str:
 
 
 def _unit(comparison: DesignComparison, asked: MeasureOfPart) -> str:
-    mechanism = comparison.after.file.mechanism
-    if asked not in all_measures(mechanism):
-        mechanism = comparison.before.file.mechanism
-    return unit_of_measure(mechanism, asked.measure, asked.part)
+    after = asked in measures_of(comparison.after)
+    design = comparison.after if after else comparison.before
+    return unit_of_measure(design.file.mechanism, asked.measure, asked.part)
 
 
 def difference_rows(comparison: DesignComparison) -> list[list[str]]:

@@ -384,7 +384,8 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
         end = "until all of it rests" if motion.switched.forces else "for as long as the report says"
         measured = f"the motion was followed from event to event, each known to rounding, {end}"
     elif motion.kind is MotionKind.REST:
-        measured = "nothing moves, and what holds each part is known to rounding"
+        still = "after the last step all comes to rest" if motion.steps else "nothing moves"
+        measured = f"{still}, and what holds each part is known to rounding"
     grounds = [measured]
     if motions.starts > 1:
         share = f"{number_words(motion.starts)} of {motions.starts} starts"

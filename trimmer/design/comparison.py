@@ -71,9 +71,16 @@ class DesignComparison:
 def compared(before: Design, after: Design) -> DesignComparison:
     """Compare two designs."""
     first, second = before.file.mechanism, after.file.mechanism
-    asked = dict.fromkeys((*all_measures(first), *all_measures(second)))
+    asked = dict.fromkeys((*measures_of(before), *measures_of(after)))
     differences = tuple(MeasureDifference(each, _value(before, each), _value(after, each)) for each in asked)
     return DesignComparison(before, after, _changes(first, second), _others(first, second), differences)
+
+
+def measures_of(design: Design) -> tuple[MeasureOfPart, ...]:
+    """Return what is measured of a design: through its steps, from start to rest, or once it has settled."""
+    file, motion = design.file, design.motion
+    switched = file.switched or bool(motion and motion.switched)
+    return all_measures(file.mechanism, switched=switched, stepped=file.stepped)
 
 
 def _changes(first: Mechanism, second: Mechanism) -> tuple[ChangedNumber, ...]:
@@ -111,6 +118,6 @@ def _form(part: object) -> tuple[object, ...]:
 
 def _value(design: Design, asked: MeasureOfPart) -> float | None:
     motion = design.motion
-    if motion is None or asked not in all_measures(design.file.mechanism):
+    if motion is None or asked not in measures_of(design):
         return None
     return motion.measure(asked.measure, asked.part)

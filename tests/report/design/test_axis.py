@@ -44,6 +44,7 @@ def test_an_axis_that_hunts_is_told_so() -> None:
 def test_an_axis_that_rests_is_told_so() -> None:
     pieces = told(SAMPLED)
     assert "**The file names no targets**, so nothing is judged; angle comes to rest." in pieces["verdict"]
+    assert "How that was found: after the last step all comes to rest, and what" in pieces["verdict"]
     assert "none: it rests" in pieces["step"]
     for told_there in ("may rise to 3.82 times, 139 Hz", "50.1° at 10.5 Hz", "0.661 at 129 Hz"):
         assert told_there in pieces["linear"]  # as `trimmer linear` has it

@@ -9,9 +9,12 @@ from typing import Any
 import pytest
 
 from tests.trimmer.design.made import contact, motion, oscillator, output
-from trimmer import Mechanism
+from tests.trimmer.design.test_axis import AXIS, overshoot
+from trimmer import Mechanism, SerialRunner
 from trimmer.design.comparison import ChangedNumber, MeasureDifference, compared
+from trimmer.design.design_file import design_file_of_text
 from trimmer.design.found_motion import FoundMotion
+from trimmer.design.study import Study
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
 from trimmer.mechanism import ContactLaw, Link, Stop
@@ -20,7 +23,8 @@ STROKE = MeasureOfPart(Measure.STROKE, "block")
 
 
 def design(mechanism: Mechanism, moving: FoundMotion | None) -> Any:
-    return SimpleNamespace(file=SimpleNamespace(mechanism=mechanism), motion=moving)
+    file = SimpleNamespace(mechanism=mechanism, switched=False, stepped=False)
+    return SimpleNamespace(file=file, motion=moving)
 
 
 def moving(size: float, **changes: Any) -> FoundMotion:
@@ -105,3 +109,31 @@ def test_measures_stand_beside_each_other_as_far_as_there_are_any() -> None:
     assert found[MeasureOfPart(Measure.PERIOD, "")] == (1.0, 2.0)
     none = compared(design(first, None), design(second, hit)).differences
     assert {(each.before, each.after is None) for each in none} == {(None, False)}
+
+
+DROPPED = """
+[bodies]
+ball = { mass = 1 }
+[walls]
+floor = { between = ["ground", "ball"], gap = 0.01, restitution = 0.5 }
+[forces]
+weight = { on = "ball", constant = 9.81 }
+"""
+FALL = (2 * 0.01 / 9.81) ** 0.5
+
+
+@pytest.mark.parametrize(
+    ("text", "change", "asked", "values"),
+    [
+        (DROPPED, ("0.01", "0.04"), (Measure.CLOSING_TIME, "floor"), (FALL, 2 * FALL)),
+        (AXIS, ("kp = 4.0", "kp = 2.0"), (Measure.OVERSHOOT, "axis"), (overshoot(4.0), overshoot(2.0))),
+    ],
+)
+def test_what_switches_or_follows_a_step_is_compared_by_its_own_measures(
+    text: str, change: tuple[str, str], asked: tuple[Measure, str], values: tuple[float, float]
+) -> None:
+    both = [design_file_of_text(each, "mine.toml") for each in (text, text.replace(*change))]
+    differences = compared(*(Study(each, runner=SerialRunner()).short() for each in both)).differences
+    (found,) = [each for each in differences if each.asked == MeasureOfPart(*asked)]
+    assert (found.before, found.after) == pytest.approx(values, rel=1e-9)
+    assert Measure.RMS_ACCELERATION not in {each.asked.measure for each in differences}
