@@ -54,6 +54,27 @@ def test_what_data_predict_is_what_the_plant_does_within_the_bound(element: Elem
     assert cycle.residual < 1e-6
 
 
+def test_what_bends_evenly_may_be_off_by_twice_its_bend_and_the_spline_by_what_it_is_seen_to() -> None:
+    x = np.linspace(0.0, 2.0, 9)
+    between = np.linspace(0.0, 2.0, 33)
+    bound = MeasuredResponse(np.exp(x), np.exp(-0.7 * x**2)).error(between)
+    before = between % 0.25
+    assert bound == pytest.approx(3.0 * 0.7 * before * (0.25 - before), abs=1e-12)
+
+
+def test_a_bound_is_what_the_worst_response_that_is_so_far_off_does() -> None:
+    element, off = FrictionBacklash(0.2), 1e-4
+    (cycle,), (bound,) = (balance := harmonic_balance(data(12), element)).limit_cycles, balance.bounds
+    others = [
+        harmonic_balance(MeasuredResponse(data(12).omega, data(12).response * (1 + turn * off)), element)
+        for turn in (1.0, 1.0j)
+    ]
+    for name in ("amplitude", "omega"):
+        # What a turned change moves is a cosine of the angle, of which two at right angles tell the largest.
+        moved = [getattr(each.limit_cycles[0], name) - getattr(cycle, name) for each in others]
+        assert np.hypot(*moved) / off == pytest.approx(getattr(bound, name) / bound.response, rel=1e-2)
+
+
 def test_the_bound_falls_with_the_square_of_the_distance_of_points() -> None:
     x = np.linspace(np.log(0.06), np.log(19.0), 2001)
     coarse, fine = (data(points).error(x).max() for points in (201, 401))

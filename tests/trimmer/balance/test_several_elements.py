@@ -91,6 +91,9 @@ def test_what_is_not_known_is_told() -> None:
     assert "no certificate: others may exist, and whether these are stable is not told" in found.message
     assert "rub: what stick holds beyond the sliding force is left out" in found.message
     assert np.isnan(found.motions[0].change)
+    assert len({f"{each.omega:.5e}" for each in found.motions}) == len(found.motions)
+    lowest = 1.05 * found.motions[-1].omega
+    assert harmonic_balance(found.loop, (lowest, 10.0 * lowest), order=1).motions == ()
 
 
 def test_what_does_not_go_together_is_refused() -> None:

@@ -197,6 +197,9 @@ def test_an_unstable_loop_is_told_before_anything_moves(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert instability_told(Mechanism.from_toml_text(SERVO)) == ""
+    # A sampled one that pushes away, beside a continuous one that alone is stable.
+    other = OPEN[OPEN.index("[controllers") :].replace(".axis", ".other").replace("kp = 50.0", "kp = -5e4")
+    assert "unstable" in instability_told(Mechanism.from_toml_text(f"{OPEN}{other}sample = 1e-3\n"))
     file = tmp_path / "axis.toml"
     file.write_text(SERVO.replace("kd = 0.09", "ki = 9e3"), "utf-8")
     assert main(["simulate", str(file), "--duration", "0.01"]) == 0

@@ -70,6 +70,13 @@ def test_the_drive_is_found() -> None:
     assert found.found and found.frequency == pytest.approx(DRIVE, abs=2e-3)
 
 
+def test_frequencies_that_are_found_scatter_as_is_told() -> None:
+    made = (np.random.default_rng(seed).normal(size=COUNT) for seed in range(16))
+    found = [lines(0.1 * noise, drive=None) for noise in made]
+    told = np.mean([each.frequency_deviation for each in found])
+    assert np.std([each.frequency for each in found]) == pytest.approx(told, rel=0.4)
+
+
 @pytest.mark.parametrize(
     ("given", "told"),
     [
