@@ -27,7 +27,8 @@ def test_laws_whose_end_is_known() -> None:
 @pytest.mark.parametrize(
     ("values", "periods"),
     [
-        (np.linspace(3.0, 1.0, 60), 3.0 / np.linspace(3.0, 1.0, 60)),  # far from its end
+        (np.linspace(3.0, 0.5, 60), 3.0 / np.linspace(3.0, 0.5, 60)),  # far from its end
+        (np.geomspace(1.0, 0.02, 60), np.geomspace(1.0, 0.02, 60) ** -2.0),  # by another law
         (np.linspace(3.0, 1.0, 60), 1.0 + 0.2 * np.linspace(0.0, 2.0, 60) ** 4),  # no end
         (np.linspace(3.0, 1.0, 60), np.linspace(2.0, 1.0, 60)),  # falls
         (np.array([1.0, 2.0, 1.5, 1.2, 1.1]), np.geomspace(1.0, 9.0, 5)),  # turns back

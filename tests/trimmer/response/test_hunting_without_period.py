@@ -73,6 +73,18 @@ SLIDING = {
     "step": 0.5,
 }
 """It slides to the reference ever slower, and friction bears at last just what the integral gives."""
+SLOWER = SLIDING | {
+    "motor": 2.02e-4,
+    "load": 1.06e-4,
+    "stiffness": 5.82,
+    "damping": 0.0152,
+    "gap": 1.25e-3,
+    "force": 0.0361,
+    "static": 0.0361,
+    "guide": 5.36e-3,
+    "gains": "kp = 5.24\nkv = 0.0104\nti = 6.47e-4",
+}
+"""Unlike that, its velocity is rounding before it counts as at rest: what comes is to be foreseen."""
 
 
 def servo(**numbers: object) -> Mechanism:
@@ -90,17 +102,14 @@ def settled(mechanism: Mechanism, most_periods: int | None = None) -> SettledMot
     return response.motion
 
 
-@pytest.mark.parametrize("static", [1.0, 1.5])
-def test_what_slides_to_rest_ever_slower_rests_at_the_reference(static: float) -> None:
-    mechanism = servo(**(SLIDING | {"static": static * SLIDING["force"]}))
-    motion = settled(mechanism)
+@pytest.mark.parametrize("numbers", [SLIDING, SLIDING | {"static": 1.5 * SLIDING["force"]}, SLOWER])
+def test_what_slides_to_rest_ever_slower_rests_at_the_reference(numbers: dict[str, object]) -> None:
+    motion = settled(servo(**numbers))
     assert motion.kind is MotionKind.REST and motion.rest is not None
-    outputs = motion.rest.measures.outputs
+    outputs, positions = motion.rest.measures.outputs, motion.rest.positions
     assert outputs["angle"].mean == pytest.approx(0.5, abs=1e-13)
-    assert outputs["torque"].mean == pytest.approx(SLIDING["force"], rel=1e-9)
-    assert motion.rest.positions["motor"] - motion.rest.positions["load"] == pytest.approx(
-        SLIDING["gap"] / 2, rel=1e-9
-    )
+    assert outputs["torque"].mean == pytest.approx(numbers["force"], rel=1e-9)
+    assert positions["motor"] - positions["load"] == pytest.approx(numbers["gap"] / 2, rel=1e-9)
 
 
 def test_a_rest_that_newton_finds_is_not_what_a_hunting_comes_to() -> None:
