@@ -49,7 +49,7 @@ def _told(found: SelfExcited, window: Window | None) -> str:
 
 
 def _undecided(found: SelfExcited, most_periods: int | None) -> str:
-    searched = round(found.waited / found.unit) if found.unit else 0
+    searched = round(found.waited / found.unit)
     told = f"Nothing repeats within {found.waited:.6g} s"
     if found.passed is not None:
         told = (
@@ -58,8 +58,6 @@ def _undecided(found: SelfExcited, most_periods: int | None) -> str:
         )
     if found.returns is not None and found.returns.slows_down:
         return f"{told}: each return takes longer than that before, so that it slows down for ever."
-    if not searched:
-        return f"{told}."
     longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
     return (
         f"{told}, {searched} periods of its slowest mode; {longer} of them would be followed with "
