@@ -104,7 +104,7 @@ def mend_rows(design: Design) -> Rows:
     rows = [["Target", "With", "Then it is", "And missed is then"]]
     for each in mends:
         which = capital(measure_words(each.target.measure, each.target.part))
-        if each.change is None:
+        if each.change is None or each.value is None:
             rows.append([which, "no number that was tried", DASH, DASH])
             continue
         others = [measure_words(one.measure, one.part) for one in each.missed]

@@ -63,7 +63,7 @@ class Mend:
         target: The target.
         change: The change after which it is met, of all that were tried the one that misses fewest others;
             None if none meets it.
-        value: What the target bounds then.
+        value: What the target bounds then; None without a change.
         missed: The targets that are missed then.
         helpless: Places of the numbers of which no value that was tried meets it.
         strongest: Places of all that were tried, those first that move it most.
@@ -71,7 +71,7 @@ class Mend:
 
     target: Target
     change: Change | None
-    value: float
+    value: float | None
     missed: tuple[Target, ...]
     helpless: tuple[str, ...]
     strongest: tuple[str, ...]

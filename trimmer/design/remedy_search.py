@@ -246,7 +246,7 @@ def _mend(target: Target, targets: tuple[Target, ...], scans: list[Scan]) -> Men
         if not meeting:
             helpless.append(scan.place)
     if not helping:
-        return Mend(target, None, math.nan, (), tuple(helpless), strongest)
+        return Mend(target, None, None, (), tuple(helpless), strongest)
     scan, trial = min(helping, key=lambda each: _cost(each[1], each[0], targets))
     missed = tuple(each for each in targets if not trial.meets((each,)))
     change = Change(scan.place, scan.unit, scan.value, trial.values[0])
