@@ -2,7 +2,8 @@
 
 ``prove`` takes results and writes down the statement with its data; ``proof`` holds and reads proofs. The
 check imports nothing of the solvers: ``balls``, exact numbers; ``described``, describing functions;
-``proportional`` and ``plane``, all solutions of harmonic balance; ``cycles`` holds a list against them.
+``proportional`` and ``plane``, all solutions of harmonic balance; ``cycles`` holds a list against them;
+``following``, an orbit in balls, ``returning`` and ``between_events``, that it returns without other events.
 """
 
 import lazy_loader

@@ -11,9 +11,10 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from trimmer.proof.orbit_check import ORBIT_PRECISION, Motion, RefutedError, require_orbit
+from trimmer.proof.following import ORBIT_PRECISION, Motion
+from trimmer.proof.orbit_check import require_orbit
 from trimmer.proof.outcome import Outcome, Verdict
-from trimmer.proof.undecided import UndecidedError
+from trimmer.proof.undecided import RefutedError, UndecidedError
 
 WIDEST = 1e-6
 """Largest distance of both values, as a share of them: six digits."""

@@ -1,0 +1,143 @@
+"""Whether event functions stay positive between events: Taylor's polynomials over steps, with errors."""
+
+from __future__ import annotations
+
+import math
+
+from flint import arb, arb_mat
+
+from trimmer.proof.balls import about
+from trimmer.proof.following import Followed, Motion, Segment, identity, norm
+from trimmer.proof.undecided import RefutedError, UndecidedError
+
+TERMS = 18
+"""Of Taylor's polynomials over a step."""
+MOST_STEPS, MOST_ZEROS = 6000, 3
+BY_LAW = 1e-9
+"""Share of its terms below which a derivative of an event function is taken for what the law says: zero."""
+
+
+def require_positive_between(motion: Motion, number: int, segment: Segment, over: Followed) -> None:
+    """Enclose all event functions over a segment.
+
+    Raises:
+        RefutedError: if one is negative.
+        UndecidedError: if one may be zero where it must not.
+    """
+    duration = segment.duration + over.lates[number]
+    if not duration > 0:
+        raise RefutedError(f"segment {number} ends before it begins")
+    scales, rate = _scales(motion, segment)
+    count = max(2, math.ceil(float((rate * duration).upper())))
+    if count > MOST_STEPS:
+        raise UndecidedError(f"segment {number} is too long for its fastest rate: {count} steps")
+    step = duration / count
+    whole, power = (segment.flow * step).exp(), identity(len(scales))
+    functions = range(segment.functions.nrows())
+    falling = [] if segment.fired is None else [segment.fired, *_together(segment)]
+    for place in range(count):
+        z = power * over.starts[number]
+        is_last = place == count - 1
+        values = _polynomials(scales, segment, z, step, rate)
+        for function in functions:
+            zeros = segment.zeros.get(function, 0) if place == 0 else 0
+            if is_last and function in falling:
+                continue
+            _require_positive(values, function, zeros, number)
+        power = power * whole
+    if falling:
+        values = _polynomials(scales, segment, over.ends[number], -step, rate)
+        for function in falling:
+            _require_positive(values, function, 1, number)
+
+
+def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
+    """Choose scales of Z in which M has a small norm, and return it: the sizes, or those that balance M."""
+    n, size = motion.n, len(motion.sizes)
+    moduli = [[float(abs(segment.flow[i, k]).upper()) for k in range(n)] for i in range(n)]
+    balanced = [float(each) for each in motion.sizes[:n]]
+    for _ in range(20):
+        for i in range(n):
+            out = sum(moduli[i][k] * balanced[k] for k in range(n) if k != i)
+            into = sum(moduli[k][i] / balanced[k] for k in range(n) if k != i)
+            if out > 0 and into > 0:
+                balanced[i] = math.sqrt(out / into)
+    largest = max(float(each) / other for each, other in zip(motion.sizes[:n], balanced, strict=True))
+    choices = [motion.sizes, [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]]
+    found = []
+    for scales in choices:
+        table = [[segment.flow[i, k] * scales[k] / scales[i] for k in range(size)] for i in range(size)]
+        found.append((scales, norm(arb_mat(table))))
+    return min(found, key=lambda each: float(each[1]))
+
+
+def _together(segment: Segment) -> list[int]:
+    """Return the event functions that fall with the one that ends a segment, of which they are multiples.
+
+    Raises:
+        UndecidedError: if one is none, on the states that the reset before the segment leaves.
+    """
+    rows = (segment.functions * segment.reset).tolist()
+    ending = rows[segment.fired or 0]
+    for function in segment.together:
+        row = rows[function]
+        share = sum((a * b for a, b in zip(row, ending, strict=True)), arb(0))
+        share /= sum((each * each for each in ending), arb(0))
+        apart = max(float(abs(a - share * b).upper()) for a, b in zip(row, ending, strict=True))
+        if not (share > 0 and apart < BY_LAW * max(float(abs(each).upper()) for each in row)):
+            raise UndecidedError("two event functions come to zero at one instant")
+    return segment.together
+
+
+Polynomials = tuple[arb_mat, list[arb], list[arb_mat]]
+"""Of event functions over a share of a step: coefficients (f, TERMS), errors, sizes of the first of them."""
+
+
+def _polynomials(scales: list[arb], segment: Segment, z: arb_mat, step: arb, rate: arb) -> Polynomials:
+    size, columns = len(scales), [z]
+    for k in range(1, TERMS):
+        columns.append(segment.flow * columns[-1] * (step / k))
+    table = arb_mat([[each[i, 0] for each in columns] for i in range(size)])
+    largest = arb(0)
+    for i in range(size):
+        largest = largest.max(abs(z[i, 0]) / scales[i])
+    reach = rate * abs(step)
+    off = (reach**TERMS / math.factorial(TERMS) * reach.exp() * largest).upper()
+    moduli = arb_mat([[abs(each) for each in row] for row in segment.functions.tolist()])
+    errors = [
+        sum((moduli[f, k] * scales[k] for k in range(size)), arb(0)) * off for f in range(moduli.nrows())
+    ]
+    rates, column = (
+        arb_mat([[abs(each) for each in row] for row in segment.flow.tolist()]),
+        arb_mat([[each] for each in scales]),
+    )
+    terms = [moduli * column]
+    for k in range(1, MOST_ZEROS):
+        column = rates * column * (abs(step) / k)
+        terms.append(moduli * column)
+    return segment.functions * table, errors, terms
+
+
+def _require_positive(values: Polynomials, function: int, zeros: int, number: int) -> None:
+    table, errors, terms = values
+    called = f"event function {function} of segment {number}"
+    known = [table[function, k] for k in range(zeros)]
+    if any(not abs(each) < BY_LAW * terms[k][function, 0] for k, each in enumerate(known)):
+        raise UndecidedError(f"{called} is not zero where it is said to be")
+    coefficients = [table[function, k] for k in range(zeros, TERMS)]
+    error = errors[function]
+    waiting = [(0.0, 1.0)]
+    while waiting:
+        first, last = waiting.pop()
+        middle, half = 0.5 * (first + last), about(0.5 * (last - first))
+        value = arb(0)
+        at = arb(middle) + half
+        for each in reversed(coefficients):
+            value = value * at + each
+        if value > error:
+            continue
+        if value < -error:
+            raise RefutedError(f"{called} is negative within it")
+        if last - first < 2.0**-24:
+            raise UndecidedError(f"{called} may come to zero within it: a grazing, to balls")
+        waiting += [(first, middle), (middle, last)]
