@@ -113,6 +113,13 @@ class Motion:
             raise RefutedError("the motion does not end in the mode in which it begins")
         if any(each["fired"] is None for each in data["segments"][:-1]):
             raise RefutedError("a segment ends without an event")
+        if not _returns(data["rotation"]) or not all(
+            row[k] == int(i == k)
+            for each in data["segments"]
+            for i, row in enumerate(each["reset"][self.n :], self.n)
+            for k in range(len(row))
+        ):
+            raise RefutedError("what forces the states does not return")
         total = sum((each.duration for each in self.segments[:-1]), arb(0))
         self.start = [real(exact(each)) / unit for each, unit in zip(data["state"], self.units, strict=False)]
         if not self.autonomous:
@@ -203,6 +210,16 @@ class Motion:
         z = self.segments[0].reset * arb_mat([[each] for each in [*self.start, *self.forcing]])
         rates = self.segments[0].flow * z
         return [arb((rates[i, 0] / self.sizes[i] ** 2).mid()) for i in range(self.n)]
+
+
+def _returns(orders: list[list[int]]) -> bool:
+    """Return whether exp(2 pi R) = 1 of whole numbers R: antisymmetric, -R^2 diagonal, of squares."""
+    table, size = [[int(each) for each in row] for row in orders], range(len(orders))
+    opposite = [[-table[k][i] for k in size] for i in size]
+    squares = [[-sum(table[i][j] * table[j][k] for j in size) for k in size] for i in size]
+    return opposite == table and all(
+        squares[i][k] == (math.isqrt(squares[i][k]) ** 2 if i == k else 0) for i in size for k in size
+    )
 
 
 def identity(size: int) -> arb_mat:

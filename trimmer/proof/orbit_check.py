@@ -78,7 +78,7 @@ def _theorem(motion: Motion, data: dict[str, Any], stable: bool | None, largest:
     if motion.autonomous:
         lasts = f"a period within {NEAR:g}, relative, of {float(motion.period.mid()):.12g} s"
     else:
-        lasts = f"the period {data['periods']} times {data['period']!r} s"
+        lasts = f"the period {int(data['periods'])} times {data['period']!r} s"
     word = {True: "stable", False: "unstable", None: "neither said to be stable nor unstable"}[stable]
     beside = " but for the one of a shift in time" if motion.autonomous else ""
     return (

