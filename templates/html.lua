@@ -194,6 +194,13 @@ local function comparison_side(heading)
   end
 end
 
+-- A side whose heading names the text that is judged.
+local function named_side(div)
+  local heading = div.attributes.heading
+  div.attributes.heading = nil
+  return comparison_side(heading)(div)
+end
+
 local function section(class)
   return function(div)
     return wrapped('<section class="' .. class .. '">', div.content, "</section>")
@@ -211,9 +218,9 @@ local converters = {
   claim = claim,
   figure = figure,
   program = program,
-  printed = comparison_side("Thesis, our wording"),
+  printed = named_side,
   derived = comparison_side("As derived"),
-  agreed = comparison_side("Thesis, our wording, and as derived"),
+  agreed = named_side,
   missing = comparison_side("What is missing"),
   -- A chapter comes in several pieces.
   ["chapter-begin"] = function(div)

@@ -128,10 +128,8 @@ local function is_text(side)
 end
 
 local headings = {
-  printed = "Thesis, our wording",
   derived = "As derived",
   missing = "What is missing",
-  agreed = "Thesis, our wording, and as derived",
 }
 
 local converters = {
@@ -173,7 +171,7 @@ local converters = {
   comparison = function(div)
     local result = pandoc.List({ raw("#comparison(") })
     for _, side in ipairs(div.content) do
-      local heading = headings[side.classes[#side.classes]]
+      local heading = side.attributes.heading or headings[side.classes[#side.classes]]
       local opening = "(heading: " .. quoted(heading) .. ", wraps: " .. tostring(is_text(side)) .. ", body: ["
       result:extend(wrapped(opening, side.content, "]),"))
     end

@@ -8,6 +8,7 @@ from typing import Any
 
 from derivations.latex import latex
 from derivations.symbols import PARAMETERS
+from report.building.thesis import THESIS
 from report.data.mutation import read_mutation
 from report.data.statements import FURTHER, read_follows, read_sections
 from report.data.text_copy import read_build_time, read_text_copy
@@ -15,6 +16,7 @@ from report.derivation.code_lines import StepWithLines
 from report.derivation.nomenclature import nomenclature
 from report.derivation.places_of_claims import places, shown_in
 from report.document.document import Document
+from report.document.subject import Subject
 from report.document.thesis import Chapter, Program
 from report.judging.claim import Statement
 from report.judging.finding import Finding
@@ -23,21 +25,6 @@ from report.pages.derivation import DerivationStep, ParameterRow
 from report.pages.figure import Equation, Figure
 from report.pages.provenance import provenance
 from trimmer import TrimmerParameters
-
-TITLE = "The trimmer’s thesis, derived again"
-CHAPTERS = {
-    "1": "Introduction",
-    "2": "Theory",
-    "3": "Experiment and simulation",
-    "4": "Nonlinearities in the simulation",
-    "5": "Simulation and results",
-    "6": "Discussion",
-    "7": "Conclusion",
-    "A": "Listings",
-    "B": "Fourier coefficients",
-    "D": "Equations of motion",
-    "E": "Further simulations",
-}
 
 
 @dataclass(frozen=True)
@@ -72,8 +59,8 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     step_of = places(parts.findings, steps)
     told = {each.step.id: _told(each, step_of, parts) for each in every}
     return Document(
-        title=TITLE,
-        chapters=_chapters(parts.findings, inventory),
+        subject=THESIS,
+        chapters=chapters_of(THESIS, parts.findings, inventory),
         statements_in_thesis=len(inventory),
         derivation=tuple(told[each.step.id] for each in parts.trimmer_steps),
         figures=parts.figures,
@@ -96,15 +83,18 @@ def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str
     )
 
 
-def _chapters(findings: tuple[Finding, ...], inventory: Mapping[str, Statement]) -> tuple[Chapter, ...]:
+def chapters_of(
+    subject: Subject, findings: tuple[Finding, ...], inventory: Mapping[str, Statement]
+) -> tuple[Chapter, ...]:
+    """Return the chapters of a text that have findings, with these in its order."""
     chapters = (
-        Chapter(f"chapter-{number}", number, title, _in_thesis_order(findings, inventory, number))
-        for number, title in CHAPTERS.items()
+        Chapter(f"chapter-{number}", number, title, _in_order(findings, inventory, number))
+        for number, title in subject.chapters.items()
     )
     return tuple(chapter for chapter in chapters if chapter.findings)
 
 
-def _in_thesis_order(
+def _in_order(
     findings: tuple[Finding, ...], inventory: Mapping[str, Statement], chapter: str
 ) -> tuple[Finding, ...]:
     own = (finding for finding in findings if inventory[finding.id].chapter == chapter)

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from importlib import import_module
 from pkgutil import walk_packages
 
-from report import chapters
+from report.building.thesis import THESIS
 from report.data.figures import FigureRecord
+from report.document.subject import Subject
 from report.judging.claim import Statement
 from report.judging.record import ClaimRecord
 from report.judging.text import RecordError
@@ -36,19 +37,19 @@ class Records:
         return {record.id: record for group in self.claims.values() for record in group}
 
 
-def collect(inventory: Mapping[str, Statement]) -> Records:
-    """Import all modules of the chapters and return the records that they make.
+def collect(inventory: Mapping[str, Statement], subject: Subject = THESIS) -> Records:
+    """Import all modules that judge a text and return the records that they make.
 
     Raises:
         ClaimIdError: if the inventory lacks an id, if one stands twice, or if a statement has no claim.
     """
-    found = list(_found())
-    claims = by_id([each for each in found if isinstance(each[1], ClaimRecord)], inventory)
-    figures = by_id([each for each in found if isinstance(each[1], FigureRecord)], inventory)
+    found = list(_found(subject.claims))
+    claims = by_id([each for each in found if isinstance(each[1], ClaimRecord)], inventory, subject)
+    figures = by_id([each for each in found if isinstance(each[1], FigureRecord)], inventory, subject)
     if lacking := [claim_id for claim_id in inventory if claim_id not in claims]:
         raise ClaimIdError(
-            f"{', '.join(lacking)}: in the inventory, but without a record; write one in report/chapters "
-            "(of two functions with one name only the second is left)"
+            f"{', '.join(lacking)}: in the inventory, but without a record; write one in "
+            f"{subject.records} (of two functions with one name only the second is left)"
         )
     groups: dict[str, list[ClaimRecord]] = {}
     for module, record in found:
@@ -64,22 +65,25 @@ def collect(inventory: Mapping[str, Statement]) -> Records:
 AnyRecord = ClaimRecord | FigureRecord
 
 
-def _found() -> Iterator[tuple[str, AnyRecord]]:
+def _found(package: str) -> Iterator[tuple[str, AnyRecord]]:
     """Yield each record with the module that makes it; one that is imported elsewhere only once."""
     seen: set[int] = set()
-    for module in walk_packages(chapters.__path__, f"{chapters.__name__}."):
+    for module in walk_packages(import_module(package).__path__, f"{package}."):
         for value in vars(import_module(module.name)).values():
             if isinstance(value, AnyRecord) and id(value) not in seen:
                 seen.add(id(value))
                 yield module.name, value
 
 
-def by_id(found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statement]) -> dict[str, AnyRecord]:
+def by_id(
+    found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statement], subject: Subject = THESIS
+) -> dict[str, AnyRecord]:
     """Return records of one kind by their ids.
 
     Args:
         found: The records, each with the name of its module.
         inventory: The statements by their ids.
+        subject: Which text they are of.
 
     Raises:
         ClaimIdError: naming id and modules, if the inventory lacks an id or two records share one.
@@ -89,8 +93,7 @@ def by_id(found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statem
     for module, record in found:
         if record.id not in inventory:
             raise ClaimIdError(
-                f"{module}: {record.id} is not in the inventory; add a line to "
-                "report/data/further_statements.csv"
+                f"{module}: {record.id} is not in the inventory; add a line to {subject.inventory}"
             )
         if record.id in records:
             raise ClaimIdError(f"{record.id} stands twice, in {homes[record.id]} and {module}; keep one")

@@ -10,6 +10,7 @@ from report.data.mutation import MutationMeasurement
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
 from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
+from report.document.subject import Subject
 from report.document.thesis import Chapter, Program
 from report.judging.finding import Finding
 from report.judging.spread import Follows
@@ -30,7 +31,7 @@ class Document:
     the equations to numbers, ``step_of`` the id of the step that each claim rests on.
     """
 
-    title: str
+    subject: Subject
     chapters: tuple[Chapter, ...]
     statements_in_thesis: int
     derivation: tuple[DerivationStep, ...]
@@ -52,6 +53,11 @@ class Document:
     twin: TwinChapter | None = None
     robustness: Robustness | None = None
     explorable: Explorable | None = None
+
+    @property
+    def title(self) -> str:
+        """Of the report."""
+        return self.subject.title
 
     @property
     def subtitle(self) -> str:

@@ -180,7 +180,6 @@ def _environment() -> Environment:
         grade_words=summary.GRADES,
         certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
-        meanings=summary.MEANINGS,
         CONCLUSION=Grade.CONCLUSION,
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,

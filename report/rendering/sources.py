@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from report.cache.source_closure import ROOT
 from report.document.document import Document
@@ -13,10 +14,10 @@ from report.pages.links import BrokenLinkError
 
 @dataclass(frozen=True)
 class ShownSource:
-    """A source file of this project, with the findings and observations that name it.
+    """A source file of what judges, with the findings and observations that name it.
 
     Attributes:
-        path: Where it is, from the folder of the three packages.
+        path: Where it is, from the folder of the three packages, or from that of another text.
         identifier: Its place in the report.
         text: What it holds.
         findings: Those that name it, in thesis order, and then observations on the twin; never empty.
@@ -45,13 +46,18 @@ def sources(document: Document) -> tuple[ShownSource, ...]:
     for finding in named:
         findings.setdefault(finding.source, []).append(finding)
     return tuple(
-        ShownSource(path, identifier(path), _text(path, findings[path][0]), tuple(findings[path]))
+        ShownSource(
+            path,
+            identifier(path),
+            _text(ROOT / document.subject.root, path, findings[path][0]),
+            tuple(findings[path]),
+        )
         for path in sorted(findings)
     )
 
 
-def _text(path: str, finding: Finding | Observation) -> str:
-    file = ROOT / path
+def _text(root: Path, path: str, finding: Finding | Observation) -> str:
+    file = root / path
     if not file.is_file():
         raise BrokenLinkError(
             f"the claim {finding.id} is derived in {path!r}, which is not a file of this project; "

@@ -31,14 +31,6 @@ GRADES = {
     Grade.NOT_CHECKABLE: "not checkable",
     Grade.REPRODUCED: "reproduced",
 }
-MEANINGS = {
-    Grade.CONCLUSION: "is wrong, and a conclusion of the thesis or a designer's choice changes with it",
-    Grade.RESULT: "a number or a formula is wrong; the right one stands beside it",
-    Grade.SLIP: "is wrong without effect on anything else",
-    Grade.COPY: "differs by what a page read by machine explains; the card says what would decide it",
-    Grade.NOT_CHECKABLE: "needs something the thesis does not give; the card says what",
-    Grade.REPRODUCED: "follows from the thesis's own model, to every printed digit",
-}
 CERTAINTIES = {
     Certainty.PROVEN: "proven",
     Certainty.COMPUTED: "computed twice",
@@ -142,9 +134,9 @@ def figures_judged(document: Document) -> int:
 def command(document: Document) -> str:
     """Return the command that makes the report, or this part of it, again."""
     if not document.omitted:
-        return "trimmer report"
+        return document.subject.command
     names = (chapter_name(chapter.number) for chapter in document.chapters)
-    return f"trimmer report --only {' '.join(names)}"
+    return f"{document.subject.command} --only {' '.join(names)}"
 
 
 def build_time(document: Document) -> str:

@@ -6,6 +6,7 @@ import dataclasses
 
 import sympy
 
+from report.building.thesis import THESIS
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
 from report.document.advice import Advice
@@ -150,7 +151,7 @@ def _advice(words: str, wanted: bool) -> Advice:
 def sample() -> Document:
     """Return the report."""
     return Document(
-        title="The linear trimmer & its claims: 100 % of A_1 <checked>",
+        subject=dataclasses.replace(THESIS, title="The linear trimmer & its claims: 100 % of A_1 <checked>"),
         chapters=(
             Chapter("chapter-2", "2", "Modelling & method", chapter_two()),
             Chapter("chapter-5", "5", "Results", chapter_five()),

@@ -4,6 +4,7 @@ import csv
 import io
 from dataclasses import replace
 
+from report.building.thesis import THESIS
 from report.data.text_copy import TextCopy
 from report.document.document import Document
 from report.document.thesis import Chapter
@@ -24,7 +25,7 @@ def report(*findings: Finding) -> Document:
     """Return a report of one chapter."""
     chapter = Chapter("chapter-5", "5", "Results", findings)
     nothing = Provenance("", "", "2026-05-04", ())
-    return Document("", (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0))
+    return Document(THESIS, (chapter,), 253, (), (), (), (), nothing, TextCopy("", 0))
 
 
 def of(*findings: Finding) -> tuple[Erratum, ...]:

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from report.building.thesis import THESIS
 from report.document.document import Document
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
@@ -31,7 +32,7 @@ def test_printed_things_are_counted_by_chapter_and_by_grade(document: Document) 
 
 
 def test_every_grade_and_certainty_has_its_words() -> None:
-    assert set(summary.SYMBOLS) == set(summary.MEANINGS) == set(summary.GRADES) == set(Grade)
+    assert set(summary.SYMBOLS) == set(THESIS.meanings) == set(summary.GRADES) == set(Grade)
     assert len(set(summary.SYMBOLS.values())) == len(Grade)
     assert set(summary.CERTAINTIES) == set(Certainty)
 

@@ -1,0 +1,51 @@
+"""The text that a report judges: all that a build has to know of it, whichever text it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import final
+
+from report.judging.verdict import Grade
+
+
+@final
+@dataclass(frozen=True)
+class Subject:
+    """A text that is judged.
+
+    Attributes:
+        title: Of the report.
+        called: What the report calls the text, a noun such as thesis or paper.
+        command: What makes the report again.
+        chapters: Their titles by number or letter, in their order.
+        claims: Name of the package whose modules judge the text.
+        records: Where these modules are, in words.
+        inventory: Which file has its statements and takes one more, in words.
+        meanings: What each grade says, as Markdown.
+        root: Folder below which the sources of claims are; a relative one is below that of this project.
+        by_machine: Whether a machine read it from pages, so that its drawings were not seen.
+    """
+
+    title: str
+    called: str
+    command: str
+    chapters: Mapping[str, str]
+    claims: str
+    records: str
+    inventory: str
+    meanings: Mapping[Grade, str]
+    root: str = ""
+    by_machine: bool = False
+
+
+def usual_meanings(called: str) -> dict[Grade, str]:
+    """Return what the grades say of a text that is called so."""
+    return {
+        Grade.CONCLUSION: f"is wrong, and a conclusion of the {called} changes with it",
+        Grade.RESULT: "a number or a formula is wrong; the right one stands beside it",
+        Grade.SLIP: "is wrong without effect on anything else",
+        Grade.COPY: "differs by what a page read by machine explains; the card says what would decide it",
+        Grade.NOT_CHECKABLE: f"needs something the {called} does not give; the card says what",
+        Grade.REPRODUCED: f"follows from the {called}'s own model, to every printed digit",
+    }
