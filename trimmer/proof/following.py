@@ -9,20 +9,21 @@ of each event in it (Leine and Nijmeijer 2004, chapter 7).
 
 from __future__ import annotations
 
+import copy
 import functools
 import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, ctx, fmpq
 
 from trimmer.proof.balls import about, exact, real
 from trimmer.proof.undecided import RefutedError, UndecidedError
 
 ORBIT_PRECISION = 448
 """Bits: enough for balls that grow by a factor e with each step of 1/|M|."""
-MOST_TERMS = 12
+MOST_TERMS = 24
 """Of Taylor's polynomials over what an event is later than computed."""
 RADIUS = -150
 """Power of two of the radius of the ball of starts, as a share of the sizes."""
@@ -45,6 +46,8 @@ class Segment:
         fired: The event function that ends it; None for the last one.
         together: Others that are a multiple of it for all Z that this mode can have.
         zeros: How many derivatives of event functions vanish at its start, counting the zeroth.
+        lifted: The first three for Z and its derivative by a number: that above, and Z below, (2N,); where
+            nothing is varied, they are themselves.
     """
 
     flow: arb_mat
@@ -54,16 +57,17 @@ class Segment:
     fired: int | None
     together: list[int]
     zeros: dict[int, int]
+    lifted: tuple[arb_mat, arb_mat, arb_mat]
 
     @cached_property
     def norm(self) -> arb:
-        """The largest sum of moduli of a row of M."""
-        return norm(self.flow)
+        """The largest sum of moduli of a row of M, or of what is lifted."""
+        return norm(self.lifted[0])
 
     @cached_property
     def propagator(self) -> arb_mat:
-        """exp(M duration)."""
-        return (self.flow * self.duration).exp()
+        """exp(M duration), lifted."""
+        return (self.lifted[0] * self.duration).exp()
 
 
 @dataclass(frozen=True)
@@ -74,142 +78,263 @@ class Followed:
         starts: Z at the start of each segment, (N, 1).
         ends: Z at its end, (N, 1).
         lates: What is to be added to the duration of each, s.
-        change: Derivative of the end by the start, (N, n).
+        back: The states at the end, or their mirror image if that is to be the start, n.
+        change: Their derivative by what is unknown, n rows.
     """
 
     starts: list[arb_mat]
     ends: list[arb_mat]
     lates: list[arb]
-    change: arb_mat
+    back: list[arb]
+    change: list[list[arb]]
+
+
+@dataclass(frozen=True)
+class Tables:
+    """The numbers of the equations, in the units, or by how much they change with a number.
+
+    Attributes:
+        flows: M of each mode.
+        functions: Event functions of each mode.
+        resets: What becomes of Z before each segment.
+        forcing: What forces the states at the start.
+        period: How long all takes, s; 0 if that is unknown.
+    """
+
+    flows: list[arb_mat]
+    functions: list[arb_mat]
+    resets: list[arb_mat]
+    forcing: arb_mat
+    period: arb
+
+    def combined(self, share: arb | fmpq, other: Tables) -> Tables:
+        """Return the sum of these and a share of others."""
+
+        def each(own: list[arb_mat], others: list[arb_mat]) -> list[arb_mat]:
+            return [one + two * share for one, two in zip(own, others, strict=True)]
+
+        return Tables(
+            each(self.flows, other.flows),
+            each(self.functions, other.functions),
+            each(self.resets, other.resets),
+            self.forcing + other.forcing * share,
+            self.period + other.period * share,
+        )
 
 
 class Motion:
-    """The statement's data in balls."""
+    """The statement's data in balls.
 
-    def __init__(self, data: dict[str, Any]) -> None:
-        """Take the data of a file."""
+    Args:
+        data: The data of a file: ``modes``, ``segments``, ``state``, ``forcing``, ``rotation``, ``sizes``,
+            ``period``, ``periods``, and ``signs``, if the end is to be the mirror image of the start.
+        beside: Of a family over a number: its ``value``, and two of ``beside`` with ``value``, ``modes``,
+            ``resets``, ``forcing`` and ``period``.
+    """
+
+    def __init__(self, data: dict[str, Any], beside: dict[str, Any] | None = None) -> None:
         self.n, self.autonomous = len(data["state"]), data["period"] is None
-        self.forcing = [real(exact(each)) for each in data["forcing"]]
+        self.count = self.n + len(data["forcing"])
         # Powers of two as units of the states change no digit.
         units = [math.frexp(each)[1] if each > 0 else 0 for each in data["sizes"]]
-        self.units = [arb(2) ** each for each in (*units, *(0 for _ in self.forcing))]
-        rotation = self._rotation(data)
-        flows = [self._square(self._flow(mode["flow"], rotation)) for mode in data["modes"]]
-        functions = [self._rows(matrix(mode["functions"])) for mode in data["modes"]]
-        self.segments = [
-            Segment(
-                flows[each["mode"]],
-                functions[each["mode"]],
-                self._square(matrix(each["reset"])),
-                real(exact(each["duration"])),
-                each["fired"],
-                each["together"],
-                {int(place): int(count) for place, count in each["zeros"]},
-            )
-            for each in data["segments"]
-        ]
-        first, last = data["segments"][0], data["segments"][-1]
-        if first["mode"] != last["mode"] or last["fired"] is not None:
-            raise RefutedError("the motion does not end in the mode in which it begins")
-        if any(each["fired"] is None for each in data["segments"][:-1]):
-            raise RefutedError("a segment ends without an event")
-        if not _returns(data["rotation"]) or not all(
-            row[k] == int(i == k)
-            for each in data["segments"]
-            for i, row in enumerate(each["reset"][self.n :], self.n)
-            for k in range(len(row))
-        ):
-            raise RefutedError("what forces the states does not return")
-        total = sum((each.duration for each in self.segments[:-1]), arb(0))
+        self.units = [arb(2) ** each for each in (*units, *(0 for _ in data["forcing"]))]
+        self.signs = data.get("signs") or [1] * self.n
+        self._require_return(data)
+        self.data, self.slopes, self.unit = data, None, arb(1)
+        self.tables = self._tables({**data, "resets": [each["reset"] for each in data["segments"]]})
+        if beside is not None:
+            values = [exact(each["value"]) for each in beside["beside"]]
+            sides = [self._tables({**data, **each}) for each in beside["beside"]]
+            self.unit = arb(2) ** math.frexp(beside["value"])[1]
+            self.slopes = sides[1].combined(fmpq(-1), sides[0])
+            self.slopes = self.slopes.combined(self.unit / real(values[1] - values[0]) - 1, self.slopes)
         self.start = [real(exact(each)) / unit for each, unit in zip(data["state"], self.units, strict=False)]
-        if not self.autonomous:
-            period = real(exact(data["period"])) * int(data["periods"])
-            self.rest = period - total - self.segments[-1].duration
-        else:
-            self.rest = arb(0)
+        self.segments = self._segments(self.tables)
         self.sizes = self._sizes()
+
+    @property
+    def unknowns(self) -> int:
+        """How many numbers are unknown: the start, an unknown period, and the number that is varied."""
+        return self.n + self.autonomous + (self.slopes is not None)
 
     @property
     def period(self) -> arb:
         """The period as computed, s."""
         return sum((each.duration for each in self.segments), arb(0))
 
-    def _rotation(self, data: dict[str, Any]) -> arb_mat:
-        """Return the flow of what forces the states: orders times 2 pi over the exact period."""
-        orders = data["rotation"]
-        omega = arb(0) if data["period"] is None else 2 * arb.pi() / real(exact(data["period"]))
-        return arb_mat([[omega * int(each) for each in row] for row in orders])
+    def at(self, off: arb) -> Motion:
+        """Return the motion at a value that is so much larger, in units of it."""
+        assert self.slopes is not None
+        found = copy.copy(self)
+        found.tables = self.tables.combined(off, self.slopes)
+        found.segments = self._segments(found.tables)
+        return found
 
-    def _flow(self, rows: list[list[float]], rotation: arb_mat) -> arb_mat:
-        size = self.n + len(self.forcing)
-        table = [[real(exact(each)) for each in row] for row in rows]
-        for i in range(self.n, size):
-            table.append([arb(0)] * self.n + [rotation[i - self.n, k - self.n] for k in range(self.n, size)])
-        return arb_mat(table)
+    def _require_return(self, data: dict[str, Any]) -> None:
+        first, last = data["segments"][0], data["segments"][-1]
+        if last["fired"] is not None or ("signs" not in data and first["mode"] != last["mode"]):
+            raise RefutedError("the motion does not end in the mode in which it begins")
+        if any(each["fired"] is None for each in data["segments"][:-1]):
+            raise RefutedError("a segment ends without an event")
+        if any(each not in (1, -1) for each in self.signs):
+            raise RefutedError("a mirror image has other signs than 1 and -1")
+        whole = "signs" in data or float(data["periods"] or 0).is_integer()
+        resets = [each["reset"] for each in data["segments"]]
+        if not whole or not _returns(data["rotation"]) or not all(map(self._leaves_forcing, resets)):
+            raise RefutedError("what forces the states does not return")
+
+    def _leaves_forcing(self, reset: list[list[float]]) -> bool:
+        rows = enumerate(reset[self.n :], self.n)
+        return all(row[k] == int(i == k) for i, row in rows for k in range(len(row)))
+
+    def _tables(self, data: dict[str, Any]) -> Tables:
+        """Return the numbers of data in the units."""
+        if not all(map(self._leaves_forcing, data["resets"])):
+            raise RefutedError("what forces the states does not return")
+        period = arb(0)
+        if data["period"] is not None:
+            period = real(exact(data["period"])) * real(exact(data["periods"]))
+        return Tables(
+            [self._square(self._flow(mode["flow"])) for mode in data["modes"]],
+            [self._rows(matrix(mode["functions"])) for mode in data["modes"]],
+            [self._square(matrix(each)) for each in data["resets"]],
+            arb_mat([[real(exact(each))] for each in data["forcing"]]),
+            period,
+        )
+
+    def _segments(self, tables: Tables) -> list[Segment]:
+        found, by, turns = [], self.slopes, self._rotation(tables.period)
+        for place, each in enumerate(self.data["segments"]):
+            mode = each["mode"]
+            three = tables.flows[mode] + turns[0], tables.functions[mode], tables.resets[place]
+            lifted = three
+            if by is not None:
+                slopes = by.flows[mode] + turns[1] * by.period, by.functions[mode], by.resets[place]
+                lifted = (
+                    _blocks([[three[0], slopes[0]], [three[0] * 0, three[0]]]),
+                    _blocks([[three[1], slopes[1]]]),
+                    _blocks([[three[2], slopes[2]], [three[2] * 0, three[2]]]),
+                )
+            zeros = {int(function): int(count) for function, count in each["zeros"]}
+            duration = real(exact(each["duration"]))
+            found.append(Segment(*three, duration, each["fired"], each["together"], zeros, lifted))
+        return found
+
+    def _rotation(self, period: arb) -> tuple[arb_mat, arb_mat]:
+        """Return the flow of what forces the states, orders times 2 pi over a period, and its slope."""
+        zeros, orders = [arb(0)] * self.n, self.data["rotation"]
+        table = arb_mat([[arb(0)] * self.count] * self.n + [[*zeros, *map(arb, row)] for row in orders])
+        if self.autonomous:
+            return table * 0, table * 0
+        omega = 2 * arb.pi() * real(exact(self.data["periods"])) / period
+        return table * omega, table * (-omega / period)
+
+    def _flow(self, rows: list[list[float]]) -> arb_mat:
+        """Return the flow of the states."""
+        return _padded(matrix(rows), self.count, self.count)
 
     def _square(self, table: arb_mat) -> arb_mat:
         """Return a matrix from Z to Z in the units."""
-        size = range(len(self.units))
+        size = range(self.count)
         return arb_mat([[table[i, k] * self.units[k] / self.units[i] for k in size] for i in size])
 
     def _rows(self, table: arb_mat) -> arb_mat:
         """Return functionals of Z in the units."""
-        size = range(len(self.units))
+        size = range(self.count)
         return arb_mat([[table[i, k] * self.units[k] for k in size] for i in range(table.nrows())])
 
     def _sizes(self) -> list[arb]:
         """Return the largest modulus of each entry of Z over the ends of segments, at least a little."""
-        middle = self.follow([arb(each.mid()) for each in self.start], arb(0))
+        middle = self.follow([*(arb(each.mid()) for each in self.start), arb(0), arb(0)][: self.unknowns])
         every = [*middle.starts, *middle.ends]
         sizes = [max(float(abs(each[i, 0]).upper()) for each in every) for i in range(self.n)]
         floor = max(sizes) * 2.0**-10
-        return [arb(max(each, floor)) for each in sizes] + [arb(1) for _ in self.forcing]
+        return [arb(max(each, floor)) for each in sizes] + [arb(1) for _ in range(self.count - self.n)]
 
-    def follow(self, start: list[arb], longer: arb, with_change: bool = False) -> Followed:
-        """Follow the motion from a ball of starts.
+    def follow(self, unknown: list[arb], with_change: bool = False) -> Followed:
+        """Follow the motion from a ball of what is unknown.
 
         Args:
-            start: The states.
-            longer: What an unknown period is longer than computed, s.
+            unknown: The states at the start; what an unknown period is longer than computed, s; the number
+                that is varied less its value, in its unit.
             with_change: Whether the derivative is wanted too.
 
         Raises:
             UndecidedError: if an event time is not enclosed.
         """
-        size = self.n + len(self.forcing)
-        z = arb_mat([[each] for each in [*start, *self.forcing]])
-        columns = self.n if with_change else 0
-        change = arb_mat([[arb(int(i == k)) for k in range(columns)] for i in range(size)])
-        later, total = arb_mat(1, columns), arb(0)
+        if self.slopes is not None and not unknown[-1].is_zero():
+            fixed = [*unknown[:-1], arb(0)]
+            return self.at(unknown[-1]).follow(fixed, with_change)
+        n, size, unknowns = self.n, self.count, self.unknowns if with_change else 0
+        columns, later = self._first(unknown, unknowns)
+        total = arb(0)
         starts, ends, lates = [], [], []
         for segment in self.segments:
-            z, change = segment.reset * z, segment.reset * change
-            starts.append(z)
-            y, change = segment.propagator * z, segment.propagator * change
+            _, functions, reset = segment.lifted
+            columns = reset * columns
+            starts.append(_column(columns, unknowns, size))
+            columns = segment.propagator * columns
             if segment.fired is None:
-                late = self.rest - total + longer
-                y = _moved(segment, y, late)
-                rates = segment.flow * y
-                change = _moved(segment, change, late) - rates * later
+                late = self.tables.period - self.period if not self.autonomous else unknown[n]
+                late -= total
+                columns = _moved(segment, columns, late)
+                by_start = later * -1
             else:
-                row = arb_mat([[segment.functions[segment.fired, k] for k in range(size)]])
-                late, slope = _event(segment, row, y)
-                y = _moved(segment, y, late)
-                change = _moved(segment, change, late)
-                by_start = row * change * (-1 / slope)
-                change = change + (segment.flow * y) * by_start
+                row = arb_mat([[functions[segment.fired, k] for k in range(functions.ncols())]])
+                late, slope = _event(segment, row, _column(columns, unknowns, columns.nrows()))
+                columns = _moved(segment, columns, late)
+                by_start = arb_mat([(row * columns).tolist()[0][:unknowns]]) * (-1 / slope)
                 later, total = later + by_start, total + late
-            ends.append(y)
+            z = _column(columns, unknowns, size)
+            columns = columns + _padded((segment.flow * z) * by_start, columns.nrows(), columns.ncols())
+            ends.append(z)
             lates.append(late)
-            z = y
-        return Followed(starts, ends, lates, change)
+        back = [sign * ends[-1][i, 0] for i, sign in enumerate(self.signs)]
+        change = [[sign * columns[i, k] for k in range(unknowns)] for i, sign in enumerate(self.signs)]
+        return Followed(starts, ends, lates, back, change)
+
+    def _first(self, unknown: list[arb], unknowns: int) -> tuple[arb_mat, arb_mat]:
+        """Return derivatives of Z by what is unknown with Z behind them, and of how much later it is."""
+        n, size, by = self.n, self.count, self.slopes
+        z = [*unknown[:n], *(self.tables.forcing[i, 0] for i in range(size - n))]
+        table = [[arb(int(i == k < n)) for k in range(unknowns)] + [z[i]] for i in range(size)]
+        later = [arb(0)] * unknowns
+        if unknowns and self.autonomous:
+            later[n] = arb(-1)
+        if by is not None:
+            table += [[arb(0)] * (unknowns + 1) for _ in range(size)]
+            if unknowns:
+                later[-1] = -by.period
+                for i in range(size):
+                    table[i][-2] = arb(0) if i < n else by.forcing[i - n, 0]
+                    table[size + i][-2] = z[i]
+        return arb_mat(table), arb_mat([later]) if unknowns else arb_mat(1, 0)
 
     @cached_property
     def phase(self) -> list[arb]:
         """A functional of the start that is to stay as it is: along the rates there, in sizes."""
-        z = self.segments[0].reset * arb_mat([[each] for each in [*self.start, *self.forcing]])
-        rates = self.segments[0].flow * z
+        z = arb_mat([[each] for each in self.start] + self.tables.forcing.tolist())
+        rates = self.segments[0].flow * (self.segments[0].reset * z)
         return [arb((rates[i, 0] / self.sizes[i] ** 2).mid()) for i in range(self.n)]
+
+
+def _column(table: arb_mat, place: int, rows: int) -> arb_mat:
+    return arb_mat([[table[i, place]] for i in range(rows)])
+
+
+def _blocks(blocks: list[list[arb_mat]]) -> arb_mat:
+    """Put blocks together."""
+    rows = []
+    for line in blocks:
+        lists = [each.tolist() for each in line]
+        rows += [[entry for part in parts for entry in part] for parts in zip(*lists, strict=True)]
+    return arb_mat(rows)
+
+
+def _padded(table: arb_mat, rows: int, columns: int) -> arb_mat:
+    """Fill a table with zeros below and to the right."""
+    wide = [[*row, *([arb(0)] * (columns - len(row)))] for row in table.tolist()]
+    return arb_mat(wide + [[arb(0)] * columns for _ in range(rows - len(wide))])
 
 
 def _returns(orders: list[list[int]]) -> bool:
@@ -240,12 +365,14 @@ def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:
         raise UndecidedError("an event is too far from where it was computed")
     term = found = columns
     k, left = 1, size
-    while k < MOST_TERMS and left > arb(2) ** -ORBIT_PRECISION:
-        term = segment.flow * term * (late / k)
+    while k < MOST_TERMS and left > arb(2) ** -ctx.prec:
+        term = segment.lifted[0] * term * (late / k)
         found, left, k = found + term, left * size, k + 1
-    largest = functools.reduce(arb.max, (each.abs_upper() for each in columns.entries()), arb(0))
-    off = about((2 * left * largest).upper())
-    return found + arb_mat([[off] * found.ncols() for _ in range(found.nrows())])
+    largest = [
+        functools.reduce(arb.max, map(abs, column)).upper() for column in zip(*columns.tolist(), strict=True)
+    ]
+    off = [about((2 * left * each).upper()) for each in largest]
+    return found + arb_mat([off for _ in range(found.nrows())])
 
 
 def _event(segment: Segment, row: arb_mat, y: arb_mat) -> tuple[arb, arb]:
@@ -254,9 +381,9 @@ def _event(segment: Segment, row: arb_mat, y: arb_mat) -> tuple[arb, arb]:
     Raises:
         UndecidedError: if an interval Newton step does not enclose it.
     """
-    first, z = arb(0), y
-    for _ in range(4):
-        value, rate = (row * z)[0, 0], (row * (segment.flow * z))[0, 0]
+    flow, first, z = segment.lifted[0], arb(0), y
+    for _ in range(5):
+        value, rate = (row * z)[0, 0], (row * (flow * z))[0, 0]
         if not rate < 0:
             raise UndecidedError("an event function does not fall strictly: a grazing, to balls")
         following = arb((first - value / rate).mid())
@@ -265,9 +392,9 @@ def _event(segment: Segment, row: arb_mat, y: arb_mat) -> tuple[arb, arb]:
         first, z = following, _moved(segment, y, following)
     value = (row * z)[0, 0]
     reach = arb((4 * (value / rate).abs_upper()).upper()) + arb(2) ** (3 * RADIUS)
-    slope = (row * (segment.flow * _moved(segment, z, about(reach))))[0, 0]
+    slope = (row * (flow * _moved(segment, z, about(reach))))[0, 0]
     late = -value / slope
     if not (slope < 0 and about(reach).contains_interior(late)):
         raise UndecidedError("an event time is not enclosed")
     late = first + late
-    return late, (row * (segment.flow * _moved(segment, y, late)))[0, 0]
+    return late, (row * (flow * _moved(segment, y, late)))[0, 0]

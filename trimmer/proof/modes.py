@@ -10,6 +10,7 @@ import numpy as np
 
 from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.variation import end_of_instant
+from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.response.orbit import Orbit
 
@@ -51,19 +52,33 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     Raises:
         UncoveredError: if it is none that the check covers.
     """
-    course, system = orbit.course, flow.modes.system
+    if not orbit.success:
+        raise UncoveredError("it does not return")
+    if orbit.advances or orbit.flow.shifts:
+        raise UncoveredError("it returns but for a shift along which no force changes, which is not covered")
+    stable = True if orbit.stable else None if orbit.neutral else False
+    return {**motion_data(orbit.course, flow, orbit.sizes, orbit.periods), "stable": stable}
+
+
+def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[str, Any]:
+    """Return modes and segments of a motion of some periods of the drive, 0 without one.
+
+    Raises:
+        UncoveredError: if it is none that the check covers.
+    """
+    system = flow.modes.system
     layout, log = system.layout, course.log
     seen = Seen(log, course.modes, system)
-    _require_covered(orbit, system)
+    _require_covered(course, system)
     rows = list(_rows(log))
-    used = sorted({int(log.mode[last]) for _, last in rows})
     n = layout.state_count
     segments: list[dict[str, Any]] = []
     largest = abs(log.state).max(axis=0)
-    largest[:n] = np.maximum(largest[:n], orbit.sizes)
+    largest[:n] = np.maximum(largest[:n], sizes[:n])
     for kind in layout.kinds:
         largest[kind] = np.maximum(largest[kind], LEAST * largest[kind].max(initial=0.0))
     ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
+    used = _used(log)
     for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
         mode = seen.mode(last)
         fired = None if place + 1 == len(rows) else int(log.function[rows[place + 1][0]])
@@ -84,39 +99,62 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     omega = layout.omega or 1.0
     return {
         "about": flow.subject.title or type(flow.subject).__name__,
-        "modes": [
-            {
-                "statuses": [int(each) for each in mode.statuses],
-                "flow": mode.flow[:n].tolist(),
-                "functions": [each.row.tolist() for each in mode.functions],
-            }
-            for mode in (system.mode(course.modes[number].statuses) for number in used)
-        ],
+        "modes": _modes(seen),
         "segments": segments,
         "sizes": largest[:n].tolist(),
         "state": log.state[0, :n].tolist(),
         "forcing": log.state[0, n:].tolist(),
         "rotation": np.rint(seen.mode(0).flow[n:, n:] / omega).astype(int).tolist(),
-        "period": float(layout.period) if orbit.periods else None,
-        "periods": orbit.periods,
-        "stable": True if orbit.stable else None if orbit.neutral else False,
+        "period": float(layout.period) if periods else None,
+        "periods": periods,
     }
 
 
-def _require_covered(orbit: Orbit, system: System) -> None:
-    own, layout = orbit.course.modes.system.layout, system.layout
+def neighbour_data(course: Course, flow: Flow) -> dict[str, Any]:
+    """Return the numbers of the same modes and events with another value of a number.
+
+    Raises:
+        UncoveredError: if they are none of the same.
+    """
+    own, system = course.modes.system.layout, flow.modes.system
+    _require_covered(course, system)
+    seen = Seen(course.log, course.modes, system)
+    scale = system.layout.period / own.period if own.period else 1.0
+    return {
+        "modes": _modes(seen),
+        "resets": [_reset(seen, first, last).tolist() for first, last in _rows(course.log)],
+        "forcing": system.layout.forcing_at(course.begin.phase * scale).tolist(),
+        "period": float(system.layout.period) if own.period else None,
+    }
+
+
+def _used(log: Any) -> list[int]:
+    return sorted({int(log.mode[last]) for _, last in _rows(log)})
+
+
+def _modes(seen: Seen) -> list[dict[str, Any]]:
+    n = seen.system.layout.state_count
+    modes = (seen.system.mode(seen.known[number].statuses) for number in _used(seen.log))
+    return [
+        {
+            "statuses": [int(each) for each in mode.statuses],
+            "flow": mode.flow[:n].tolist(),
+            "functions": [each.row.tolist() for each in mode.functions],
+        }
+        for mode in modes
+    ]
+
+
+def _require_covered(course: Course, system: System) -> None:
+    own, layout = course.modes.system.layout, system.layout
     if (own.size, own.state_count, own.period > 0) != (layout.size, layout.state_count, layout.period > 0):
         raise UncoveredError("the orbit is one of another system")
-    if not orbit.success:
-        raise UncoveredError("it does not return")
-    if orbit.advances or orbit.flow.shifts:
-        raise UncoveredError("it returns but for a shift along which no force changes, which is not covered")
     if system.clockwork is not None:
         raise UncoveredError("samples at known times are not covered")
     if layout.ramp or layout.drifts or len(layout.breaks):
         raise UncoveredError("forces that do not repeat with the drive are not covered")
     n = layout.state_count
-    block = system.mode(orbit.course.modes[0].statuses).flow[n:, n:] / (layout.omega or 1.0)
+    block = system.mode(course.modes[0].statuses).flow[n:, n:] / (layout.omega or 1.0)
     if abs(block - np.rint(block)).max(initial=0.0) > 1e-9:
         raise UncoveredError("forces that are no multiples of the drive are not covered")
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from flint import ctx
+from flint import arb, ctx
 
 from trimmer.proof.between_events import require_positive_between
 from trimmer.proof.following import ORBIT_PRECISION, RADIUS, Followed, Motion
@@ -58,18 +58,29 @@ def require_orbit(motion: Motion, data: dict[str, Any], near: float = NEAR) -> F
         RefutedError: if it is elsewhere, or has other events.
         UndecidedError: if balls do not tell.
     """
-    start, longer, over = solve(motion)
-    for i, (found, given) in enumerate(zip(start, motion.start, strict=True)):
-        if not abs(found - given) < near * motion.sizes[i]:
-            if data["stable"] is None:
-                raise UndecidedError("it stays where it is put, and the motion that returns is elsewhere")
-            told = float((found * motion.units[i]).mid())
-            raise RefutedError(f"the motion begins elsewhere: state {i} is {told!r}")
-    if not abs(longer) < NEAR * motion.period:
-        raise RefutedError(f"its period is longer by {float(longer.mid())!r} s")
+    found = solve(motion)
+    require_near(motion, found.unknown, near)
+    over = found.over
     for number, segment in enumerate(motion.segments):
         require_positive_between(motion, number, segment, over)
     return over
+
+
+def require_near(motion: Motion, unknown: list[arb], near: float) -> None:
+    """Hold what returns against what was computed.
+
+    Raises:
+        RefutedError: if it is elsewhere.
+        UndecidedError: if that may be because it stays where it is put.
+    """
+    for i, given in enumerate(motion.start):
+        if not abs(unknown[i] - given) < near * motion.sizes[i]:
+            if motion.data["stable"] is None:
+                raise UndecidedError("it stays where it is put, and the motion that returns is elsewhere")
+            told = float((unknown[i] * motion.units[i]).mid())
+            raise RefutedError(f"the motion begins elsewhere: state {i} is {told!r}")
+    if motion.autonomous and not abs(unknown[motion.n]) < near * motion.period:
+        raise RefutedError(f"its period is longer by {float(unknown[motion.n].mid())!r} s")
 
 
 def _theorem(motion: Motion, data: dict[str, Any], stable: bool | None, largest: str) -> str:

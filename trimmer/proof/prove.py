@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import require_instance, require_instances
@@ -11,21 +12,21 @@ from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.solve import checked_range
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.special import SpecialKind, SpecialPoint
-from trimmer.errors import OrbitNotFoundError
+from trimmer.errors import TrimmerError
 from trimmer.loops.loops import ClosedLoop
-from trimmer.proof.modes import UncoveredError, orbit_data
+from trimmer.proof.modes import UncoveredError, motion_data, neighbour_data, orbit_data
 from trimmer.proof.outcome import Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
-from trimmer.response.forced_orbit import exact_orbit
 from trimmer.response.orbit import Orbit
 
 if TYPE_CHECKING:
     from trimmer.motion.subject import Subject
 
-ASIDE = 4e-7
-"""Distance of the orbits on both sides of a special point from its value, as a share of it."""
+ASIDE = 1e-6
+"""Distance from a special point of the values between which slopes are taken, as a share of its value."""
+COVERED = (SpecialKind.FOLD, SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING)
 
 
 @takes_a_loop
@@ -99,11 +100,11 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
 
 
 def prove_special_point(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> Proof:
-    """Prove that a multiplier passes -1 or 1 where a branch has a special point, to six digits of its value.
+    """Prove that a branch has a special point, and where: to nine digits, within six of what was computed.
 
-    Two orbits are computed, a little before the value and a little behind it, and proven as ``prove_orbit``
-    does. Between them a determinant changes its sign: each continuous family of such motions between them has
-    a period doubling, or a symmetry breaking, there. That there is such a family is not proven.
+    The equations are taken as straight lines over the number: those at its value, with slopes from two values
+    next to it. Orbits on a short piece of the branch are enclosed, each alone, so that they are one curve; on
+    it the number turns around (a fold), or a determinant changes its sign.
 
     Args:
         system: The mechanism or loop that was followed; of the number that was varied any value will do.
@@ -111,7 +112,8 @@ def prove_special_point(system: Subject, branch: FollowedBranch, special: Specia
         special: One of its special points.
 
     Returns:
-        Proven, refuted or undecided. Folds, grazings, tori, and what moves without a drive are undecided.
+        Proven, refuted or undecided. Grazings, tori, and a symmetry breaking of other than a motion that is
+        its own mirror image after half a period are undecided.
 
     Raises:
         WrongTypeError: if an argument is of another type.
@@ -120,18 +122,37 @@ def prove_special_point(system: Subject, branch: FollowedBranch, special: Specia
     require_subject(system)
     require_instance("branch", branch, FollowedBranch, "a branch")
     require_instance("special", special, SpecialPoint, "a special point")
+    try:
+        data = _special_data(system, branch, special)
+    except (TrimmerError, UncoveredError) as error:
+        told = {"kind": special.kind.word, "place": branch.map.place, "value": float(special.value)}
+        return Proof("special point", Verdict.UNDECIDED, "", str(error).rstrip("."), told)
+    return proof_of("special point", data)
+
+
+def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> dict[str, Any]:
     kind, place, value = special.kind, branch.map.place, float(special.value)
-    data: dict[str, Any] = {"kind": kind.word, "place": place, "value": value}
-    if kind not in (SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING) or branch.finds_period:
-        drive = "without" if branch.finds_period else "with"
-        reason = f"{kind.word} of a motion {drive} a drive is not covered"
-        return Proof("special point", Verdict.UNDECIDED, "", reason, data)
-    data["sides"] = []
+    if kind not in COVERED:
+        raise UncoveredError(f"special points of the kind {kind.word} are not covered")
+    if special.note and kind is SpecialKind.FOLD:
+        raise UncoveredError(f"it is {special.note}, which is not covered")
+    over = branch.map
+    if kind is SpecialKind.SYMMETRY_BREAKING:
+        if branch.finds_period or not over.is_mirror_symmetric or over.periods % 2 == 0:
+            raise UncoveredError("a symmetry breaking of what is no mirror image of itself is not covered")
+        over = replace(over, mirrored=True, single=None)
+    passage = over.passage(value, special.state)
+    flow, course = flow_of(system.with_value(place, value)), passage.course
+    if flow.shifts:
+        raise UncoveredError(
+            "motions that return but for a shift along which no force changes are not covered"
+        )
+    orbit = motion_data(course, flow, passage.sizes, 0 if branch.finds_period else over.length)
+    if over.mirrored:
+        orbit["signs"] = [int(each) for each in flow.mirrored_states]
+    beside = []
     for factor in (1.0 - ASIDE, 1.0 + ASIDE):
         changed = system.with_value(place, value * factor)
-        try:
-            orbit = exact_orbit(changed, periods=branch.periods, guess=special.state)
-            data["sides"].append({"value": changed.value(place), "orbit": orbit_data(orbit, orbit.flow)})
-        except (OrbitNotFoundError, UncoveredError) as error:
-            return Proof("special point", Verdict.UNDECIDED, "", str(error).rstrip("."), data)
-    return proof_of("special point", data)
+        beside.append({"value": changed.value(place), **neighbour_data(course, flow_of(changed))})
+    told = {"kind": kind.word, "place": place, "value": value}
+    return {**told, "orbit": {**orbit, "stable": False}, "beside": beside}

@@ -1,6 +1,14 @@
-"""Whether one start in a ball returns, by Krawczyk's operator, and how large its multipliers are."""
+"""Whether one start in a ball returns, by Krawczyk's operator, and how large its multipliers are.
+
+Unknown are the start, the period without a drive, and a number where one is varied. To vanish are the gap of
+the return, without a drive a phase, and where a number is varied the distance from a plane that cuts the
+branch: with F of these, F' over the ball and about its inverse Y, each plane is met in exactly one point if
+m - Y F(m) + (1 - Y F')(ball - m) lies inside the ball.
+"""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 from flint import arb, arb_mat, fmpq
 
@@ -11,62 +19,121 @@ from trimmer.proof.undecided import UndecidedError
 MOST_ITERATIONS = 30
 
 
-def solve(motion: Motion) -> tuple[list[arb], arb, Followed]:
-    """Find the start that returns; return it, what the period is longer, and the motion from its ball.
+@dataclass(frozen=True)
+class Plane:
+    """What cuts a branch: the unknowns less a place, weighted, are a height.
+
+    Attributes:
+        place: The unknowns somewhere on it.
+        weights: One for each of them.
+        height: All heights for which a statement holds.
+    """
+
+    place: list[arb]
+    weights: list[arb]
+    height: arb
+
+    def distance(self, unknown: list[arb]) -> arb:
+        """Return how far the unknowns are below it."""
+        away = (w * (p - u) for w, p, u in zip(self.weights, self.place, unknown, strict=True))
+        return self.height + sum(away, arb(0))
+
+
+@dataclass(frozen=True)
+class Returned:
+    """What returns.
+
+    Attributes:
+        unknown: Enclosed: start, what an unknown period is longer, and the number that is varied.
+        over: The motion from all of a ball around it in which no other returns.
+    """
+
+    unknown: list[arb]
+    over: Followed
+
+
+def first_guess(motion: Motion) -> list[arb]:
+    """Return the unknowns as computed."""
+    return [*(arb(each.mid()) for each in motion.start), arb(0), arb(0)][: motion.unknowns]
+
+
+def scales(motion: Motion) -> list[arb]:
+    """Return the size of each unknown."""
+    found = list(motion.sizes[: motion.n])
+    return [*found, *([motion.segments[-1].duration] if motion.autonomous else []), arb(1)][: motion.unknowns]
+
+
+def solve(
+    motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
+) -> Returned:
+    """Find what returns, alone in a ball.
+
+    Args:
+        motion: The motion.
+        plane: Of a family, what cuts it.
+        guess: Where to begin; as computed if not given.
+        radius: Power of two of the radius of the ball, as a share of the sizes.
 
     Raises:
         UndecidedError: if nothing is proven.
     """
-    middle, longer = [arb(each.mid()) for each in motion.start], arb(0)
-    inverse = _inverse(_derivative(motion, motion.follow(middle, longer, True)))
-    for _ in range(MOST_ITERATIONS):
-        step = _step(motion, motion.follow(middle, longer), middle, inverse)
-        middle = [arb((each + step[i, 0]).mid()) for i, each in enumerate(middle)]
-        if motion.autonomous:
-            longer = arb((longer + step[motion.n, 0]).mid())
-        if all(
-            abs(step[i, 0]) < motion.sizes[i] * arb(2) ** (RADIUS - 20) or step[i, 0].contains(0)
-            for i in range(motion.n)
-        ):
-            break
-    reach = arb(2) ** RADIUS
-    radii = [each * reach for each in motion.sizes[: motion.n]]
-    ball = [each + about(radius) for each, radius in zip(middle, radii, strict=True)]
-    at_last = motion.segments[-1].duration * reach if motion.autonomous else arb(0)
-    over = motion.follow(ball, longer + about(at_last), True)
-    derivative = _derivative(motion, over)
-    inverse = _inverse(derivative)
-    image = _step(motion, motion.follow(middle, longer), middle, inverse)
-    rest = identity(inverse.nrows()) - inverse * derivative
-    reaches = arb_mat([[about(each)] for each in [*radii, *([at_last] if motion.autonomous else [])]])
-    image = image + rest * reaches
+    middle = newton(motion, plane, guess)
+    radii = [each * arb(2) ** radius for each in scales(motion)]
+    over = motion.follow([m + about(r) for m, r in zip(middle, radii, strict=True)], True)
+    derivative = derivative_of(motion, over, plane)
+    inverse = inverse_of(derivative)
+    image = _step(motion, motion.follow(middle), middle, plane, inverse)
+    reaches = arb_mat([[about(each)] for each in radii])
+    image = image + (identity(inverse.nrows()) - inverse * derivative) * reaches
     if not all(reaches[i, 0].contains_interior(image[i, 0]) for i in range(inverse.nrows())):
         raise UndecidedError("Krawczyk's operator does not map the ball of starts into itself")
-    found = [each + image[i, 0] for i, each in enumerate(middle)]
-    return found, longer + image[motion.n, 0] if motion.autonomous else longer, over
+    return Returned([each + image[i, 0] for i, each in enumerate(middle)], over)
 
 
-def _derivative(motion: Motion, followed: Followed) -> arb_mat:
-    """Return the derivative of what is to vanish: the gap of the return, and a phase without drive."""
-    extra = int(motion.autonomous)
-    table = [[followed.change[i, k] - int(i == k) for k in range(motion.n)] for i in range(motion.n)]
-    if extra:
-        rates = motion.segments[-1].flow * followed.ends[-1]
-        table = [[*row, rates[i, 0]] for i, row in enumerate(table)]
-        table.append([*motion.phase, arb(0)])
+def newton(motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None) -> list[arb]:
+    """Find about what returns, by Newton's method.
+
+    Raises:
+        UndecidedError: if the motion cannot be followed.
+    """
+    middle = guess or first_guess(motion)
+    plane = plane and Plane(plane.place, plane.weights, arb(plane.height.mid()))
+    inverse = inverse_of(derivative_of(motion, motion.follow(middle, True), plane))
+    for _ in range(MOST_ITERATIONS):
+        step = _step(motion, motion.follow(middle), middle, plane, inverse)
+        middle = [arb((each + step[i, 0]).mid()) for i, each in enumerate(middle)]
+        if all(
+            abs(step[i, 0]) < each * arb(2) ** (RADIUS - 20) or step[i, 0].contains(0)
+            for i, each in enumerate(scales(motion))
+        ):
+            break
+    return middle
+
+
+def derivative_of(motion: Motion, followed: Followed, plane: Plane | None = None) -> arb_mat:
+    """Return the derivative of what is to vanish."""
+    table = [[each - int(i == k) for k, each in enumerate(row)] for i, row in enumerate(followed.change)]
+    if motion.autonomous:
+        table.append([*motion.phase, *([arb(0)] * (motion.unknowns - motion.n))])
+    if plane is not None:
+        table.append(plane.weights)
     return arb_mat(table)
 
 
-def _step(motion: Motion, followed: Followed, middle: list[arb], inverse: arb_mat) -> arb_mat:
+def _step(
+    motion: Motion, followed: Followed, middle: list[arb], plane: Plane | None, inverse: arb_mat
+) -> arb_mat:
     """Return Newton's step."""
-    gaps = [[each - followed.ends[-1][i, 0]] for i, each in enumerate(middle)]
+    gaps = [m - back for m, back in zip(middle, followed.back, strict=False)]
     if motion.autonomous:
-        away = (p * (s - m) for p, s, m in zip(motion.phase, motion.start, middle, strict=True))
-        gaps.append([sum(away, arb(0))])
-    return inverse * arb_mat(gaps)
+        away = (p * (s - m) for p, s, m in zip(motion.phase, motion.start, middle, strict=False))
+        gaps.append(sum(away, arb(0)))
+    if plane is not None:
+        gaps.append(plane.distance(middle))
+    return inverse * arb_mat([[each] for each in gaps])
 
 
-def _inverse(derivative: arb_mat) -> arb_mat:
+def inverse_of(derivative: arb_mat) -> arb_mat:
     """Return about the inverse of the middle of a matrix, exact as far as it goes."""
     try:
         return derivative.mid().inv().mid()
@@ -74,17 +141,21 @@ def _inverse(derivative: arb_mat) -> arb_mat:
         raise UndecidedError("1 is a multiplier, as near as balls tell") from None
 
 
+def in_sizes(motion: Motion, over: Followed) -> arb_mat:
+    """Return the derivative of the end by the start, as shares of the sizes."""
+    sizes, n = motion.sizes, range(motion.n)
+    return arb_mat([[over.change[i][k] * sizes[k] / sizes[i] for k in n] for i in n])
+
+
 def multipliers_of(motion: Motion, over: Followed) -> tuple[bool | None, str]:
     """Enclose the largest modulus of the multipliers: of A^k at least |trace|/n and at most the norm."""
-    sizes, n = motion.sizes, motion.n
-    change = arb_mat([[over.change[i, k] for k in range(n)] for i in range(n)])
+    sizes, n, scaled = motion.sizes, motion.n, in_sizes(motion, over)
     if motion.autonomous:
         # Without the shift in time: along the rates, back to where the phase is that of the start.
         rates = motion.segments[-1].flow * over.ends[-1]
-        along = arb_mat([[rates[i, 0]] for i in range(n)])
-        phase = arb_mat([motion.phase])
-        change = change - along * (phase * change) * (1 / (phase * along)[0, 0])
-    scaled = arb_mat([[change[i, k] * sizes[k] / sizes[i] for k in range(n)] for i in range(n)])
+        along = arb_mat([[rates[i, 0] / sizes[i]] for i in range(n)])
+        phase = arb_mat([[p * size for p, size in zip(motion.phase, sizes, strict=False)]])
+        scaled = scaled - along * (phase * scaled) * (1 / (phase * along)[0, 0])
     least, most, power = arb(0), arb(2) ** 900, scaled
     for doubled in range(13):
         exponent = real(fmpq(1, 2**doubled))

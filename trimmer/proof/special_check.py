@@ -1,91 +1,197 @@
-"""Whether a multiplier passes 1 or -1 between two values of a number: the orbits at both, and signs there.
+"""Whether a branch has a special point: its orbits on a short piece in balls, and a sign that changes on it.
 
-At each value the orbit is proven as any other. The determinant of D - m, with the derivative D of the return
-and m = 1 or -1, changes its sign between them. A continuous family of such motions over the values between
-them so has one at which m is a multiplier.
+The equations of a family over a number v are straight lines in v: those at one value, with slopes from two
+values beside it. Planes cut the branch, and Krawczyk's operator says that each of a stack of them meets it in
+exactly one orbit (``returning``); so it is one smooth curve there. Where dv, along the curve, has opposite
+signs at both ends, v turns around: a fold. Where det(D - m) has, with D the derivative of the return, m is a
+multiplier somewhere between.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from trimmer.proof.following import ORBIT_PRECISION, Motion
-from trimmer.proof.orbit_check import require_orbit
+from trimmer.proof.balls import about
+from trimmer.proof.between_events import require_positive_between
+from trimmer.proof.following import Followed, Motion, identity
+from trimmer.proof.orbit_check import require_near
 from trimmer.proof.outcome import Outcome, Verdict
+from trimmer.proof.returning import (
+    Plane,
+    derivative_of,
+    first_guess,
+    in_sizes,
+    newton,
+    scales,
+    solve,
+)
 from trimmer.proof.undecided import RefutedError, UndecidedError
 
-WIDEST = 1e-6
-"""Largest distance of both values, as a share of them: six digits."""
+PRECISION = 768
+"""Bits."""
+HALF = -200
+"""Power of two of half the length of the piece, as a share of the sizes."""
+NARROW = -280
+"""That of the balls at its ends, in which the signs are told."""
+MOST_SECANTS = 25
+WITHIN = 1e-6
+"""Distance from the value as it was computed, as a share of it: six digits."""
 BESIDE = 1e-5
-"""Distance of an orbit from the computed one, as a share of the sizes: a multiplier near 1 costs digits."""
-MULTIPLIERS = {"period-doubling": -1, "symmetry-breaking": 1}
-"""What is a multiplier at a special point, by its kind."""
+"""Distance of its orbit from the computed one, as a share of the sizes: a multiplier near 1 costs digits."""
+TOLD = 1e-9
+"""Precision, relative, with which the value is told."""
 
 
 def check_special_point(data: dict[str, Any]) -> Outcome:
-    """Hold a special point against the orbits on both sides.
+    """Hold a special point against the branch around it.
 
     Args:
-        data: ``kind``, ``place``, ``value``, and ``sides``: two, each with ``value`` and ``orbit``.
+        data: ``kind``, ``place``, ``value``; ``orbit`` there; ``beside``: two, each with ``value``,
+            ``modes``, ``resets``, ``forcing`` and ``period``.
     """
-    kind, value = data["kind"], data["value"]
-    if kind not in MULTIPLIERS:
+    kind = data["kind"]
+    if kind not in ("fold", "period-doubling", "symmetry-breaking"):
         return Outcome(Verdict.UNDECIDED, "", f"special points of the kind {kind} are not covered")
-    values = sorted(side["value"] for side in data["sides"])
-    if not values[0] < value < values[1] or values[1] - values[0] > WIDEST * abs(value):
-        return Outcome(Verdict.REFUTED, "", f"the values of both orbits are not within {WIDEST:g} around it")
-    with ctx.workprec(ORBIT_PRECISION):
+    if (kind == "symmetry-breaking") != ("signs" in data["orbit"]):
+        return Outcome(Verdict.UNDECIDED, "", f"a {kind} of other than half a motion is not covered")
+    with ctx.workprec(PRECISION):
         try:
-            signs = [_sign(side["orbit"], MULTIPLIERS[kind]) for side in data["sides"]]
+            return _checked(Motion(data["orbit"], data), data)
         except UndecidedError as error:
             return Outcome(Verdict.UNDECIDED, "", str(error))
         except RefutedError as error:
             return Outcome(Verdict.REFUTED, "", str(error))
-    if len({_sequence(side["orbit"]) for side in data["sides"]}) > 1:
-        return Outcome(Verdict.UNDECIDED, "", "the orbits on both sides have other events")
-    if signs[0] == signs[1]:
-        return Outcome(Verdict.REFUTED, "", f"no multiplier passes {MULTIPLIERS[kind]} between {values}")
-    return Outcome(Verdict.PROVEN, _theorem(data, values), "")
 
 
-def _sign(data: dict[str, Any], multiplier: int) -> int:
-    """Prove an orbit, and return the sign of the determinant of D - m.
+@dataclass
+class Branch:
+    """A branch near a special point, in planes across it.
 
-    Raises:
-        UndecidedError, RefutedError: if it is none, or balls do not tell.
+    Attributes:
+        motion: The family.
+        plane: The plane of height 0.
+        test: What changes its sign, of a motion and its derivative on a plane.
     """
-    motion = Motion(data)
-    if motion.autonomous:
-        raise UndecidedError("special points without a drive are not covered")
-    over = require_orbit(motion, data, BESIDE)
-    n, sizes = motion.n, motion.sizes
-    shifted = arb_mat(
-        [
-            [over.change[i, k] * sizes[k] / sizes[i] - (multiplier if i == k else 0) for k in range(n)]
-            for i in range(n)
-        ]
-    )
-    determinant: arb = shifted.det()
-    if determinant.contains(0):
-        raise UndecidedError("the sign of a determinant is not told")
-    return 1 if determinant > 0 else -1
+
+    motion: Motion
+    plane: Plane
+    test: Callable[[Motion, Followed, Plane], arb]
+
+    def at(self, height: arb) -> Plane:
+        """Return the plane, or all planes, of a height."""
+        return Plane(self.plane.place, self.plane.weights, height)
+
+    def about_zero(self) -> tuple[list[arb], arb]:
+        """Find about where the test is zero, by secants; return the unknowns and the height.
+
+        Raises:
+            UndecidedError: if none is found.
+        """
+        guess, seen, height = first_guess(self.motion), list[tuple[arb, arb]](), arb(0)
+        for _ in range(MOST_SECANTS):
+            guess = newton(self.motion, self.at(height), guess)
+            value = arb(self.test(self.motion, self.motion.follow(guess, True), self.at(height)).mid())
+            seen.append((height, value))
+            following = height + arb(2) ** -30 if len(seen) == 1 else _secant(*seen[-2:])
+            if following is None or abs(following - height) < arb(2) ** (HALF - 20):
+                return guess, height
+            if not abs(following) < 0.01:
+                break
+            height = following
+        raise UndecidedError("no place where a sign changes was found near the point")
+
+    def sign(self, guess: list[arb], height: arb) -> int:
+        """Return the sign of the test at a height.
+
+        Raises:
+            UndecidedError: if balls do not tell.
+        """
+        plane = self.at(height)
+        narrow = solve(self.motion, plane, guess, NARROW)
+        value = self.test(self.motion, narrow.over, plane)
+        if value.contains(0):
+            raise UndecidedError("the sign of a determinant is not told")
+        return 1 if value > 0 else -1
 
 
-def _sequence(data: dict[str, Any]) -> tuple[tuple[tuple[int, ...], int | None], ...]:
-    """Return the statuses of all parts in each segment, and what ends it."""
-    modes = [tuple(each["statuses"]) for each in data["modes"]]
-    return tuple((modes[each["mode"]], each["fired"]) for each in data["segments"])
+def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
+    change = last[1] - before[1]
+    return None if change.contains(0) else arb((last[0] - last[1] * (last[0] - before[0]) / change).mid())
 
 
-def _theorem(data: dict[str, Any], values: list[float]) -> str:
-    orbit, multiplier = data["sides"][0]["orbit"], MULTIPLIERS[data["kind"]]
+def _checked(motion: Motion, data: dict[str, Any]) -> Outcome:
+    kind, is_fold = data["kind"], data["kind"] == "fold"
+    branch = Branch(motion, _plane(motion, is_fold), _turning if is_fold else _crossing)
+    guess, height = branch.about_zero()
+    half = arb(2) ** HALF
+    piece = solve(motion, branch.at(height + about(half)), guess)
+    require_near(motion, piece.unknown, BESIDE)
+    value = arb(data["value"]) + piece.unknown[-1] * motion.unit
+    if not abs(value / arb(data["value"]) - 1) < WITHIN:
+        raise RefutedError(f"the {kind} nearest to it is at {float(value.mid())!r}")
+    whole = motion.at(piece.unknown[-1])
+    for number, segment in enumerate(whole.segments):
+        require_positive_between(whole, number, segment, piece.over)
+    if branch.sign(guess, height - half) == branch.sign(guess, height + half):
+        raise UndecidedError("nothing changes its sign")
+    told = f"{float(value.mid()):.10g}"
+    if not abs(value / arb(told) - 1) < TOLD:
+        raise UndecidedError("the value is enclosed too widely")
+    return Outcome(Verdict.PROVEN, _theorem(data, told), "")
+
+
+def _plane(motion: Motion, is_fold: bool) -> Plane:
+    """Return the plane through the computed orbit: of one value, or at a fold across the branch."""
+    place, count = first_guess(motion), motion.unknowns
+    if not is_fold:
+        return Plane(place, [arb(int(k == count - 1)) for k in range(count)], arb(0))
+    sizes, over = scales(motion), motion.follow(first_guess(motion), True)
+    some = Plane(place, [arb(1) / (k + 1) / size for k, size in enumerate(sizes)], arb(0))
+    along = [each[0] / size for each, size in zip(_along(motion, over, some).tolist(), sizes, strict=True)]
+    square = sum((each * each for each in along), arb(0))
+    weights = [arb((each / square.sqrt() / size).mid()) for each, size in zip(along, sizes, strict=True)]
+    return Plane(place, weights, arb(0))
+
+
+def _along(motion: Motion, over: Followed, plane: Plane) -> arb_mat:
+    """Return the derivative of the unknowns by the height of the plane."""
+    derivative = derivative_of(motion, over, plane)
+    size = derivative.nrows()
+    try:
+        return derivative.solve(arb_mat([[arb(int(i == size - 1))] for i in range(size)]))
+    except ZeroDivisionError:
+        raise UndecidedError("the branch has no tangent, as near as balls tell") from None
+
+
+def _turning(motion: Motion, over: Followed, plane: Plane) -> arb:
+    return _along(motion, over, plane)[motion.unknowns - 1, 0]
+
+
+def _crossing(motion: Motion, over: Followed, plane: Plane) -> arb:
+    """Return det(D + 1): of half of a motion that is its mirror image, D squared is that of the whole."""
+    return (in_sizes(motion, over) + identity(motion.n)).det()
+
+
+def _theorem(data: dict[str, Any], told: str) -> str:
+    orbit, kind, place = data["orbit"], data["kind"], data["place"]
+    motions = "periodic motions"
+    if kind == "symmetry-breaking":
+        motions = "motions whose end is the mirror image of their start, by the signs of this file,"
+    happens = {
+        "fold": f"along it the rate of {place} has opposite signs at its ends, so it turns around",
+        "period-doubling": "det(D + 1), D the derivative of the return, has opposite signs at its ends, so "
+        "-1 is a multiplier on it",
+        "symmetry-breaking": "det(D + 1), D the derivative of that return, has opposite signs at its ends, "
+        "so 1 is a multiplier on it of a motion twice as long",
+    }[kind]
     return (
-        f"The system of this file ({orbit['about']}) has at {data['place']} = {values[0]!r} and at "
-        f"{values[1]!r} one periodic motion each with the period and the {len(orbit['segments']) - 1} events "
-        f"of this file and no other, within {BESIDE:g} of its states as a share of their largest values, and "
-        f"det(D - m), m = {multiplier}, D the derivative of the return, has opposite signs there: each "
-        f"continuous family of such motions over the values between them has the multiplier {multiplier} at "
-        f"one, a {data['kind']} within {WIDEST:g}, relative, of {data['value']!r}."
+        f"The systems over {place} that are linear between events, with the modes of this file "
+        f"({orbit['about']}) at {data['value']!r} and slopes through those beside it, all numbers taken as "
+        f"exact, have one smooth curve of {motions} with the {len(orbit['segments']) - 1} events of this "
+        f"file in its order and no other, within {BESIDE:g} of its state as a share of the sizes of the "
+        f"states; {happens}: a {kind} within {TOLD:g}, relative, of {place} = {told}."
     )

@@ -142,7 +142,7 @@ def two_at_once(data: dict[str, Any]) -> None:
         (moved, "the motion begins elsewhere: state 0"),
         (stiffer, "the motion begins elsewhere: state 0"),
         (unstable, "it is said to be unstable, and is stable"),
-        (of_no_loss, "does not map the ball of starts into itself"),
+        (of_no_loss, "the motion begins elsewhere: state 0"),
         (longer, "its period is longer by -2.65"),
         (another_event, "event function 1 of segment 0 is negative within it"),
         (no_event, "event function 1 of segment 1 is not zero where it is said to be"),

@@ -1,57 +1,215 @@
-"""Special points by ball arithmetic: period doublings to six digits, and what is not covered is said."""
+"""Special points by ball arithmetic: folds, period doublings, symmetry breakings, and what is not covered."""
 
 from __future__ import annotations
 
+import json
 import math
+import re
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
+from typing import Any
 
+import control
+import numpy as np
 import pytest
+import scipy.linalg
+import scipy.optimize
 
-from trimmer import FollowedBranch, FollowSettings, Mechanism, SpecialKind, follow
+from tests.quick import quick
+from tests.trimmer.branches.bouncing_ball import ball, fold, thrown
+from tests.trimmer.branches.published import dead_zone
+from trimmer import ClosedLoop, FollowedBranch, FollowSettings, Mechanism, Relay, SpecialKind, follow
 from trimmer.branches.special import SpecialPoint
+from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play
 
 pytest.importorskip("flint")
-from trimmer.proof import check_proof, prove_special_point
+from trimmer.proof import Proof, check_proof, prove_special_point
 
 TURN = 2.0 * math.pi
 MACHINE = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "oscillator-stop.toml")
 DOUBLING = 5.5567187941
 """rad/s, of the example of pyHarm in tests/trimmer/branches/published.py."""
+ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.05)
+PLANT = control.tf([8.0], [1.0, 3.0, 3.0, 1.0])
 
 
-@pytest.fixture(scope="module")
-def branch() -> FollowedBranch:
-    settings = FollowSettings(switches=0, quiet=True, largest_step=0.02)
-    return follow(MACHINE, "frequency", 5.553 / TURN, 5.56 / TURN, settings=settings)
+def relay_that_rests() -> float:
+    """Return the largest half width of the dead zone of a relay of 1 at which its loop with PLANT vibrates.
+
+    Half a period T, in which the relay is on for a time: from where the output reaches the edge at t = 0.
+    """
+    space = control.ss(PLANT)
+
+    def at_edges(half: float, share: float) -> tuple[float, float]:
+        pushed = scipy.linalg.expm(np.block([[space.A, -space.B], [np.zeros((1, 4))]]) * share * half)
+        rest = scipy.linalg.expm(space.A * (1.0 - share) * half)
+        start = np.linalg.solve(-np.eye(3) - rest @ pushed[:3, :3], rest @ pushed[:3, 3])
+        after = pushed[:3, :3] @ start + pushed[:3, 3]
+        return float((space.C @ start)[0]), float((space.C @ after)[0])
+
+    def edge(share: float) -> float:
+        half = scipy.optimize.brentq(lambda half: np.subtract(*at_edges(half, share)), 1.5, 2.5, xtol=1e-14)
+        return at_edges(float(half), share)[0]
+
+    best = scipy.optimize.minimize_scalar(lambda share: -edge(share), bounds=(0.2, 0.7), method="bounded")
+    return -float(best.fun)
 
 
-@pytest.fixture(scope="module")
-def doubling(branch: FollowedBranch) -> SpecialPoint:
-    return next(each for each in branch.special if each.kind is SpecialKind.PERIOD_DOUBLING)
+def two_blocks() -> Mechanism:
+    return Mechanism(
+        bodies={"left": Body(1.0), "right": Body(1.0)},
+        pins={"belt": Pin("ground", velocity=0.7)},
+        links={
+            "left spring": Link(("ground", "left"), 1.0, 0.02),
+            "right spring": Link(("ground", "right"), 1.0, 0.02),
+            "coupling": Link(("left", "right"), 1.2, 0.02),
+        },
+        frictions={
+            "left rubbing": Friction(("belt", "left"), force=0.5, static=1.0),
+            "right rubbing": Friction(("belt", "right"), force=0.65, static=1.3),
+        },
+        outputs={},
+    )
 
 
-def test_a_period_doubling_is_proven(branch: FollowedBranch, doubling: SpecialPoint, tmp_path: Path) -> None:
-    proof = prove_special_point(MACHINE, branch, doubling)
+def between_stops() -> Mechanism:
+    return Mechanism(
+        bodies={"body": Body(1.0)},
+        frequency=0.2,
+        links={"spring": Link(("ground", "body"), stiffness=1.0, damping=0.1)},
+        plays={"springs": Play(("ground", "body"), 10.0, gap=2.0)},
+        forces={"drive": Force("body", amplitude=3.0)},
+        outputs={},
+    )
+
+
+AMPLITUDE = "pins.table.amplitude"
+SPEED = "pins.belt.velocity"
+BRANCHES: dict[
+    str, tuple[Callable[[], Any], str, float, float, list[float] | None, str, Callable[[], float]]
+] = {
+    "doubling": (
+        lambda: MACHINE,
+        "frequency",
+        5.553 / TURN,
+        5.56 / TURN,
+        None,
+        "period-doubling",
+        lambda: DOUBLING / TURN,
+    ),
+    "ball": (
+        lambda: ball(1e4, 0.3, 0.45),
+        AMPLITUDE,
+        0.45,
+        0.3,
+        thrown(0.3, 0.45),
+        "fold",
+        lambda: fold(1e4),
+    ),
+    # Closed loop, of its own period.
+    "relay": (
+        lambda: ClosedLoop(PLANT, Relay(1.0, 0.0, 0.6)),
+        "element.dead_zone",
+        0.6,
+        0.9,
+        None,
+        "fold",
+        relay_that_rests,
+    ),
+    # Two computations: tests/trimmer/branches/test_joining.py.
+    "stops": (between_stops, "frequency", 0.193, 0.19, None, "symmetry-breaking", lambda: 0.191360833785),
+    # By brute force: tests/trimmer/branches/test_follow_self_excited.py.
+    "blocks": (
+        two_blocks,
+        SPEED,
+        0.7,
+        0.69,
+        [0.549, 0.543, -0.954, -0.952, 6.44],
+        "period-doubling",
+        lambda: 0.697486236508,
+    ),
+}
+
+
+@cache
+def found(name: str) -> tuple[FollowedBranch, SpecialPoint]:
+    make, place, start, stop, state, kind, _ = BRANCHES[name]
+    branch = follow(make(), place, start, stop, state=state, settings=ALONE)
+    return branch, next(each for each in branch.special if each.kind.word == kind)
+
+
+def proven(name: str) -> Proof:
+    return prove_special_point(BRANCHES[name][0](), *found(name))
+
+
+@pytest.mark.parametrize("name", quick(BRANCHES, 0, 1, 2, 3))
+def test_a_special_point_is_proven_where_it_is_otherwise_found(name: str, tmp_path: Path) -> None:
+    proof = proven(name)
     assert (proof.verdict, proof.reason) == ("proven", "")
-    assert doubling.value * TURN == pytest.approx(DOUBLING, rel=1e-9)
-    assert proof.theorem.endswith(f"a period-doubling within 1e-06, relative, of {doubling.value!r}.")
-    proof.write(tmp_path / "doubling.json")
-    assert check_proof(tmp_path / "doubling.json") == proof
+    told = re.search(rf"a {BRANCHES[name][5]} within 1e-09, relative, of \S+ = (\S+)\.$", proof.theorem)
+    assert told is not None
+    assert float(told[1]) == pytest.approx(BRANCHES[name][6](), rel=2e-9)
+    proof.write(tmp_path / "special.json")
+    assert check_proof(tmp_path / "special.json") == proof
+
+
+@pytest.mark.slow
+def test_all_folds_and_doublings_of_a_dead_zone_are_proven() -> None:
+    machine = dead_zone(0.5)
+    branch = follow(machine, "frequency", 0.5 / TURN, 1.6 / TURN, settings=ALONE)
+    kinds = SpecialKind.FOLD, SpecialKind.PERIOD_DOUBLING
+    proofs = [prove_special_point(machine, branch, each) for each in branch.special if each.kind in kinds]
+    assert len(proofs) > 1
+    assert all(proofs)
 
 
 @pytest.mark.parametrize("factor", [1 + 3e-6, 1 - 3e-6])
-def test_one_that_was_moved_is_refuted(branch: FollowedBranch, doubling: SpecialPoint, factor: float) -> None:
+def test_one_that_was_moved_is_refuted(factor: float) -> None:
+    branch, doubling = found("doubling")
     moved = replace(doubling, value=doubling.value * factor)
     proof = prove_special_point(MACHINE, branch, moved)
     assert (proof.verdict, proof.theorem) == ("refuted", "")
-    assert "no multiplier passes -1" in proof.reason
+    assert proof.reason.startswith("the period-doubling nearest to it is at 0.88437926")
 
 
-def test_other_kinds_are_undecided_or_refuted(branch: FollowedBranch, doubling: SpecialPoint) -> None:
-    for kind in (SpecialKind.FOLD, SpecialKind.GRAZING, SpecialKind.TORUS):
-        proof = prove_special_point(MACHINE, branch, replace(doubling, kind=kind))
-        assert proof.verdict == "undecided"
-        assert "is not covered" in proof.reason
-    other = prove_special_point(MACHINE, branch, replace(doubling, kind=SpecialKind.SYMMETRY_BREAKING))
-    assert other.verdict == "refuted"
+def unlike(data: dict[str, Any]) -> None:
+    data["kind"] = "fold"
+
+
+def mirrored(data: dict[str, Any]) -> None:
+    data["orbit"]["signs"] = [-1, -1]
+
+
+def stiffer(data: dict[str, Any]) -> None:
+    data["orbit"]["modes"][0]["flow"][1][0] *= 1 + 1e-4
+
+
+def steeper(data: dict[str, Any]) -> None:
+    data["beside"][0]["resets"][0][-1][0] = 1.0
+
+
+def elsewhere(data: dict[str, Any]) -> None:
+    data["value"] *= 1 + 1e-5
+
+
+@pytest.mark.parametrize("change", [unlike, mirrored, stiffer, steeper, elsewhere])
+def test_a_file_that_was_made_false_is_refused(
+    change: Callable[[dict[str, Any]], None], tmp_path: Path
+) -> None:
+    proof = proven("doubling")
+    data = json.loads(json.dumps(proof.data))
+    change(data)
+    replace(proof, data=data).write(tmp_path / "special.json")
+    refused = check_proof(tmp_path / "special.json")
+    assert refused.verdict != "proven"
+    assert refused.theorem == ""
+
+
+@pytest.mark.parametrize("kind", [SpecialKind.TORUS, SpecialKind.GRAZING, SpecialKind.SYMMETRY_BREAKING])
+def test_what_is_not_covered_is_undecided(kind: SpecialKind) -> None:
+    branch, doubling = found("doubling")
+    proof = prove_special_point(MACHINE, branch, replace(doubling, kind=kind))
+    assert proof.verdict == "undecided"
+    assert "not covered" in proof.reason
