@@ -75,7 +75,7 @@ def transition(
     if function.action not in (ARRIVED, AT_LIMIT):
         return _of_contact(machine, statuses, function, jumped)
     contacts = len(machine.stiffness)
-    others = [part for part in held_parts(machine, statuses) if part != function.owner]
+    others = function.owner != JOINTLY and has_a_say(machine, statuses, function.owner)
     if function.action == ARRIVED:
         return None if others else Transition(_with(statuses, function.owner, STICK), HOLD_BEGUN)
     if function.owner == JOINTLY:
@@ -91,6 +91,19 @@ def transition(
     direction = FORWARD if function.signs[friction] > 0 else BACKWARD
     zeros = 1 if drops or jumped else 2
     return Transition(_with(statuses, function.owner, direction), HOLD_ENDED, ((ARRIVED, zeros),))
+
+
+def has_a_say(machine: Machine, statuses: tuple[int, ...], part: int) -> bool:
+    """Return whether the force of something else that holds accelerates the ends of a part at once.
+
+    What holds elsewhere feels what the part does only by displacements and velocities, which do not jump.
+    """
+    held = [other for other in held_parts(machine, statuses) if other != part]
+    if not held:
+        return False
+    bodies, holds = machine.contact_push.shape[1], machine.holds
+    rate = machine.hold_rate[np.searchsorted(holds, part), bodies : 2 * bodies]
+    return bool((machine.hold_push[np.searchsorted(holds, held)] @ rate != 0.0).any())
 
 
 def held_parts(machine: Machine, statuses: tuple[int, ...]) -> list[int]:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 import tracemalloc
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from trimmer.arrays import Places, Reals
 from trimmer.contact.flow import MechanismFlow
+from trimmer.contact.system import MechanismSystem
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, advance
+from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, Mode
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop
@@ -70,6 +75,34 @@ def test_each_of_many_moves_as_it_does_alone() -> None:
         times = np.linspace(0.0, together.duration, 50)
         apart = together.states(times)[:, own] - alone.states(times)[:, : len(own)]
         assert (abs(apart) <= 1e-8 * sizes[own]).all()
+
+
+@dataclass(frozen=True, eq=False)
+class Counting(MechanismSystem):
+    """Keeps for which event parts at rest decide together."""
+
+    asked: list[EventFunction] = field(default_factory=list)
+
+    def decide(self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places):
+        self.asked.append(function)
+        return super().decide(mode, state, function, jumped, at_rest)
+
+
+@pytest.mark.parametrize(("ground", "together"), [(True, False), (False, True)])
+def test_frictions_decide_together_only_where_the_force_of_one_accelerates_the_ends_of_another(
+    ground: bool, together: bool
+) -> None:
+    """What sticks on another body has no say: its events cost no more than those of a friction alone."""
+    alone = copies(range(8))
+    names = list(alone.bodies)
+    between = {name: (GROUND if ground else other, name) for name, other in pairwise(names[::-1])}
+    frictions = {name: Friction(ends, force=12.0) for name, ends in between.items()}
+    flow = MechanismFlow(replace(alone, frictions=frictions))
+    system = flow.modes.system
+    counting = Counting(system.machine, system.layout)
+    stretch = advance(Modes(counting), flow.rest(), PERIODS, flow.period, True)
+    assert (stretch.counts[:, HOLD_BEGUN] > 1).any()
+    assert bool(counting.asked) == together
 
 
 @pytest.mark.slow
