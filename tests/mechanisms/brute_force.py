@@ -6,7 +6,7 @@ and polished with steps of its own, and what happens at an event is found by try
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum
 
@@ -311,11 +311,3 @@ def _change(old: int, new: int) -> EventKind:
     if new == 0:
         return EventKind.STICK_BEGUN
     return EventKind.STICK_ENDED if old == 0 else EventKind.SLIDING_REVERSED
-
-
-def run_on(
-    force: BruteForce, motion: BruteMotion, end: float, states: Sequence[float] | None = None
-) -> BruteMotion:
-    """Go on from where a motion ended."""
-    state = motion.final if states is None else np.array(states)
-    return force.run(motion.system, state, motion.pieces[-1].end, end)

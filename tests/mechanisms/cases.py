@@ -32,17 +32,6 @@ def trimmer(
     )
 
 
-def den_hartog(ratio: float, force: float) -> Mechanism:
-    """m = k = P = 1, omega = ``ratio``."""
-    return Mechanism(
-        bodies={"body": Body(1.0)},
-        frequency=ratio / (2 * math.pi),
-        links={"spring": Link(("ground", "body"), 1.0)},
-        frictions={"rub": Friction(("ground", "body"), force)},
-        forces={"drive": Force("body", amplitude=1.0, phase=math.pi / 2)},
-    )
-
-
 def block_on_belt(start: tuple[float, float]) -> Mechanism:
     return Mechanism(
         bodies={"block": Body(1.0)},

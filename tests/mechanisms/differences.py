@@ -43,9 +43,3 @@ def monodromy(
             total += weight * once_around(force, system, moved, periods).final
         columns.append(total / (12 * step * usual))
     return np.array(columns).T
-
-
-def multipliers(jacobian: np.ndarray) -> np.ndarray:
-    """Return eigenvalues, the largest first."""
-    values = np.linalg.eigvals(jacobian)
-    return values[np.lexsort((values.imag, -np.abs(values)))]

@@ -2,44 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.optimize import brentq
 
-from tests.mechanisms.brute_force import BruteForce, BruteMotion
-from tests.mechanisms.dynamics import System
+from tests.mechanisms.brute_force import BruteMotion
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 TURNS = 9
-
-
-@dataclass(frozen=True)
-class Settled:
-    """The last period of a run.
-
-    Attributes:
-        motion: One period, from time 0 on.
-        change: How much the state changed over it, relative to its usual size.
-        periods: How many were run.
-    """
-
-    motion: BruteMotion
-    change: float
-    periods: int
-
-
-def settled(force: BruteForce, system: System, state: np.ndarray, most: int, enough: float) -> Settled:
-    """Run period after period, each from time 0, until the state returns to itself."""
-    period, usual = 1 / system.mechanism.frequency, system.usual[: system.rows.state_size]
-    periods = 0
-    while True:
-        periods += 1
-        motion = force.run(system, state, 0.0, period)
-        change = float(np.max(np.abs(motion.final - state) / usual))
-        state = motion.final
-        if change < enough or periods >= most:
-            return Settled(motion, change, periods)
 
 
 def integral(motion: BruteMotion, function) -> np.ndarray:
@@ -50,17 +19,6 @@ def integral(motion: BruteMotion, function) -> np.ndarray:
         times = piece.begin + half * (1 + NODES)
         total = total + half * (function(times, piece.interpolated(times), piece) @ WEIGHTS)
     return np.asarray(total)
-
-
-def harmonics(motion: BruteMotion, row: np.ndarray, numbers: list[int]) -> np.ndarray:
-    """Amplitudes of a row's harmonics over the motion, which is one period."""
-    begin, end = motion.pieces[0].begin, motion.pieces[-1].end
-    turn = 2j * np.pi / (end - begin)
-
-    def turned(times, y, piece):
-        return np.exp(-turn * np.outer(numbers, times)) * (row @ y)
-
-    return np.abs(2 / (end - begin) * integral(motion, turned))
 
 
 def root_mean_square(motion: BruteMotion, row_of) -> float:

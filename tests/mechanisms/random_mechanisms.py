@@ -6,7 +6,6 @@ decades.
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -225,19 +224,6 @@ def _start(shop: Workshop) -> dict[str, tuple[float, float]]:
         return {}
     sizes = (shop.length, shop.length * shop.omega)
     return {name: tuple(float(s * shop.random.normal() * 0.5) for s in sizes) for name in shop.bodies}
-
-
-def carriers_of_pairs(mechanism: Mechanism) -> set[frozenset[str]]:
-    """Pairs of bodies that some friction joins, for finding rings."""
-    pairs = [friction.between for friction in mechanism.frictions.values()]
-    pins = mechanism.pins
-    return {frozenset(pins[end].on if end in pins else end for end in pair) for pair in pairs}
-
-
-def has_ring(mechanism: Mechanism) -> bool:
-    """Whether three frictions close a ring."""
-    pairs = carriers_of_pairs(mechanism)
-    return any(len(frozenset.union(*three)) == 3 for three in itertools.combinations(pairs, 3))
 
 
 def all_with(parts: Mapping[str, Any], **factors: float) -> dict[str, Any]:

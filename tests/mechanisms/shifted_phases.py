@@ -1,16 +1,9 @@
-"""Random mechanisms whose clock begins later: the same machine, so the same motions, branches and points.
-
-``python -m tests.mechanisms.shifted_phases --seed 0 --count 2000 --seconds 3600`` compares many and counts;
-``--every 4`` follows a branch of each fourth one alone.
-"""
+"""Random mechanisms whose clock begins later: the same machine, so the same motions, branches and points."""
 
 from __future__ import annotations
 
-import argparse
 import math
 import re
-import time
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -23,7 +16,6 @@ from trimmer import (
     Mechanism,
     MotionKind,
     Response,
-    TrimmerError,
     follow,
     forced_orbit,
     respond,
@@ -166,31 +158,3 @@ def varies(mechanism: Mechanism, place: str) -> bool:
         return False
     moves_on = any(pin.velocity for pin in mechanism.pins.values())
     return mechanism.value(place) > 0.0 and not (place == "frequency" and moves_on)
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    for name, default in (("seed", 0), ("count", 100), ("seconds", 600), ("every", 1)):
-        parser.add_argument(f"--{name}", type=int, default=default)
-    given = parser.parse_args()
-    counts: Counter[str] = Counter()
-    begun, times = time.monotonic(), list[float]()
-    for seed in range(given.seed, given.seed + given.count):
-        if time.monotonic() - begun > given.seconds:
-            break
-        before = time.monotonic()
-        try:
-            found = differences(seed, branches=seed % given.every == 0)
-        except TrimmerError as error:
-            counts["refused"] += 1
-            print(seed, "refused:", error, flush=True)
-            continue
-        counts["different" if found else "equal"] += 1
-        times.append(time.monotonic() - before)
-        for each in found:
-            print(seed, each, flush=True)
-    print(dict(counts), f"{time.monotonic() - begun:.0f} s, each {np.median(times):.2g} s")
-
-
-if __name__ == "__main__":
-    main()

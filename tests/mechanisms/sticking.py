@@ -76,20 +76,6 @@ def smallest_supports(null: np.ndarray) -> np.ndarray:
     return np.array(found).reshape(-1, count)
 
 
-def load(forces: np.ndarray, null: np.ndarray, limits: np.ndarray) -> float:
-    """Return the least over all splits of the largest |force| / limit, by linear programming."""
-    count, dimension = null.shape
-    if dimension == 0:
-        return float(np.max(np.abs(forces) / limits))
-    relative, freedom = forces / limits, null / limits[:, None]
-    ones = -np.ones((count, 1))
-    above = np.block([[freedom, ones], [-freedom, ones]])
-    cost = np.r_[np.zeros(dimension), 1.0]
-    bounds = [(None, None)] * dimension + [(0, None)]
-    solved = linprog(cost, A_ub=above, b_ub=np.r_[-relative, relative], bounds=bounds, method="highs")
-    return float(solved.fun)
-
-
 def at_limit_in_every_split(
     forces: np.ndarray, null: np.ndarray, limits: np.ndarray, near: float
 ) -> list[int]:

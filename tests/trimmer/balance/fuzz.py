@@ -1,24 +1,19 @@
 """Harmonic balance of random loops held against brute force.
 
-    python -m tests.trimmer.balance.fuzz --seed 1 --count 20000
-
 A loop is *missed* if its certificate is complete, without a doubt, and a solution that brute force finds is
 not in the list: that must not happen. It is *false* if a limit cycle in the list is no solution.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
-import time
 import warnings
-from collections import Counter
 from enum import Enum
 
 import numpy as np
 
 from tests.trimmer.balance.independent import Found, gain, limit_cycles_by_brute_force
-from tests.trimmer.balance.wide_loops import WideLoop, wide_loop
+from tests.trimmer.balance.wide_loops import WideLoop
 from trimmer import ClosedLoop, harmonic_balance
 from trimmer.arrays import Reals
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
@@ -87,39 +82,3 @@ def residual(loop: WideLoop, cycle: LimitCycle) -> float:
         beside = excess(amplitude, omega * (1.0 + 1e-9)) - value
     steps = [abs(step) for step in digits if math.isfinite(abs(step))]
     return abs(1.0 + value) - 10.0 * abs(beside) - 1e4 * max(steps, default=0.0)
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--count", type=int, default=1000)
-    parser.add_argument("--seconds", type=float, default=math.inf)
-    given = parser.parse_args()
-    begin, counts, doubts = time.monotonic(), Counter(), Counter()
-    for place in range(given.first, given.first + given.count):
-        if time.monotonic() - begin > given.seconds:
-            break
-        loop = wide_loop((given.seed, place))
-        outcome, details = judged(loop)
-        counts[outcome.value, loop.kind.name] += 1
-        if outcome in {Outcome.DOUBTS, Outcome.REFUSED}:
-            doubts[_kind_of(details), loop.kind.name] += 1
-        elif outcome in {Outcome.MISSED, Outcome.FALSE, Outcome.CRASHED}:
-            print(f"{place}: {outcome.value} {loop.kind.name} {loop.element!r}: {details}", flush=True)
-    total = Counter()
-    for (outcome, _), count in counts.items():
-        total[outcome] += count
-    print(f"seed {given.seed}: {sum(total.values())} loops, {time.monotonic() - begin:.0f} s: {dict(total)}")
-    for (outcome, kind), count in sorted(counts.items()):
-        print(f"  {outcome:12} {kind:20} {count}")
-    for (doubt, kind), count in doubts.most_common(60):
-        print(f"  {count:6} {kind:20} {doubt}")
-
-
-def _kind_of(doubt: str) -> str:
-    return "".join(letter for letter in doubt if not letter.isdigit())[:90]
-
-
-if __name__ == "__main__":
-    main()
