@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from matplotlib.patches import PathPatch
 
 import trimmer
 from tests.trimmer import results
+from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.drawing.frequency_response import summary_figure
 from trimmer.drawing.locus import balance_figure
 from trimmer.drawing.mechanisms.branch import branch_figure
@@ -37,6 +39,8 @@ from trimmer.uncertainty.samples import Samples, sample
 KEPT = Path(__file__).with_suffix(".txt")
 FEW = 8
 """Points up to which each is told."""
+NOTHING = 1e-6
+"""Share of the largest coordinate below which a mean is rounding."""
 VISCOUS = trimmer.ViscousBacklash(4e-5, 1e-3)
 RELAY = trimmer.Relay(1.0)
 SAMPLED = """
@@ -80,6 +84,11 @@ def legend(axes: Axes) -> list[str]:
 @cache
 def viscous() -> trimmer.HarmonicBalance:
     return trimmer.harmonic_balance(results.system(), VISCOUS)
+
+
+@cache
+def frozen() -> trimmer.HarmonicBalance:
+    return trimmer.harmonic_balance(results.system(), VISCOUS, frozen_omega=4000.0)
 
 
 @cache
@@ -133,6 +142,24 @@ def rubbing() -> trimmer.FollowedBranch:
 
 
 @cache
+def bare() -> trimmer.MechanismMotion:
+    """Without outputs."""
+    mechanism = replace(results.stopped().mechanism, outputs={})
+    return trimmer.simulate(mechanism, 6.0, state={"mass": (12.0, 100.0)})
+
+
+@cache
+def shaving() -> trimmer.MechanismMotion:
+    return trimmer.simulate(trimmer.Mechanism.from_toml("examples/foil-shaver.toml"), 0.02)
+
+
+@cache
+def thrown() -> trimmer.MechanismMotion:
+    """Of a body that nothing drives."""
+    return trimmer.simulate(trimmer.Mechanism.from_toml("examples/thrown-body.toml"), 0.5)
+
+
+@cache
 def two_masses() -> trimmer.Response:
     return trimmer.respond(trimmer.Mechanism.from_toml("examples/two-mass-stop.toml"))
 
@@ -154,6 +181,7 @@ def stroke() -> trimmer.MotionMap:
 PLOTS: dict[str, Callable[..., Axes]] = {
     "HarmonicBalance": lambda ax=None: results.balance().plot(ax),
     "HarmonicBalance, near": lambda ax=None: results.balance().plot(ax, near=True),
+    "HarmonicBalance, frozen": lambda ax=None: frozen().plot(ax),
     "HarmonicBalance, near none": lambda ax=None: calm().plot(ax, near=True),
     "Identification": lambda ax=None: results.identification().plot(ax),
     "FrictionBacklash": lambda ax=None: results.PLAY.plot(ax),
@@ -169,6 +197,8 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "Motion": lambda ax=None: results.driven().plot(ax),
     "LoopMotion": lambda ax=None: results.driven().plot(ax),
     "MechanismMotion": lambda ax=None: results.stopped().plot(ax),
+    "MechanismMotion, bodies": lambda ax=None: bare().plot(ax),
+    "MechanismMotion, many parts": lambda ax=None: shaving().plot(ax),
     "MechanismOrbit": lambda ax=None: results.forced().plot(ax),
     "Response": lambda ax=None: results.response().plot(ax),
     "FollowedBranch": lambda ax=None: results.branch().plot(ax),
@@ -200,7 +230,9 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "limit-cycles, none": lambda: balance_figure(calm()),
     "linear": lambda: summary_figure(results.summary()),
     "simulate": lambda: motion_figure(results.stopped()),
+    "simulate, thrown": lambda: motion_figure(thrown()),
     "respond": lambda: response_figure(results.response()),
+    "respond, two motions": lambda: response_figure(trimmer.respond(impact_oscillator(), starts=12)),
     "respond, two outputs": lambda: response_figure(two_masses()),
     "follow": lambda: branch_figure(doubled()),
     "sample": lambda: sample_figure(samples()),
@@ -279,12 +311,13 @@ def _reached(collection: Collection) -> str:
 
 
 def _places(places: np.ndarray, few: int = FEW) -> str:
-    """Say all of few places; of many the first, the last, and within what they lie."""
+    """Say all of few places; of many the first, the last, within what they lie, and their mean."""
     if len(places) <= few:
         return " ".join(map(_pair, places))
     seen = places[np.isfinite(places).all(axis=1)]
     within = [_pair((part.min(), part.max())) for part in seen.T]
-    return f"{_pair(places[0])} ... {_pair(places[-1])}, within {' x '.join(within)}"
+    mean = np.where(abs(seen.mean(axis=0)) < NOTHING * abs(seen).max(axis=0), 0.0, seen.mean(axis=0))
+    return f"{_pair(places[0])} ... {_pair(places[-1])}, within {' x '.join(within)}, mean {_pair(mean)}"
 
 
 def _pair(numbers: Iterable[float]) -> str:

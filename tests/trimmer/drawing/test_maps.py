@@ -150,16 +150,6 @@ def test_curves_over_what_is_drawn_keep_its_limits_names_and_legend() -> None:
     assert (legend(plain), plain.get_xlabel()) == (["fold"], "")
 
 
-def test_a_basin_is_drawn_with_the_names_of_its_motions() -> None:
-    basin = results.basin()
-    axes = basin.plot(new_axes())
-    named = [to_hex(patch.get_facecolor()) for patch in patches(axes).values()]
-    assert legend(axes) == list(basin.names)
-    first, second = basin.result.values
-    for (row, column), number in np.ndenumerate(basin.number):
-        assert colour_at(axes, (first[column], second[row])) == named[number]
-
-
 def test_motions_of_a_basin_have_colours_in_turn_but_for_those_that_do_not_repeat() -> None:
     kinds = [THREE[0], THREE[2], *(8 * [THREE[0]])]
     values = (tuple(range(1, 11)), (8.0, 9.0))
