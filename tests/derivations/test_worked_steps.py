@@ -17,14 +17,6 @@ def derivation():
     return derive_linear_trimmer()
 
 
-def test_the_cutters_equation_ends_in_newtons_law(derivation):
-    step = by_hand.worked_equation(derivation)
-    last = step.formulas[-1].latex
-    assert last.startswith(r"m_{2} \ddot{q}_{2} + c_{2}")
-    assert last.endswith("= 0")
-    assert all(name in last for name in ("k_{2}", "k_{5}", r"\dot{u}"))
-
-
 def test_a_wrong_line_is_not_shown(derivation):
     wrong = replace(derivation, lagrangian=derivation.lagrangian + k2 * q2**2)
     with pytest.raises(UnprovenError, match="force of the springs"):

@@ -8,8 +8,6 @@ import pytest
 import sympy
 
 from derivations.algebra.identity import UnprovenError
-from derivations.linear_trimmer import derive_linear_trimmer
-from derivations.loop import dissipation
 from derivations.loop.harmonic_balance import balance_step, newton_step, solution_step
 from derivations.loop.loeb import SLOPES, growth_rate, loeb_step
 
@@ -51,8 +49,3 @@ def test_loebs_rule_is_the_sign_of_a_complex_quotient(seed):
     assert rate == pytest.approx((by_amplitude / by_omega).imag)
     x_a, y_a, x_omega, y_omega = parts
     assert (rate < 0) == (x_a * y_omega - x_omega * y_a > 0)
-
-
-def test_the_proof_of_dissipation_is_that_of_the_trimmer():
-    step = dissipation.dissipation_step(derive_linear_trimmer())
-    assert r"\left|C_{1}\right| = c_{1} + c_{2}" in step.formulas[-2].latex

@@ -37,9 +37,3 @@ def drawn(evidence):
         return figure
 
     return cache(draw)
-
-
-@pytest.fixture(scope="session")
-def drawn_axes(drawn):
-    """Return a function that draws a figure by its id, and returns its axes."""
-    return lambda figure_id: drawn(figure_id).axes

@@ -4,10 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from scipy.optimize import fsolve
 
 from report.numbers.friction_in_place import force_response, friction_branch
-from tests.quick import quick
 from trimmer import TrimmerParameters, pin_model, response_at
 from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
@@ -64,53 +62,6 @@ def test_every_point_closes_the_loop(loop):
     for side in (branch.stable, branch.unstable):
         rows = zip(side.amplitude, side.omega, side.force_per_gap, strict=True)
         assert max(abs(closed(parameters, system, *row)) for row in rows) < 1e-7
-
-
-def test_the_branch_joins_the_limit_cycles_without_friction(loop):
-    _, _, (unstable, stable), branch = loop
-    for side, cycle in ((branch.unstable, unstable), (branch.stable, stable)):
-        assert side.amplitude[0] == pytest.approx(cycle.amplitude, rel=1e-12)
-        assert side.frequency[0] == pytest.approx(cycle.frequency, rel=1e-9)
-        assert side.force_per_gap[0] == pytest.approx(0, abs=1e-6)
-        assert side.amplitude[-1] == pytest.approx(branch.merger.amplitude)
-        assert side.force_per_gap[-1] == pytest.approx(branch.merger.force_per_gap, rel=1e-9)
-
-
-def test_the_force_rises_to_the_merger_on_both_sides(loop):
-    *_, branch = loop
-    for side in (branch.stable, branch.unstable):
-        assert (np.diff(side.force_per_gap) > 0).all()
-        assert (side.force_per_gap <= branch.merger.force_per_gap * (1 + 1e-12)).all()
-
-
-def solutions(parameters, system, force, starts):
-    """All solutions that a search from many starts finds, as sorted (amplitude, frequency)."""
-
-    def residual(logarithms):
-        beyond_dead_band, omega = np.exp(np.clip(logarithms, (-15, 5), (10, 11)))
-        loop = closed(parameters, system, 0.5 + beyond_dead_band, omega, force)
-        return loop.real, loop.imag
-
-    found = []
-    for amplitude in starts:
-        for frequency in (360, 560, 640, 700, 735):
-            start = (math.log(amplitude - 0.5), math.log(2 * math.pi * frequency))
-            point, information, status, _ = fsolve(residual, start, full_output=True, xtol=1e-12)
-            if status == 1 and np.abs(information["fvec"]).max() < 1e-8:
-                found.append((0.5 + math.exp(point[0]), math.exp(point[1]) / (2 * math.pi)))
-    distinct = []
-    for point in sorted(found):
-        if not distinct or abs(point[0] / distinct[-1][0] - 1) > 1e-6:
-            distinct.append(point)
-    return distinct
-
-
-@pytest.mark.parametrize(("share", "count"), quick([(0.98, 2), (1.02, 0)], 0))
-def test_a_search_from_many_starts_finds_what_the_branch_counts(loop, share, count):
-    parameters, system, _, branch = loop
-    force = share * branch.merger.force_per_gap
-    assert branch.limit_cycles(force) == count
-    assert len(solutions(parameters, system, force, (0.52, 0.7, 1.4, 2.5, 6.0))) == count
 
 
 def test_no_other_force_closes_the_loop(loop):
