@@ -8,7 +8,7 @@ from report.design.axis import MEASURES, hunting_words, step_value
 from report.design.quantities import percent, place_words, shown
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
-from trimmer.design.design import Design
+from trimmer.design.design import Design, Stage
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.remedies import Change, Remedy
 from trimmer.design.surroundings import SPEEDS, Around, Beside, Condition
@@ -258,13 +258,19 @@ def _advice(design: Design) -> str:
         sure = "" if best.meeting in (design.remedies.starts, None) else ", though not from every start"
         spare = f"with at least {percent(best.margin)} to spare"
         return f"{changes_words(best)} would meet all targets{sure}{and_beside(design)}, {spare}"
-    told = "no change of one number or of two at once was found that meets all of them"
+    told = f"no change of one number or of two at once was found{in_the_time(design)} that meets all of them"
     if nearest is None:
         return told
     if meets_at_its_point(nearest):
         meets = f"{changes_words(nearest)} would meet all targets at its own point"
         return f"{meets}, but there was no time to compute it {beside_words(design)}"
     return f"{told}{and_beside(design)}; nearest comes {changes_words(nearest)}"
+
+
+def in_the_time(design: Design) -> str:
+    """Say that the search for changes was ended early, between commas; empty if it was not."""
+    ended = any(stage is Stage.REMEDIES for stage, _ in design.cut)
+    return ", in the time that was allowed," if ended else ""
 
 
 def meets_at_its_point(remedy: Remedy) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from report.design.progress import ProgressLines
 from report.design.report import DesignReport
 from trimmer import MechanismError, SerialRunner
 from trimmer.deadline import Deadline
+from trimmer.design.design import Stage
 from trimmer.design.design_file import DesignFile, design_file_of_text
 from trimmer.design.settings import DesignSettings
 from trimmer.examples import example_text, examples
@@ -72,6 +74,17 @@ def test_a_report_needs_no_section_that_may_be_left_out(name: str, left_out: str
     assert "nan" not in text.split()
 
 
+def test_a_search_that_was_ended_early_says_so_in_its_verdict(tmp_path: Path) -> None:
+    store = StageStore(tmp_path)
+    text = example_text("oscillator-stop") + '[targets]\nstroke_at_least = "1 km"\n'
+    design = looked_at(design_file_of_text(text, "open.toml"), TINY, SerialRunner(), store, lambda *_: None)
+    ended = replace(design, cut=((Stage.REMEDIES, ()),))
+    for each, early in ((design, False), (ended, True)):
+        verdict = to_markdown(report_on(each, store, "2026-03-01"))["verdict"].replace("\\", "")
+        assert verdict.count("was found, in the time that was allowed, that meets all") == 2 * early
+        assert ("computed, fewer than planned, as the time was over" in verdict) is early
+
+
 def test_what_there_was_no_time_for_is_said_where_it_would_stand(tmp_path: Path) -> None:
     text = example_text("thesis-play").replace("gap = 40e-6", 'gap = "30 um..50 um"')
     file = design_file_of_text(text.replace('"2.8 mm"', '"5 mm"'), "open.toml")
@@ -101,7 +114,10 @@ def test_a_file_without_outputs_gets_its_report(tmp_path: Path) -> None:
 
 
 def test_a_servo_that_hunts_has_no_drive_periods(tmp_path: Path) -> None:
-    _, text = reported(design_file_of_text(example_text("two-mass-servo"), "two-mass-servo.toml"), tmp_path)
+    _, text = reported(
+        design_file_of_text(without(example_text("two-mass-servo"), "targets"), "two-mass-servo.toml"),
+        tmp_path,
+    )
     text = re.sub(r"\s+", " ", text.replace("\\", ""))  # the space before a unit is no plain one
     assert "nothing is judged; angle hunts by ±2.61 mrad, once in 105.7 ms" in text
     assert "comes to a motion of its own that repeats after 105.68 ms" in text
