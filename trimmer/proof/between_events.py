@@ -7,14 +7,12 @@ import math
 from flint import arb, arb_mat
 
 from trimmer.proof.balls import about
-from trimmer.proof.following import Followed, Motion, Segment, identity, norm
+from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, identity, norm
 from trimmer.proof.undecided import RefutedError, UndecidedError
 
 TERMS = 18
 """Of Taylor's polynomials over a step."""
 MOST_STEPS, MOST_ZEROS = 6000, 3
-BY_LAW = 1e-9
-"""Share of its terms below which a derivative of an event function is taken for what the law says: zero."""
 
 
 def require_positive_between(motion: Motion, number: int, segment: Segment, over: Followed) -> None:
@@ -25,6 +23,9 @@ def require_positive_between(motion: Motion, number: int, segment: Segment, over
         UndecidedError: if one may be zero where it must not.
     """
     duration = segment.duration + over.lates[number]
+    _require_demands(segment, over.ends[number], f"at the end of segment {number}")
+    if not segment.functions.nrows() or (number == 0 and segment.at == 0 and segment.duration == 0):
+        return
     if not duration > 0:
         raise RefutedError(f"segment {number} ends before it begins")
     scales, rate = _scales(motion, segment)
@@ -52,7 +53,7 @@ def require_positive_between(motion: Motion, number: int, segment: Segment, over
 
 
 def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
-    """Choose scales of Z in which M has a small norm, and return it: the sizes, or those that balance M."""
+    """Choose scales of Z in which M has a small norm, and return it: sizes, or what balances M."""
     n, size = motion.n, len(motion.sizes)
     moduli = [[float(abs(segment.flow[i, k]).upper()) for k in range(n)] for i in range(n)]
     balanced = [float(each) for each in motion.sizes[:n]]
@@ -63,7 +64,8 @@ def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
             if out > 0 and into > 0:
                 balanced[i] = math.sqrt(out / into)
     largest = max(float(each) / other for each, other in zip(motion.sizes[:n], balanced, strict=True))
-    choices = [motion.sizes, [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]]
+    given = [arb(max(each, 2.0**-20)) for each in motion.given_sizes]
+    choices = [motion.sizes, given, [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]]
     found = []
     for scales in choices:
         table = [[segment.flow[i, k] * scales[k] / scales[i] for k in range(size)] for i in range(size)]
@@ -116,6 +118,14 @@ def _polynomials(scales: list[arb], segment: Segment, z: arb_mat, step: arb, rat
         column = rates * column * (abs(step) / k)
         terms.append(moduli * column)
     return segment.functions * table, errors, terms
+
+
+def _require_demands(segment: Segment, end: arb_mat, where: str) -> None:
+    for value in [] if segment.strict is None else (segment.strict * end).entries():
+        if value < 0:
+            raise RefutedError(f"a demand is beyond its limit or not, other than said, {where}")
+        if not value > 0:
+            raise UndecidedError(f"a demand is at its limit {where}, to balls")
 
 
 def _require_positive(values: Polynomials, function: int, zeros: int, number: int) -> None:

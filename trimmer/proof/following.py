@@ -25,6 +25,10 @@ ORBIT_PRECISION = 448
 """Bits: enough for balls that grow by a factor e with each step of 1/|M|."""
 MOST_TERMS = 24
 """Of Taylor's polynomials over what an event is later than computed."""
+TOGETHER = 1e-9
+"""Share of a sample within which what a clock does is at one instant."""
+BY_LAW = 1e-9
+"""Share of its terms below which something is taken for what the law says: zero."""
 RADIUS = -150
 """Power of two of the radius of the ball of starts, as a share of the sizes."""
 
@@ -46,6 +50,8 @@ class Segment:
         fired: The event function that ends it; None for the last one.
         together: Others that are a multiple of it for all Z that this mode can have.
         zeros: How many derivatives of event functions vanish at its start, counting the zeroth.
+        at: When it ends if a clock ends it, s from the start; None for any other.
+        strict: What is positive then, (m, N).
         lifted: The first three for Z and its derivative by a number: that above, and Z below, (2N,); where
             nothing is varied, they are themselves.
     """
@@ -57,6 +63,8 @@ class Segment:
     fired: int | None
     together: list[int]
     zeros: dict[int, int]
+    at: arb | None
+    strict: arb_mat | None
     lifted: tuple[arb_mat, arb_mat, arb_mat]
 
     @cached_property
@@ -139,7 +147,15 @@ class Motion:
         units = [math.frexp(each)[1] if each > 0 else 0 for each in data["sizes"]]
         self.units = [arb(2) ** each for each in (*units, *(0 for _ in data["forcing"]))]
         self.signs = data.get("signs") or [1] * self.n
+        self.shifts = [
+            (
+                [real(exact(each)) / unit for each, unit in zip(along, self.units, strict=False)],
+                [real(exact(each)) * unit for each, unit in zip(leader, self.units, strict=False)],
+            )
+            for along, leader in data.get("shifts", [])
+        ]
         self._require_return(data)
+        self._require_clock(data)
         self.data, self.slopes, self.unit = data, None, arb(1)
         self.tables = self._tables({**data, "resets": [each["reset"] for each in data["segments"]]})
         if beside is not None:
@@ -151,11 +167,12 @@ class Motion:
         self.start = [real(exact(each)) / unit for each, unit in zip(data["state"], self.units, strict=False)]
         self.segments = self._segments(self.tables)
         self.sizes = self._sizes()
+        self._require_shifts()
 
     @property
     def unknowns(self) -> int:
-        """How many numbers are unknown: the start, an unknown period, and the number that is varied."""
-        return self.n + self.autonomous + (self.slopes is not None)
+        """How many numbers are unknown: start, an unknown period, shifts, the number that is varied."""
+        return self.n + self.autonomous + len(self.shifts) + (self.slopes is not None)
 
     @property
     def period(self) -> arb:
@@ -174,7 +191,7 @@ class Motion:
         first, last = data["segments"][0], data["segments"][-1]
         if last["fired"] is not None or ("signs" not in data and first["mode"] != last["mode"]):
             raise RefutedError("the motion does not end in the mode in which it begins")
-        if any(each["fired"] is None for each in data["segments"][:-1]):
+        if any(each["fired"] is None and each.get("at") is None for each in data["segments"][:-1]):
             raise RefutedError("a segment ends without an event")
         if any(each not in (1, -1) for each in self.signs):
             raise RefutedError("a mirror image has other signs than 1 and -1")
@@ -182,6 +199,28 @@ class Motion:
         resets = [each["reset"] for each in data["segments"]]
         if not whole or not _returns(data["rotation"]) or not all(map(self._leaves_forcing, resets)):
             raise RefutedError("what forces the states does not return")
+
+    def _require_clock(self, data: dict[str, Any]) -> None:
+        """Hold the times at which a clock ends segments against its samples and delays.
+
+        Raises:
+            RefutedError: if one is missing, or is none.
+        """
+        told = [float(each["at"]) for each in data["segments"] if each.get("at") is not None]
+        clock = data.get("clock", [])
+        if not clock and not told:
+            return
+        whole, slack = data["period"] * data["periods"], TOGETHER * min(sample for sample, _ in clock)
+        due = [
+            late + k * sample
+            for sample, delay in clock
+            for late in (0.0, delay)
+            for k in _counts(whole, sample)
+        ]
+        due = sorted(each % whole if each > whole - slack else each for each in due)
+        apart = [each for place, each in enumerate(due) if not place or each - due[place - 1] > slack]
+        if len(apart) != len(told) or any(abs(a - b) > slack for a, b in zip(apart, told, strict=True)):
+            raise RefutedError("the instants of the clock are not those of its samples")
 
     def _leaves_forcing(self, reset: list[list[float]]) -> bool:
         rows = enumerate(reset[self.n :], self.n)
@@ -217,7 +256,10 @@ class Motion:
                 )
             zeros = {int(function): int(count) for function, count in each["zeros"]}
             duration = real(exact(each["duration"]))
-            found.append(Segment(*three, duration, each["fired"], each["together"], zeros, lifted))
+            at = None if each.get("at") is None else real(exact(each["at"]))
+            strict = self._rows(matrix(each["strict"])) if each.get("strict") else None
+            falls = each["fired"], each["together"], zeros
+            found.append(Segment(*three, duration, *falls, at, strict, lifted))
         return found
 
     def _rotation(self, period: arb) -> tuple[arb_mat, arb_mat]:
@@ -243,9 +285,33 @@ class Motion:
         size = range(self.count)
         return arb_mat([[table[i, k] * self.units[k] for k in size] for i in range(table.nrows())])
 
+    @property
+    def given_sizes(self) -> list[float]:
+        """The sizes of the file, in the units."""
+        given = (each / float(unit) for each, unit in zip(self.data["sizes"], self.units, strict=False))
+        return [*given, *(1.0 for _ in range(self.count - self.n))]
+
+    def _require_shifts(self) -> None:
+        """Hold it against the equations that nothing changes along the shifts, but for rounding.
+
+        Raises:
+            RefutedError: if something does.
+        """
+        for along, _ in self.shifts:
+            way = arb_mat([[each] for each in along] + [[arb(0)] for _ in range(self.count - self.n)])
+            for segment in self.segments:
+                changes = [segment.flow, segment.functions, segment.reset - identity(self.count)]
+                for table in [*changes, *([segment.strict] if segment.strict is not None else [])]:
+                    sizes = arb_mat([[abs(each) for each in row] for row in table.tolist()])
+                    moduli = arb_mat([[abs(each)] for each in way.entries()])
+                    pairs = zip((table * way).entries(), (sizes * moduli).entries(), strict=True)
+                    if any(not abs(value) <= BY_LAW * size for value, size in pairs):
+                        raise RefutedError("something changes along a shift")
+
     def _sizes(self) -> list[arb]:
         """Return the largest modulus of each entry of Z over the ends of segments, at least a little."""
-        middle = self.follow([*(arb(each.mid()) for each in self.start), arb(0), arb(0)][: self.unknowns])
+        start = [arb(each.mid()) for each in self.start]
+        middle = self.follow(start + [arb(0)] * (self.unknowns - self.n))
         every = [*middle.starts, *middle.ends]
         sizes = [max(float(abs(each[i, 0]).upper()) for each in every) for i in range(self.n)]
         floor = max(sizes) * 2.0**-10
@@ -255,8 +321,8 @@ class Motion:
         """Follow the motion from a ball of what is unknown.
 
         Args:
-            unknown: The states at the start; what an unknown period is longer than computed, s; the number
-                that is varied less its value, in its unit.
+            unknown: The states at the start; what an unknown period is longer than computed, s; how far the
+                end is shifted; the number that is varied less its value, in its unit.
             with_change: Whether the derivative is wanted too.
 
         Raises:
@@ -267,15 +333,17 @@ class Motion:
             return self.at(unknown[-1]).follow(fixed, with_change)
         n, size, unknowns = self.n, self.count, self.unknowns if with_change else 0
         columns, later = self._first(unknown, unknowns)
-        total = arb(0)
+        total, elapsed = arb(0), arb(0)
         starts, ends, lates = [], [], []
         for segment in self.segments:
+            elapsed += segment.duration
             _, functions, reset = segment.lifted
             columns = reset * columns
             starts.append(_column(columns, unknowns, size))
             columns = segment.propagator * columns
             if segment.fired is None:
-                late = self.tables.period - self.period if not self.autonomous else unknown[n]
+                known = self.tables.period if segment.at is None else segment.at
+                late = unknown[n] if self.autonomous else known - elapsed
                 late -= total
                 columns = _moved(segment, columns, late)
                 by_start = later * -1
@@ -284,13 +352,17 @@ class Motion:
                 late, slope = _event(segment, row, _column(columns, unknowns, columns.nrows()))
                 columns = _moved(segment, columns, late)
                 by_start = arb_mat([(row * columns).tolist()[0][:unknowns]]) * (-1 / slope)
-                later, total = later + by_start, total + late
+            later, total = later + by_start, total + late
             z = _column(columns, unknowns, size)
             columns = columns + _padded((segment.flow * z) * by_start, columns.nrows(), columns.ncols())
             ends.append(z)
             lates.append(late)
         back = [sign * ends[-1][i, 0] for i, sign in enumerate(self.signs)]
         change = [[sign * columns[i, k] for k in range(unknowns)] for i, sign in enumerate(self.signs)]
+        for place, (along, _) in enumerate(self.shifts, n + self.autonomous):
+            back = [each - unknown[place] * way for each, way in zip(back, along, strict=True)]
+            for of_state, way in zip(change, along, strict=True):
+                of_state[place : place + 1] = [-way] if unknowns else []
         return Followed(starts, ends, lates, back, change)
 
     def _first(self, unknown: list[arb], unknowns: int) -> tuple[arb_mat, arb_mat]:
@@ -316,6 +388,10 @@ class Motion:
         z = arb_mat([[each] for each in self.start] + self.tables.forcing.tolist())
         rates = self.segments[0].flow * (self.segments[0].reset * z)
         return [arb((rates[i, 0] / self.sizes[i] ** 2).mid()) for i in range(self.n)]
+
+
+def _counts(whole: float, sample: float) -> range:
+    return range(round(whole / sample))
 
 
 def _column(table: arb_mat, place: int, rows: int) -> arb_mat:

@@ -8,6 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from trimmer.contact.statuses import IMPACT
+from trimmer.hybrid.calm import amid_longest
+from trimmer.hybrid.clock import ABOVE, BELOW, TICKED, WITHIN, Clock, carried
 from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.variation import end_of_instant
 from trimmer.motion.course import Course
@@ -17,6 +20,8 @@ from trimmer.response.orbit import Orbit
 MOST_ZEROS = 3
 LEAST = 1e-6
 """Size of a state as a share of the largest of its kind that it has at least: below that it hardly moves."""
+BESIDE = 1e-6
+"""Share of a motion within which an event is too near to where it begins."""
 SMALL = 1e-10
 """Share of its terms below which a derivative of an event function is taken for zero by law."""
 
@@ -31,11 +36,31 @@ class Seen:
 
     log: Any
     known: Any
-    system: System
+    modes: Any
+
+    @property
+    def system(self) -> System:
+        """What it is said to be a motion of."""
+        system: System = self.modes.system
+        return system
 
     def mode(self, row: int) -> Mode:
         """Return the mode of a row of the log."""
         return self.system.mode(self.known[int(self.log.mode[row])].statuses)
+
+    def fires(self, row: int) -> int | None:
+        """Return the number of what fell to zero at the beginning of a row; None at an instant of a clock."""
+        function = int(self.log.function[row])
+        return None if function <= TICKED else function
+
+    def code(self, row: int) -> int:
+        """Return what a clock does at the beginning of a row."""
+        return TICKED - int(self.log.function[row])
+
+    def clock(self, row: int) -> tuple[Clock, int]:
+        """Return the clock, and the number of the mode before a row there."""
+        number = int(self.modes.number(self.known[int(self.log.mode[row - 1])].statuses))
+        return self.modes.samplings.clock, number
 
     def fired(self, row: int) -> EventFunction:
         """Return what fell to zero at the beginning of a row."""
@@ -54,10 +79,29 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     """
     if not orbit.success:
         raise UncoveredError("it does not return")
-    if orbit.advances or orbit.flow.shifts:
-        raise UncoveredError("it returns but for a shift along which no force changes, which is not covered")
     stable = True if orbit.stable else None if orbit.neutral else False
-    return {**motion_data(orbit.course, flow, orbit.sizes, orbit.periods), "stable": stable}
+    frame: dict[str, Any] = {}
+    if orbit.advances:
+        if flow is not orbit.flow:
+            raise UncoveredError("the orbit is one of another system, in another frame")
+        frame = {"frame": flow.modes.system.layout.frame.velocities.tolist()}
+    return {
+        **frame,
+        **motion_data(begun_amid(orbit.course), flow, orbit.sizes, orbit.periods),
+        "stable": stable,
+    }
+
+
+def begun_amid(course: Course) -> Course:
+    """Return a motion that repeats, begun where nothing happens if something does where it begins."""
+    system, times = course.modes.system, np.unique(course.log.start[course.log.function >= 0])
+    if system.clockwork is not None or not len(times):
+        return course
+    if times[0] > BESIDE * course.duration and times[-1] < (1.0 - BESIDE) * course.duration:
+        return course
+    later, period = amid_longest(times, course.duration), system.layout.period
+    phase = course.begin.phase + later
+    return course.turned(later, phase % period if period else phase)
 
 
 def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[str, Any]:
@@ -68,7 +112,7 @@ def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[
     """
     system = flow.modes.system
     layout, log = system.layout, course.log
-    seen = Seen(log, course.modes, system)
+    seen = Seen(log, course.modes, flow.modes)
     _require_covered(course, system)
     rows = list(_rows(log))
     n = layout.state_count
@@ -81,7 +125,7 @@ def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[
     used = _used(log)
     for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
         mode = seen.mode(last)
-        fired = None if place + 1 == len(rows) else int(log.function[rows[place + 1][0]])
+        fired = None if place + 1 == len(rows) else seen.fires(rows[place + 1][0])
         segments.append(
             {
                 "mode": used.index(int(log.mode[last])),
@@ -94,10 +138,17 @@ def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[
                 "zeros": []
                 if not segments
                 else _zeros(mode, log.state[last], largest, _owners(seen, first, last)),
+                **({} if place + 1 == len(rows) else _tick(seen, rows[place + 1][0])),
             }
         )
     omega = layout.omega or 1.0
+    extra: dict[str, Any] = {"shifts": _shifts(layout)} if flow.shifts else {}
+    if system.clockwork is not None:
+        extra["clock"] = [[each.sample, each.delay] for each in system.clockwork.samplers]
+        if course.begin.phase:
+            raise UncoveredError("a sampled motion that begins amid a period is not covered")
     return {
+        **extra,
         "about": flow.subject.title or type(flow.subject).__name__,
         "modes": _modes(seen),
         "segments": segments,
@@ -110,6 +161,14 @@ def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[
     }
 
 
+def _shifts(layout: Any) -> list[list[list[float]]]:
+    """Return directions along which nothing changes, each with what is to stay: its leader, (n,)."""
+    rest, leading = np.zeros(layout.state_count - len(layout.frame.directions)), layout.frame.leading
+    identity = np.eye(layout.state_count)
+    pairs = zip(layout.frame.directions.T, leading, strict=True)
+    return [[[*way, *rest], identity[leader].tolist()] for way, leader in pairs]
+
+
 def neighbour_data(course: Course, flow: Flow) -> dict[str, Any]:
     """Return the numbers of the same modes and events with another value of a number.
 
@@ -118,7 +177,7 @@ def neighbour_data(course: Course, flow: Flow) -> dict[str, Any]:
     """
     own, system = course.modes.system.layout, flow.modes.system
     _require_covered(course, system)
-    seen = Seen(course.log, course.modes, system)
+    seen = Seen(course.log, course.modes, flow.modes)
     scale = system.layout.period / own.period if own.period else 1.0
     return {
         "modes": _modes(seen),
@@ -149,8 +208,6 @@ def _require_covered(course: Course, system: System) -> None:
     own, layout = course.modes.system.layout, system.layout
     if (own.size, own.state_count, own.period > 0) != (layout.size, layout.state_count, layout.period > 0):
         raise UncoveredError("the orbit is one of another system")
-    if system.clockwork is not None:
-        raise UncoveredError("samples at known times are not covered")
     if layout.ramp or layout.drifts or len(layout.breaks):
         raise UncoveredError("forces that do not repeat with the drive are not covered")
     n = layout.state_count
@@ -165,7 +222,7 @@ def _rows(log: Any) -> Iterator[tuple[int, int]]:
     while row < len(log.start):
         following = end_of_instant(log, row) if row else 1
         last = following - 1
-        goes_on = row > 0 and log.function[row] < 0
+        goes_on = row > 0 and TICKED < log.function[row] < 0
         if goes_on and (last > row or log.mode[row] != log.mode[row - 1]):
             raise UncoveredError("an event that is told by no event function is not covered")
         if not goes_on:
@@ -179,21 +236,45 @@ def _owners(seen: Seen, first: int, last: int) -> set[int]:
         return set()
     before, after = (seen.mode(row).statuses for row in (first - 1, last))
     changed = {part for part, (one, other) in enumerate(zip(before, after, strict=True)) if one != other}
-    return changed | {seen.fired(row).owner for row in range(first, last + 1) if seen.log.function[row] >= 0}
+    rows = range(first, last + 1)
+    return changed | {seen.fired(row).owner for row in rows if seen.log.function[row] >= 0}
 
 
 def _reset(seen: Seen, first: int, last: int) -> Any:
     """Return what becomes of the state at an instant: resets of events, then made to fit what is held."""
-    log = seen.log
+    log, impulses = seen.log, 0
     total = np.eye(log.state.shape[1])
     for row in range(max(first, 1), last + 1):
-        if log.function[row] < 0:
-            continue
-        if seen.system.impulse(int(log.part[row]), int(log.kind[row])) is not None:
-            raise UncoveredError("impacts at rigid walls are not covered")
-        found = seen.system.reset(seen.mode(row - 1), seen.fired(row))
-        total = total if found is None else found @ total
+        impulse = seen.system.impulse(int(log.part[row]), int(log.kind[row]))
+        if impulse is not None:
+            impulses += 1
+            if impulses > 1 or log.kind[row] != IMPACT:
+                raise UncoveredError("several impacts at one instant, or a chatter's end, are not covered")
+            total = impulse[0] @ total
+        if log.function[row] <= TICKED:
+            clock, number = seen.clock(row)
+            total = carried(clock, seen.code(row), number, total)
+        elif log.function[row] >= 0 and impulse is None:
+            found = seen.system.reset(seen.mode(row - 1), seen.fired(row))
+            total = total if found is None else found @ total
     return seen.mode(last).hold @ total
+
+
+def _tick(seen: Seen, row: int) -> dict[str, Any]:
+    """Return when a clock samples, and what is positive there: how far each demand is from its limits."""
+    if seen.fires(row) is not None:
+        return {}
+    (clock, number), rows = seen.clock(row), []
+    sampled = seen.code(row) >> len(clock.limit)
+    for c in reversed(range(len(clock.limit))):
+        where, sampled = sampled % 4 - 1, sampled // 4
+        demand, limit = clock.demand[number, c], np.zeros(seen.log.state.shape[1])
+        limit[-1] = clock.limit[c]
+        if where < 0 or not np.isfinite(limit[-1]):
+            continue
+        signs = {WITHIN: ((1, -1), (1, 1)), ABOVE: ((-1, 1),), BELOW: ((-1, -1),)}[where]
+        rows += [(of_limit * limit + of_demand * demand).tolist() for of_limit, of_demand in signs]
+    return {"at": float(seen.log.start[row]), "strict": rows}
 
 
 def _together(mode: Mode, fired: int, state: Any, largest: Any) -> list[int]:

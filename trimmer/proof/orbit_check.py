@@ -25,7 +25,8 @@ def check_orbit(data: dict[str, Any]) -> Outcome:
 
     Args:
         data: ``modes`` (flow of the states, event functions), ``segments``, ``state`` at the start,
-            ``forcing`` there with its ``rotation`` (orders), ``period`` of the drive or None, ``periods``.
+            ``forcing`` there with its ``rotation`` (orders), ``period`` of the drive or None, ``periods``;
+            ``shifts`` along which nothing changes, if any, and velocities of the ``frame``.
     """
     with ctx.workprec(ORBIT_PRECISION):
         try:
@@ -90,12 +91,18 @@ def _theorem(motion: Motion, data: dict[str, Any], stable: bool | None, largest:
         lasts = f"a period within {NEAR:g}, relative, of {float(motion.period.mid()):.12g} s"
     else:
         lasts = f"the period {int(data['periods'])} times {data['period']!r} s"
+    ticks = sum(each.at is not None for each in motion.segments)
+    sampled = f", {ticks} of them instants of a clock," if ticks else ""
+    shifted = ", but for a shift along which nothing changes" if motion.shifts else ""
+    moving = ", in a frame that moves evenly, as this file says" if any(data.get("frame", [])) else ""
     word = {True: "stable", False: "unstable", None: "neither said to be stable nor unstable"}[stable]
-    beside = " but for the one of a shift in time" if motion.autonomous else ""
+    shifts = ["a shift in time"] * motion.autonomous + ["a shift in place"] * bool(motion.shifts)
+    beside = f" but for the one of {' and of '.join(shifts)}" if shifts else ""
     return (
         f"The system that is linear between events, with the modes of this file ({data['about']}), their "
-        f"numbers taken as exact, has a periodic motion with {lasts}, with the {events} events of this file "
-        f"in its order and no other, which begins within {NEAR:g} of the state of this file, as a share of "
-        f"the sizes of the states. Within {2.0**RADIUS:.1g} of its start no other start returns with "
-        f"these events. It is {word}: the largest modulus of its multipliers{beside} is {largest}."
+        f"numbers taken as exact, has a periodic motion{shifted}{moving} with {lasts}, with the {events} "
+        f"events of this file{sampled} in its order and no other, which begins within {NEAR:g} of the state "
+        f"of this file, as a share of the sizes of the states. Within {2.0**RADIUS:.1g} of its start no "
+        f"other start returns with these events. It is {word}: the largest modulus of its "
+        f"multipliers{beside} is {largest}."
     )

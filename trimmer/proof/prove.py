@@ -11,10 +11,11 @@ from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.loop_first import takes_a_loop
 from trimmer.balance.solve import checked_range
 from trimmer.branches.followed import FollowedBranch
+from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import TrimmerError
 from trimmer.loops.loops import ClosedLoop
-from trimmer.proof.modes import UncoveredError, motion_data, neighbour_data, orbit_data
+from trimmer.proof.modes import UncoveredError, begun_amid, motion_data, neighbour_data, orbit_data
 from trimmer.proof.outcome import Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 ASIDE = 1e-6
 """Distance from a special point of the values between which slopes are taken, as a share of its value."""
+LATER, CLOSED = 0.37, 1e-3
+"""Share of a drive period after which to begin if the motion does not return, to a share of its size."""
 COVERED = (SpecialKind.FOLD, SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING)
 
 
@@ -83,7 +86,9 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
     Returns:
         Proven, with the largest modulus of its multipliers enclosed. Refuted, if the motion is elsewhere, has
         another sequence of events or another stability. Undecided, with the reason, where balls do not tell,
-        as at a grazing, or where it is not covered: rigid walls, samples, what returns but for a shift.
+        as at a grazing, or where it is not covered: several impacts at one instant, a chatter that ends, two
+        drives. A motion that advances is proven in the frame that moves with it; samples come at the times of
+        the file, each demand within its limit or beyond it as the file says.
 
     Raises:
         WrongTypeError: if an argument is of another type.
@@ -130,6 +135,11 @@ def prove_special_point(system: Subject, branch: FollowedBranch, special: Specia
     return proof_of("special point", data)
 
 
+def _returns(passage: DrivenPassage) -> bool:
+    gap = abs(passage.end - passage.begin.state)
+    return bool((gap <= CLOSED * passage.sizes.max(initial=0.0)).all())
+
+
 def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> dict[str, Any]:
     kind, place, value = special.kind, branch.map.place, float(special.value)
     if kind not in COVERED:
@@ -142,11 +152,16 @@ def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint
             raise UncoveredError("a symmetry breaking of what is no mirror image of itself is not covered")
         over = replace(over, mirrored=True, single=None)
     passage = over.passage(value, special.state)
+    if not (over.mirrored or branch.finds_period or _returns(passage)):
+        # An event at the start of the period itself is before it or behind it, as rounding has it.
+        over = over.begun_at(LATER)
+        passage = over.passage(value, over.phases(value, special.state)[0])
     flow, course = flow_of(system.with_value(place, value)), passage.course
     if flow.shifts:
         raise UncoveredError(
             "motions that return but for a shift along which no force changes are not covered"
         )
+    course = course if over.mirrored else begun_amid(course)
     orbit = motion_data(course, flow, passage.sizes, 0 if branch.finds_period else over.length)
     if over.mirrored:
         orbit["signs"] = [int(each) for each in flow.mirrored_states]

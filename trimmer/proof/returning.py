@@ -54,13 +54,23 @@ class Returned:
 
 def first_guess(motion: Motion) -> list[arb]:
     """Return the unknowns as computed."""
-    return [*(arb(each.mid()) for each in motion.start), arb(0), arb(0)][: motion.unknowns]
+    start = [arb(each.mid()) for each in motion.start]
+    return start + [arb(0)] * (motion.unknowns - motion.n)
 
 
 def scales(motion: Motion) -> list[arb]:
     """Return the size of each unknown."""
     found = list(motion.sizes[: motion.n])
-    return [*found, *([motion.segments[-1].duration] if motion.autonomous else []), arb(1)][: motion.unknowns]
+    if motion.autonomous:
+        found.append(motion.segments[-1].duration)
+    for along, _ in motion.shifts:
+        found.append(
+            max(
+                (size / abs(way) for size, way in zip(motion.sizes, along, strict=False) if way != 0),
+                key=float,
+            )
+        )
+    return [*found, arb(1)][: motion.unknowns]
 
 
 def solve(
@@ -113,11 +123,16 @@ def newton(motion: Motion, plane: Plane | None = None, guess: list[arb] | None =
 def derivative_of(motion: Motion, followed: Followed, plane: Plane | None = None) -> arb_mat:
     """Return the derivative of what is to vanish."""
     table = [[each - int(i == k) for k, each in enumerate(row)] for i, row in enumerate(followed.change)]
-    if motion.autonomous:
-        table.append([*motion.phase, *([arb(0)] * (motion.unknowns - motion.n))])
+    rest = [arb(0)] * (motion.unknowns - motion.n)
+    table += [[*row, *rest] for row in _fixed(motion)]
     if plane is not None:
         table.append(plane.weights)
     return arb_mat(table)
+
+
+def _fixed(motion: Motion) -> list[list[arb]]:
+    """Return functionals of the start that stay as they are, since it may be shifted in time or in place."""
+    return [*([motion.phase] if motion.autonomous else []), *(leader for _, leader in motion.shifts)]
 
 
 def _step(
@@ -125,8 +140,8 @@ def _step(
 ) -> arb_mat:
     """Return Newton's step."""
     gaps = [m - back for m, back in zip(middle, followed.back, strict=False)]
-    if motion.autonomous:
-        away = (p * (s - m) for p, s, m in zip(motion.phase, motion.start, middle, strict=False))
+    for row in _fixed(motion):
+        away = (p * (s - m) for p, s, m in zip(row, motion.start, middle, strict=False))
         gaps.append(sum(away, arb(0)))
     if plane is not None:
         gaps.append(plane.distance(middle))
@@ -150,16 +165,20 @@ def in_sizes(motion: Motion, over: Followed) -> arb_mat:
 def multipliers_of(motion: Motion, over: Followed) -> tuple[bool | None, str]:
     """Enclose the largest modulus of the multipliers: of A^k at least |trace|/n and at most the norm."""
     sizes, n, scaled = motion.sizes, motion.n, in_sizes(motion, over)
-    if motion.autonomous:
-        # Without the shift in time: along the rates, back to where the phase is that of the start.
-        rates = motion.segments[-1].flow * over.ends[-1]
-        along = arb_mat([[rates[i, 0] / sizes[i]] for i in range(n)])
-        phase = arb_mat([[p * size for p, size in zip(motion.phase, sizes, strict=False)]])
-        scaled = scaled - along * (phase * scaled) * (1 / (phase * along)[0, 0])
+    fixed = _fixed(motion)
+    if fixed:
+        # Without the shifts in time and place: along them, back to where what is fixed is that of the start.
+        rates = (motion.segments[-1].flow * over.ends[-1]).entries()
+        ways = [*([rates] if motion.autonomous else []), *(along for along, _ in motion.shifts)]
+        along = arb_mat([[way[i] / sizes[i] for way in ways] for i in range(n)])
+        kept = arb_mat([[row[i] * sizes[i] for i in range(n)] for row in fixed])
+        scaled = scaled - along * (kept * along).inv() * (kept * scaled)
     least, most, power = arb(0), arb(2) ** 900, scaled
     for doubled in range(13):
         exponent = real(fmpq(1, 2**doubled))
         size, trace = norm(power), abs(power.trace()) / n
+        if size == 0:
+            most = arb(0)
         if not (size > 0 and size < arb(2) ** 800 and size > arb(2) ** -800):
             break
         most = most.min(arb(size.upper()) ** exponent)
