@@ -14,7 +14,7 @@ export PATH := $(CURDIR)/.venv/bin:$(PATH)
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
 
-report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, report.pdf and claims.json
+report: .venv/for-use ## derive, solve, judge; writes build/report/report.html, report.pdf, cards.pdf and claims.json
 	@trimmer report
 
 # Pictures are kept in build/site-pictures until their page or script, or the package, changes.

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from report.judging.changes import ClaimsFile
 
 DIRECTORY = Path("build") / "report"
-KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.JSON: JSON, Format.CSV: ERRATA}
+KINDS = {Format.HTML: HTML, Format.PDF: PDF, Format.CARDS: PDF, Format.JSON: JSON, Format.CSV: ERRATA}
 
 
 class NothingToOpenError(TrimmerError, ValueError):
@@ -34,7 +34,7 @@ def _configure(parser: ArgumentParser) -> None:
         type=folder_to_write,
         metavar="DIR",
         default=DIRECTORY,
-        help="folder for report.html, report.pdf, claims.json, errata.csv and build.log "
+        help="folder for report.html, report.pdf, cards.pdf, claims.json, errata.csv and build.log "
         "(default: %(default)s)",
     )
     parser.add_argument(
@@ -46,7 +46,7 @@ def _configure(parser: ArgumentParser) -> None:
         help="chapters to show, such as ch5 or appA (default: all); the files then hold this part alone; may "
         "be given several times",
     )
-    add_form_options(parser, Format, "all", "; may be given several times")
+    add_form_options(parser, Format, "all", "; cards come with pdf; may be given several times")
     parser.add_argument(
         "--thesis",
         type=file_to_read,
@@ -106,8 +106,8 @@ def _request(arguments: Namespace) -> Request:
     formats = frozenset(map(Format, arguments.format)) or frozenset(Format)
     if arguments.open and Format.HTML not in formats:
         raise NothingToOpenError("--open shows the HTML: add html to --format, or leave one of the two out")
-    if Format.PDF not in formats:
-        refuse_unused(arguments, ["paper"], "pdf among --format")
+    if not formats & {Format.PDF, Format.CARDS}:
+        refuse_unused(arguments, ["paper"], "pdf or cards among --format")
     if Format.HTML not in formats:
         refuse_unused(arguments, ["thesis"], "html among --format")
     if arguments.thesis == arguments.compare == STANDARD_INPUT:
@@ -167,7 +167,7 @@ COMMAND = Command(
     examples=(
         Example(
             "trimmer report",
-            "what holds of the thesis, in build/report: report.html, report.pdf, claims.json and errata.csv",
+            "what holds of the thesis, in build/report: report.html, report.pdf, cards.pdf, claims.json",
         ),
         Example(
             "trimmer report --only ch5 --format html --open",

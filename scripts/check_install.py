@@ -35,7 +35,7 @@ def main() -> int:
         run([str(programs / "trimmer"), "report"], elsewhere)
         found = sorted(path.name for path in (elsewhere / "build" / "report").iterdir())
         print(*found)
-        return 0 if {"report.html", "report.pdf", "claims.json"} <= set(found) else 1
+        return 0 if {"report.html", "report.pdf", "cards.pdf", "claims.json"} <= set(found) else 1
 
 
 def run(command: Sequence[str], folder: Path) -> None:

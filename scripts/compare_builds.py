@@ -29,9 +29,7 @@ EXPORTS = "exports.json"
 SHOWN = 400
 """Most characters of a difference that are printed."""
 SOURCE = re.compile(r"Derived\s+in:\s+(\S+\s+)*?\S+\.py")
-PROVENANCE = re.compile(
-    r"^trimmer \d[^\n]*$|^Provenance$\nMade from.*?^typst\s+\S+$", re.MULTILINE | re.DOTALL
-)
+PROVENANCE = re.compile(r"^trimmer \d[^\n]*$|^Certificate$.*?\f", re.MULTILINE | re.DOTALL)
 CODE_LINK = re.compile(r'<a [^>]*href="#code[^"]*"[^>]*>.*?</a>', re.DOTALL)
 GENERATED = re.compile(
     r"%\s+Generated[\s%]+from.*?SI[\s%]+units[\s%]+throughout\.|\b\d+\s+lines\b", re.DOTALL
@@ -117,11 +115,9 @@ def differences(old: Path, new: Path) -> Iterator[str]:
         "report.html", *(page_lines(folder / "report.html") for folder in (old, new))
     )
     if shutil.which("pdftotext") is None:
-        yield "report.pdf: not compared, pdftotext is not installed"
+        yield "PDFs: not compared, pdftotext is not installed"
     else:
-        yield from texts_that_differ(
-            "report.pdf", *(pdf_words(folder / "report.pdf") for folder in (old, new))
-        )
+        yield from texts_that_differ("PDFs", *(pdf_words(folder) for folder in (old, new)))
 
 
 def claims_that_differ(old: Path, new: Path) -> Iterator[str]:
@@ -155,7 +151,7 @@ def page_lines(path: Path) -> list[str]:
     """Return the lines of the page without what may differ."""
     page = path.read_text("utf-8")
     for start, end in (
-        ('<h2 id="provenance">', "<h2 "),
+        ('<h2 id="certificate">', "<h2 "),
         ('<h2 id="code">', "</main>"),
         ("<header", "</header>"),
     ):
@@ -170,13 +166,16 @@ def without(text: str, start: str, end: str) -> str:
     return text[:begin] + text[text.index(end, begin) :]
 
 
-def pdf_words(path: Path) -> list[str]:
-    """Return which words and decimal numbers stand in the PDF, without source paths and provenance.
+def pdf_words(folder: Path) -> list[str]:
+    """Return which words and decimal numbers stand in the PDFs, without source paths and the certificate.
 
     Not how often, and not in which order: where a page breaks depends on the length of source paths, and with
     that page numbers and how often a table's head is repeated.
     """
-    text = subprocess.run(["pdftotext", *PAGE, path, "-"], capture_output=True, check=True, text=True).stdout
+    text = ""
+    for path in sorted(folder.glob("*.pdf")):
+        command = ["pdftotext", *PAGE, path, "-"]
+        text += subprocess.run(command, capture_output=True, check=True, text=True).stdout
     for varying in (PROVENANCE, GENERATED, SOURCE):
         text = varying.sub("", text)
     return sorted(set(re.findall(r"[^\W\d_]{3,}|\d+[.,]\d+", re.sub(r"(?<=\w)-\s+(?=[a-z])", "", text))))

@@ -62,42 +62,15 @@ local function report_table(div)
   return result
 end
 
--- A drawing begins and ends with these; what is between them are its words.
-local drawing_begins, drawing_ends = "^#drawing%(", "^%] <drawing%-"
-
-local function is_raw(block, pattern)
-  return block.t == "RawBlock" and block.text:find(pattern) ~= nil
-end
-
--- A claim as blocks: a drawing stands between them, where Typst can move it to where there is room on a page.
 local function claim(div)
   div.content[1].identifier = div.identifier
-  local grade = quoted(div.attributes.grade)
-  local _, first = div.content:find_if(function(block)
-    return is_raw(block, drawing_begins)
-  end)
-  local _, last = div.content:find_if(function(block)
-    return is_raw(block, drawing_ends)
-  end)
-  if first == nil then
-    return wrapped("#claim(" .. grade .. ")[", div.content, "]")
-  end
-  local label = div.content[last].text:match("<(.-)>")
-  local head = pandoc.List({ table.unpack(div.content, 1, first - 1) })
-  head:insert(raw("#drawn-at(<" .. label .. ">)"))
-  local result = wrapped("#claim-head(" .. grade .. ")[", head, "]")
-  result:extend({ table.unpack(div.content, first, last) })
-  result:extend(wrapped("#claim-rest(" .. grade .. ")[", pandoc.List({ table.unpack(div.content, last + 1) }), "]"))
-  return result
+  return wrapped("#claim(" .. quoted(div.attributes.grade) .. ")[", div.content, "]")
 end
 
--- What belongs to one place of the text stays there; other drawings float.
 local function figure(div)
   local image = div.content[1].content[1]
-  local stays = div.classes:includes("step-picture") or div.classes:includes("still")
-  local opening = (stays and "#picture" or "#drawing") .. "(%s, alt: %s)["
   return wrapped(
-    opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))),
+    ("#picture(%s, alt: %s)["):format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))),
     { table.unpack(div.content, 2) },
     "] <" .. div.identifier .. ">"
   )
@@ -162,8 +135,8 @@ local converters = {
     return wrapped("#answer-side(" .. quoted(div.attributes.side) .. ")[", div.content, "]")
   end,
   ["errata-sheet"] = call("errata-sheet"),
-  outline = function()
-    return raw("#contents")
+  outline = function(div)
+    return raw("#contents(" .. div.attributes.depth .. ")")
   end,
   ["end-of-report"] = function()
     return raw('#[#metadata("end of report") <end-of-report>]')
@@ -201,7 +174,6 @@ local converters = {
   ["step-sources"] = nothing,
   passage = nothing,
   ["reader-copy"] = nothing,
-  unseen = call("judged"),
 }
 
 function Div(div)
@@ -211,13 +183,12 @@ function Div(div)
   end
 end
 
--- Chapters begin on a page of their own; Typst then sets them side by side on all cores. Levels are shifted
--- after this filter: a chapter is still of level 2.
-local without_break = { summary = true, spread = true, parameters = true, provenance = true, errata = true }
+-- Some chapters begin on a page of their own. Levels are shifted after this filter: a chapter is still of level 2.
+local with_break = { twin = true, certificate = true, programs = true, derivation = true }
 
 function Header(header)
-  if header.level == 2 and not (without_break[header.identifier] or header.classes:includes("flowing")) then
-    return { raw("#place.flush()"), raw("#pagebreak(weak: true)"), header }
+  if header.level == 2 and (with_break[header.identifier] or header.classes:includes("breaking")) then
+    return { raw("#pagebreak(weak: true)"), header }
   end
 end
 

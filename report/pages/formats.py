@@ -14,6 +14,7 @@ class Format(Choice):
 
     HTML = "html"
     PDF = "pdf"
+    CARDS = "cards"
     JSON = "json"
     CSV = "csv"
 

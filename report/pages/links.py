@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterable
 
 _INTERNAL_LINK = re.compile(r"\]\(#([^)\s]+)\)")
+_LINK_IN_TYPST = re.compile(r"#link\(<([^>]+)>\)")
+_LABEL_IN_TYPST = re.compile(r"(?<!\()<([\w.-]+)>")
 _IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE)
 
 
@@ -35,3 +37,16 @@ def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
             f"the report links to places it does not have: {', '.join(broken)}; "
             "correct the link or add the claim, step or figure"
         )
+
+
+def leading_elsewhere(source: str, file: str) -> str:
+    """Return Typst source in which a link to a place that it does not have leads to that place in a PDF.
+
+    Args:
+        source: what pandoc has written.
+        file: name of the PDF that has the other places, in the same folder.
+    """
+    here = set(_LABEL_IN_TYPST.findall(source))
+    return _LINK_IN_TYPST.sub(
+        lambda link: link[0] if link[1] in here else f'#link("{file}#nameddest={link[1]}")', source
+    )

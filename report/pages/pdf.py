@@ -31,12 +31,14 @@ class Head:
         subtitle: The line below it.
         date: ISO date of what it was made from, or on which it was made.
         strict: Whether a formula that can only be set too small to be read is an error.
+        name: Under which it is kept.
     """
 
     title: str
     subtitle: str
     date: str
     strict: bool = True
+    name: str = "pdf"
 
 
 def typeset(
@@ -65,7 +67,7 @@ def typeset(
     if store is None:
         return make()
     depends = repr((version("typst"), timestamp, source))
-    return store.made(f"pdf-{paper.value}", hashlib.sha256(depends.encode()).hexdigest(), make)
+    return store.made(f"{head.name}-{paper.value}", hashlib.sha256(depends.encode()).hexdigest(), make)
 
 
 def _source(head: Head, body: str, paper: Paper) -> str:

@@ -34,7 +34,11 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-BACK = ("twin", "programs", "explorable", "spread", "derivation", "nomenclature", "tables", "errata")
+REPORT = ("opening", "advice", "answers", "roots", "twin", "derived", "certificate")
+"""Pieces of the report to be read, in their order; what follows them are the cards."""
+CARDS = ("method",)
+"""Pieces before the cards of the chapters."""
+BACK = ("programs", "explorable", "spread", "derivation", "nomenclature", "tables", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
@@ -42,6 +46,8 @@ ARCHIVE = "octave.zip"
 
 def to_markdown(document: Document) -> dict[str, str]:
     """Return the report as pandoc Markdown, in named pieces that each stand alone and follow each other.
+
+    First those of ``REPORT``, then those of the cards: each of the two is a PDF, both together are the page.
 
     Raises:
         BrokenLinkError: if two places share an identifier, or a link, an answer, a corrected
@@ -60,11 +66,13 @@ def to_markdown(document: Document) -> dict[str, str]:
         "errata": errata.by_severity(errata.errata(document)),
     }
     template = _environment().get_template
-    pieces = {
-        "front": template("front.md.j2").render(content),
-        **_sections(document, template("section.md.j2"), content),
-        **{name: template(f"{name}.md.j2").render(content) for name in BACK},
-    }
+    written = {name: template(f"{name}.md.j2").render(content) for name in (*REPORT, *CARDS, *BACK)}
+    sections = _sections(document, template("section.md.j2"), content)
+    pieces = (
+        {name: written[name] for name in (*REPORT, *CARDS)}
+        | sections
+        | {name: written[name] for name in BACK}
+    )
     linked = {name: without_links_to(piece, document.omitted) for name, piece in pieces.items()}
     check_links("\n".join(linked.values()), [source.identifier for source in sources(document)])
     return linked

@@ -9,12 +9,13 @@ from report.cache.stage_store import StageStore
 from report.document.document import Document
 from report.octave.archive import files
 from report.pages.formats import Format, Paper, made_together
+from report.pages.links import leading_elsewhere
 from report.pages.pdf import Head, typeset
 from report.pages.pieces import Converter
 from report.rendering.errata import to_csv
 from report.rendering.html import to_html
 from report.rendering.json import to_json
-from report.rendering.markdown import to_markdown
+from report.rendering.markdown import REPORT, to_markdown
 from report.rendering.pictures.drawings import drawings
 from report.rendering.request import WHOLE_REPORT, Request
 from trimmer.files import write_atomically
@@ -22,6 +23,7 @@ from trimmer.files import write_atomically
 NAMES = {
     Format.HTML: "report.html",
     Format.PDF: "report.pdf",
+    Format.CARDS: "cards.pdf",
     Format.JSON: "claims.json",
     Format.CSV: "errata.csv",
 }
@@ -48,11 +50,13 @@ def render(
         FileWriteError: if a file cannot be written, or a piece cannot be kept.
     """
     converter = Converter.keeping(store) if store else Converter()
-    text = converter.parsed(to_markdown(document)) if request.formats & {Format.HTML, Format.PDF} else {}
-    # The PDF takes longest: its source comes first, so that Typst works while pandoc writes the HTML.
-    source = converter.typst(text) if Format.PDF in request.formats else ""
+    wanted = request.formats & {Format.HTML, Format.CARDS}
+    text = converter.parsed(to_markdown(document)) if wanted else {}
+    # The PDFs take longest: their source comes first, so that Typst works while pandoc writes the HTML.
+    report, cards = pdf_sources(converter, text) if Format.CARDS in request.formats else ("", "")
     makers: dict[Format, Callable[[], str | bytes]] = {
-        Format.PDF: lambda: to_pdf(document, source, request.paper, store),
+        Format.CARDS: lambda: to_pdf(document, Format.CARDS, cards, request.paper, store),
+        Format.PDF: lambda: to_pdf(document, Format.PDF, report, request.paper, store),
         Format.HTML: lambda: to_html(document, converter.html(text), request.copy),
         Format.JSON: lambda: to_json(document),
         Format.CSV: lambda: to_csv(document),
@@ -64,12 +68,33 @@ def render(
     return paths
 
 
-def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageStore | None = None) -> bytes:
-    """Return the report as PDF; the same document gives the same bytes on every machine.
+def pdf_sources(converter: Converter, text: Mapping[str, bytes]) -> tuple[str, str]:
+    """Return the source of the report to be read and of its cards; a link to the other one names its file.
+
+    Args:
+        converter: turns pieces into Typst.
+        text: the pieces, as ``Converter.parsed`` returns them.
+
+    Raises:
+        PandocError: if pandoc cannot write a piece.
+    """
+    read = {name: piece for name, piece in text.items() if name in REPORT}
+    cards = {name: piece for name, piece in text.items() if name not in REPORT}
+    return (
+        leading_elsewhere(converter.typst(read), NAMES[Format.CARDS]),
+        leading_elsewhere(converter.typst(cards), NAMES[Format.PDF]),
+    )
+
+
+def to_pdf(
+    document: Document, form: Format, body: str, paper: Paper = Paper.A4, store: StageStore | None = None
+) -> bytes:
+    """Return the report or its cards as PDF; the same document gives the same bytes on every machine.
 
     Args:
         document: the report.
-        body: its text, as ``Converter.typst`` returns it.
+        form: which of the two.
+        body: its text, as ``pdf_sources`` returns it.
         paper: size of the pages.
         store: where the PDF is kept, and taken from if nothing has changed.
 
@@ -77,9 +102,9 @@ def to_pdf(document: Document, body: str, paper: Paper = Paper.A4, store: StageS
         TypesettingError: if Typst cannot set it; the message names a formula that does not fit.
         FileWriteError: if the PDF cannot be kept.
     """
-    more = {
-        **{f"figures/{name}.svg": svg.encode() for name, svg in drawings(document).items()},
-        **{f"octave/{name}": text.encode() for name, text in files(document.programs).items()},
-    }
-    head = Head(document.title, document.subtitle, document.provenance.date)
-    return typeset(head, body, more, paper, store)
+    drawn = {f"figures/{name}.svg": svg.encode() for name, svg in drawings(document).items()}
+    programs = {f"octave/{name}": text.encode() for name, text in files(document.programs).items()}
+    named = {name: content for name, content in drawn.items() if f'"{name}"' in body}
+    title = document.title + (": the cards" if form is Format.CARDS else "")
+    head = Head(title, document.subtitle, document.provenance.date, name=form.word)
+    return typeset(head, body, named | programs, paper, store)

@@ -11,7 +11,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
 from report.twin.cell_check import MOST_OTHER, CellCheck, check_cells
-from report.twin.observation import ObservationRecord, Observed
+from report.twin.observation import ObservationRecord, Observed, SectionRecord
 from report.twin.sections import (
     branch,
     bridge,
@@ -30,10 +30,7 @@ SECTIONS: Final = (
     motion.SECTION,
     maps.SECTION,
     branch.SECTION,
-    loop.SECTION,
     measured.SECTION,
-    questions.SECTION,
-    design.SECTION,
     open_questions.SECTION,
 )
 
@@ -50,11 +47,17 @@ def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
         UnsupportedObservationError: if a check of an observation does not hold.
     """
     checked = of_check(check_cells(maps_of(known.twin), seed)).finished(known)
-    sections = [
-        TwinSection(section.id, section.title, tuple(item.finished(known) for item in section.items))
-        for section in SECTIONS
-    ]
-    return TwinChapter(TITLE, tuple(_with(section, checked) for section in sections))
+    return TwinChapter(
+        TITLE,
+        tuple(_with(_finished(section, known), checked) for section in SECTIONS),
+        advice=_finished(design.SECTION, known),
+        loop=_finished(loop.SECTION, known),
+        questions=_finished(questions.SECTION, known),
+    )
+
+
+def _finished(section: SectionRecord, known: Evidence) -> TwinSection:
+    return TwinSection(section.id, section.title, tuple(item.finished(known) for item in section.items))
 
 
 def maps_of(twin: TwinNumbers) -> list[KeptMap]:

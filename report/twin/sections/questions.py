@@ -18,9 +18,7 @@ NUMBERS = "report/numbers/twin_numbers.py"
 MAPS = "report/numbers/twin/map_numbers.py"
 
 
-@observation(
-    "twin-question-1", source=MAPS, title="1. How does the size of the play influence the vibration?"
-)
+@observation("twin-question-1", source=MAPS)
 def size(known: Evidence) -> Observed:
     friction = known.twin.friction
     row, reach = friction.row(SMALL_FORCE), friction.reach(SMALL_FORCE)
@@ -40,9 +38,7 @@ def size(known: Evidence) -> Observed:
     yield so("and least with a small gap", 0 < friction.first[motor.argmin()] < SMALL_GAP)
 
 
-@observation(
-    "twin-question-2", source=MAPS, title="2. What is the effect of damping on the stability of the system?"
-)
+@observation("twin-question-2", source=MAPS)
 def damping(known: Evidence) -> Observed:
     numbers = known.twin.damping
     single, chaotic = numbers.single.mean(axis=1), numbers.chaotic.mean(axis=1)
@@ -65,7 +61,7 @@ def damping(known: Evidence) -> Observed:
     )
 
 
-@observation("twin-question-3", source=MAPS, title="3. How does play influence stability and performance?")
+@observation("twin-question-3", source=MAPS)
 def stability(known: Evidence) -> Observed:
     friction, starts = known.twin.friction, known.twin.starts
     chaotic = friction.shares["chaotic"]
@@ -80,9 +76,7 @@ def stability(known: Evidence) -> Observed:
     yield so("eight starts in each cell of the coarser map", starts.kept.grid.starts == 8)
 
 
-@observation(
-    "twin-question-4", source=NUMBERS, title="4. How does friction influence stability and performance?"
-)
+@observation("twin-question-4", source=NUMBERS)
 def friction_(known: Evidence) -> Observed:
     numbers = known.twin
     first, last = numbers.no_gap[0], numbers.no_gap[-1]
@@ -105,7 +99,6 @@ def friction_(known: Evidence) -> Observed:
 @observation(
     "twin-question-5",
     source=NUMBERS,
-    title="5. How do the input amplitude and the play influence stability and performance?",
 )
 def amplitude(known: Evidence) -> Observed:
     numbers = known.twin
@@ -125,7 +118,6 @@ def amplitude(known: Evidence) -> Observed:
 @observation(
     "twin-question-6",
     source=MAPS,
-    title="6. How does the input frequency influence stability and performance?",
 )
 def frequency(known: Evidence) -> Observed:
     speed = known.twin.speed
@@ -144,9 +136,7 @@ def frequency(known: Evidence) -> Observed:
     )
 
 
-@observation(
-    "twin-question-7", source=NUMBERS, title="7. How does the predicted limit cycle show in the output?"
-)
+@observation("twin-question-7", source=NUMBERS)
 def shown(known: Evidence) -> Observed:
     twin, cycle = known.twin.small.twin, known.cycles.friction.stable
     low, high = cycle.frequency, known.cycles.inertia.stable.frequency

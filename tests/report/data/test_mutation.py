@@ -56,15 +56,15 @@ def test_what_does_not_add_up_is_refused(tmp_path: Path, changes: dict[str, obje
 def test_one_change_has_and_several_have_no_effect(tmp_path: Path) -> None:
     changed = {"drawn": 141, "equivalent": 1}
     known = replace(sample(), mutation=read_mutation(written(tmp_path, **changed)))
-    assert "1 of these changes has no effect" in " ".join(to_markdown(known)["front"].split())
+    assert "1 of these changes has no effect" in " ".join(to_markdown(known)["method"].split())
 
 
 def test_the_method_tells_date_command_counts_and_interval(tmp_path: Path) -> None:
     document = sample()
-    assert "slip of this program" not in to_markdown(document)["front"]
+    assert "slip of this program" not in to_markdown(document)["method"]
     measured = replace(document, mutation=read_mutation(written(tmp_path)))
-    text = " ".join(to_markdown(measured)["front"].replace("\\", "").split())
-    assert "On 2026-11-22 its derivations and solvers were changed at 150 random places" in text
+    text = " ".join(to_markdown(measured)["method"].replace("\\", "").split())
+    assert "On 2026-11-22 the derivations and solvers of that day's state" in text
     assert "`make mutate ARGS='--seed 7 --count 150'`" in text
     assert "10 of these changes have no effect" in text
     assert "Of the other 140, 31 gave another verdict or stopped this report, 102 failed a test" in text

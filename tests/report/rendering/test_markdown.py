@@ -19,9 +19,11 @@ from report.pages.pandoc import PandocError
 from report.pages.pieces import Converter
 from report.rendering.markdown import (
     BACK,
+    CARDS,
     FULL_LINE,
     HALF_LINE_OF_WORDS,
     MANY_PARTS,
+    REPORT,
     shown,
     side_by_side,
     to_markdown,
@@ -41,18 +43,10 @@ def text_of(document: Document) -> str:
 
 
 SECTIONS = (
-    *(
-        "summary",
-        "answers",
-        "method",
-        "corrected",
-        "chapter-2",
-        "section-2.2.1",
-        "chapter-5",
-        "chapter-A",
-    ),
+    *("summary", "answers", "corrected", "certificate"),
+    *("method", "chapter-2", "section-2.2.1", "chapter-5", "chapter-A"),
     *("programs", "explorable", "spread", "derivation", "describing-functions", "solution"),
-    *("nomenclature", "parameters", "provenance", "errata"),
+    *("nomenclature", "parameters", "errata"),
 )
 
 
@@ -62,16 +56,17 @@ def test_sections_come_in_their_order(document: Document) -> None:
     assert places == sorted(places)
 
 
-def test_the_pieces_are_the_front_the_sections_and_what_follows(document: Document) -> None:
-    front, *others = to_markdown(document)
-    sections, back = others[: -len(BACK)], others[-len(BACK) :]
-    assert (front, *back) == ("front", *BACK)
+def test_the_pieces_are_the_report_the_sections_and_what_follows(document: Document) -> None:
+    before = (*REPORT, *CARDS)
+    names = list(to_markdown(document))
+    assert (*names[: len(before)], *names[-len(BACK) :]) == (*before, *BACK)
+    sections = names[len(before) : -len(BACK)]
     assert sections[:2] == ["chapter-2-2.2.1", "chapter-2-2.2.2"]
     assert sections[-1] == "chapter-A-A"
 
 
 def test_the_summary_says_how_many_statements_are_judged(document: Document) -> None:
-    assert f"{len(document.findings)} of 253 statements" in to_markdown(document)["front"]
+    assert f"{len(document.findings)} of 253 statements" in to_markdown(document)["certificate"]
 
 
 def test_sections_without_content_are_left_out(document: Document) -> None:

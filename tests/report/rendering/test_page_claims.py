@@ -178,9 +178,9 @@ def test_the_derivation_and_the_nomenclature_are_searched(shared: Page) -> None:
 
 def test_other_words_for_the_same_thing_find_it(visit: Callable[..., Visit]) -> None:
     page = visit().page  # its own, as what is searched is read once
-    page.evaluate("document.querySelector('#provenance').append(' of the dead band')")
+    page.evaluate("document.querySelector('#certificate').append(' of the dead band')")
     for words in ("dead zone", "Deadband", "dead-zone"):
-        assert search(page, words) == ["Provenance of the dead band"]
+        assert search(page, words) == ["Certificate of the dead band"]
 
 
 def test_a_search_without_hit_says_what_to_do(visit: Callable[..., Visit], shared: Page) -> None:

@@ -16,13 +16,17 @@ from report.pages.formats import Format, Paper
 from report.pages.pdf import Head, TypesettingError, typeset
 from report.pages.pieces import Converter
 from report.rendering.markdown import to_markdown
-from report.rendering.render import to_pdf
+from report.rendering.render import pdf_sources, to_pdf
 from report.rendering.selection import select
 
 
-def typst_of(document: Document) -> str:
+def cards_of(document: Document) -> str:
     converter = Converter()
-    return converter.typst(converter.parsed(to_markdown(document)))
+    return pdf_sources(converter, converter.parsed(to_markdown(document)))[1]
+
+
+def cards_pdf(document: Document, paper: Paper = Paper.A4) -> bytes:
+    return to_pdf(document, Format.CARDS, cards_of(document), paper)
 
 
 def poppler(tool: str, *arguments: str) -> str:
@@ -31,6 +35,11 @@ def poppler(tool: str, *arguments: str) -> str:
 
 @pytest.fixture(scope="module")
 def text(rendered: Mapping[Format, Path]) -> str:
+    return poppler("pdftotext", "-layout", str(rendered[Format.CARDS]), "-")
+
+
+@pytest.fixture(scope="module")
+def report(rendered: Mapping[Format, Path]) -> str:
     return poppler("pdftotext", "-layout", str(rendered[Format.PDF]), "-")
 
 
@@ -44,16 +53,16 @@ def test_the_pdf_has_its_title_size_and_date(rendered: Mapping[Format, Path], do
 
 
 @pytest.mark.poppler
-def test_every_claim_and_section_is_in_the_text(text: str, document: Document) -> None:
+def test_every_claim_and_section_is_in_the_text(text: str, report: str, document: Document) -> None:
     assert all(finding.id in text for finding in document.findings)
     assert all(step.title in text for step in document.derivation)
-    assert f"{len(document.findings)} of 253 statements" in text
+    assert f"{len(document.findings)} of 253 statements" in report
 
 
 @pytest.mark.poppler
 def test_a_source_is_named_without_a_link(text: str, document: Document) -> None:
     assert "trimmer/linear/low_pass.py" in text
-    assert "code-trimmer" not in typst_of(select(document, ["ch5"]))
+    assert "code-trimmer" not in cards_of(select(document, ["ch5"]))
 
 
 @pytest.mark.poppler
@@ -76,15 +85,16 @@ def test_only_the_fonts_that_typst_carries_are_used(rendered: Mapping[Format, Pa
 
 @pytest.mark.poppler
 def test_claims_can_be_reached_from_the_outline_and_by_links(rendered: Mapping[Format, Path]) -> None:
-    raw = poppler("pdfinfo", "-dests", str(rendered[Format.PDF]))
+    raw = poppler("pdfinfo", "-dests", str(rendered[Format.CARDS]))
     assert '"eq-2.8"' in raw
     assert '"txt-5.2.1-impulse-1e-8"' in raw
-    assert b"/Outlines" in rendered[Format.PDF].read_bytes()
+    assert b"/Outlines" in rendered[Format.CARDS].read_bytes()
+    assert "cards.pdf#nameddest=eq-2.9" in poppler("pdfinfo", "-url", str(rendered[Format.PDF]))
 
 
 @pytest.mark.poppler
 def test_the_programs_are_attached(rendered: Mapping[Format, Path], document: Document) -> None:
-    listed = poppler("pdfdetach", "-list", str(rendered[Format.PDF]))
+    listed = poppler("pdfdetach", "-list", str(rendered[Format.CARDS]))
     assert all(program.name in listed for program in document.programs)
 
 
@@ -95,7 +105,7 @@ def test_the_report_can_be_set_on_letter_paper(
 ) -> None:
     path = tmp_path_factory.mktemp("letter") / "letter.pdf"
     part = select(document, ["appA"])
-    path.write_bytes(to_pdf(part, typst_of(part), Paper.LETTER))
+    path.write_bytes(cards_pdf(part, Paper.LETTER))
     assert "(letter)" in poppler("pdfinfo", str(path))
 
 
@@ -106,7 +116,7 @@ def with_equation(document: Document, latex: str) -> Document:
 
 
 def test_bars_enclose_instead_of_relating(document: Document) -> None:
-    source = typst_of(with_equation(document, r"|G| \gg |N|"))
+    source = cards_of(with_equation(document, r"|G| \gg |N|"))
     assert "lr(|G|)" in source.replace(" ", "")
     assert "lr(|N|)" in source.replace(" ", "")
 
@@ -118,7 +128,7 @@ def fraction(terms: int) -> str:
 def test_a_formula_that_cannot_fit_stops_the_build_and_is_named(document: Document) -> None:
     wide = with_equation(document, fraction(80))
     with pytest.raises(TypesettingError, match="step wide, equation 1"):
-        to_pdf(wide, typst_of(wide))
+        cards_pdf(wide)
 
 
 @pytest.mark.poppler
@@ -127,7 +137,7 @@ def test_a_formula_that_is_a_little_too_wide_is_set_smaller(
 ) -> None:
     wide = with_equation(document, fraction(30))
     path = tmp_path_factory.mktemp("wide") / "wide.pdf"
-    path.write_bytes(to_pdf(wide, typst_of(wide)))
+    path.write_bytes(cards_pdf(wide))
     boxes = poppler("pdftotext", "-bbox", str(path), "-")
     right_ends = [float(piece.partition('"')[0]) for piece in boxes.split('xMax="')[1:]]
     assert max(right_ends) < 595.3 - 59

@@ -30,7 +30,7 @@ def test_the_same_document_gives_the_same_bytes(
     elsewhere = tmp_path / "another folder"
     environment = {**os.environ, "PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "PYTHONPATH": str(project_folder)}
     subprocess.run([sys.executable, "-c", PROGRAM, str(elsewhere)], cwd=tmp_path, env=environment, check=True)
-    for path in (rendered[Format.HTML], rendered[Format.PDF], rendered[Format.JSON]):
+    for path in (rendered[Format.HTML], rendered[Format.PDF], rendered[Format.CARDS], rendered[Format.JSON]):
         assert (elsewhere / path.name).read_bytes() == path.read_bytes(), path.name
 
 

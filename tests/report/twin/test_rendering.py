@@ -27,7 +27,16 @@ def document():
         Figure("twin-map", "A map", "Where *what* is.", "cells & colours", SVG),
         Observation("twin-b", "", "So.", ("third check",), SOURCE),
     )
-    return replace(sample(), twin=TwinChapter("What play does", (TwinSection("twin-one", "One", items),)))
+    others = (section(name, 2) for name in ("advice", "loop", "questions"))
+    return replace(
+        sample(), twin=TwinChapter("What play does", (TwinSection("twin-one", "One", items),), *others)
+    )
+
+
+def section(name: str, observations: int) -> TwinSection:
+    """Return a section with some observations."""
+    found = (Observation(f"{name}-{n}", "", f"{name} {n}", ("a check",), SOURCE) for n in range(observations))
+    return TwinSection(name, f"Of {name}", tuple(found))
 
 
 def test_observations_and_figures_stand_in_their_order(document):
@@ -39,6 +48,13 @@ def test_observations_and_figures_stand_in_their_order(document):
     assert "second \\< check" in text
 
 
+def test_advice_loop_and_questions_stand_where_they_are_asked_for(document):
+    text = to_markdown(document)
+    places = {"advice": "advice", "loop": "derived", "questions": "answers"}
+    assert all(f"#{name}-1}}" in text[piece] for name, piece in places.items())
+    assert text["answers"].index("raises the peaks") < text["answers"].index("#questions-1}")
+
+
 @pytest.mark.slow
 def test_the_page_holds_the_drawing_the_evidence_and_the_code(document):
     html = to_html(document, Converter().html(Converter().parsed(to_markdown(document))))
@@ -47,7 +63,7 @@ def test_the_page_holds_the_drawing_the_evidence_and_the_code(document):
     assert "<strong>A title.</strong> It is" in html
     assert 'href="#code-report-twin-cell_check"' in html
     (shown,) = (each for each in sources(document) if each.path == SOURCE)
-    assert [each.id for each in shown.findings] == ["twin-a", "twin-b"]
+    assert [each.id for each in shown.findings][4:6] == ["twin-a", "twin-b"]
 
 
 def test_a_part_of_the_report_leaves_the_chapter_out(document):
@@ -58,6 +74,6 @@ def test_a_part_of_the_report_leaves_the_chapter_out(document):
 
 def test_a_source_that_is_not_there_is_named(document):
     observation = replace(document.twin.observations[0], source="report/twin/nothing.py")
-    section = replace(document.twin.sections[0], items=(observation,))
-    with pytest.raises(BrokenLinkError, match="twin-a"):
-        sources(replace(document, twin=replace(document.twin, sections=(section,))))
+    advice = replace(document.twin.advice, items=(observation,))
+    with pytest.raises(BrokenLinkError, match="advice-0"):
+        sources(replace(document, twin=replace(document.twin, advice=advice)))
