@@ -30,9 +30,14 @@ SECTIONS: Final = (
     motion.SECTION,
     maps.SECTION,
     branch.SECTION,
+    loop.SECTION,
     measured.SECTION,
+    questions.SECTION,
+    design.SECTION,
     open_questions.SECTION,
 )
+ELSEWHERE: Final = (loop.SECTION, questions.SECTION, design.SECTION)
+"""What the report shows before or after the chapter."""
 
 
 def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
@@ -49,7 +54,7 @@ def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
     checked = of_check(check_cells(maps_of(known.twin), seed)).finished(known)
     return TwinChapter(
         TITLE,
-        tuple(_with(_finished(section, known), checked) for section in SECTIONS),
+        tuple(_with(_finished(section, known), checked) for section in SECTIONS if section not in ELSEWHERE),
         advice=_finished(design.SECTION, known),
         loop=_finished(loop.SECTION, known),
         questions=_finished(questions.SECTION, known),
