@@ -15,6 +15,7 @@ from mkdocs.exceptions import BuildError
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
+from benchmarks.problems import publish
 from report.pages.policy import with_policy_of_site
 from scripts.site.built import loaded_from_elsewhere
 from scripts.site.command_pages import command_pages
@@ -33,6 +34,7 @@ LIBRARY, COMMANDS = "reference/library", "reference/command-line"
 GALLERY, NOTEBOOKS = "gallery", "notebooks"
 MACHINES = "examples/mechanisms.md"
 MECHANISM, PARAMETERS = "mechanism.md", "reference/parameters.md"
+PROBLEMS = "problems.md"
 COPIED = {
     "report/fonts/stix-two-math.woff2": "fonts/stix-two-math.woff2",
     "report/fonts/STIX-Two-Math-LICENSE.txt": "fonts/STIX-Two-Math-LICENSE.txt",
@@ -69,6 +71,12 @@ def on_files(files: Files, *, config: MkDocsConfig) -> Files:
     for source, target in {**COPIED, **_downloads()}.items():
         files.append(File.generated(config, target, abs_src_path=str(PROJECT / source)))
     files.append(File.generated(config, ARCHIVE, content=_archive()))
+    for name, content in {
+        PROBLEMS: publish.page,
+        "problems.json": publish.as_json,
+        "digits.csv": publish.as_csv,
+    }.items():
+        files.append(File.generated(config, name, content=content()))
     for target, path in [*_pictures(files), *_gallery(), *_notebooks()]:
         files.append(File.generated(config, target, abs_src_path=str(path)))
     return files

@@ -1,0 +1,410 @@
+"""The second way of the machines: piece by piece with SciPy's DOP853, from the equations of the statement.
+
+Nothing of the package is used. A piece ends where an event function passes zero; what each element does
+from then on is written out below. The state is y = (q, q', z of the contacts, what a controller keeps).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+RTOL, ATOL = 1e-13, 1e-17
+
+
+def nothing(t: float) -> tuple[float, float, float]:
+    """Return displacement, velocity and acceleration of what does not move."""
+    return 0.0, 0.0, 0.0
+
+
+@dataclass(frozen=True)
+class Contact:
+    """T = k z + c s', force -w T; s = w q + the pin's share. Above ``upper`` or below ``lower`` it touches.
+
+    It lets go where T changes its sign; free, z relaxes by k z + c z' = 0 until s - z is at an edge again.
+    """
+
+    w: Sequence[float]
+    k: float
+    c: float
+    lower: float
+    upper: float
+    pin: Callable[[float], tuple[float, float, float]] = nothing
+
+    def s(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[float, float]:
+        """Return s and its rate."""
+        at, rate, _ = self.pin(t)
+        return float(np.dot(self.w, q)) + at, float(np.dot(self.w, v)) + rate
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Force -w (F(|u|) sgn u + d u) with u = w q' + the pin's velocity; in stick up to ``static``."""
+
+    w: Sequence[float]
+    force: Callable[[float], float]
+    static: float
+    d: float = 0.0
+    pin: Callable[[float], tuple[float, float, float]] = nothing
+    knots: Sequence[float] = ()
+
+    def u(self, t: float, v: np.ndarray) -> float:
+        """Return the sliding speed."""
+        return float(np.dot(self.w, v)) + self.pin(t)[1]
+
+
+@dataclass(frozen=True)
+class Wall:
+    """w q + the pin's share <= gap; where it is met with a rate r > 0, the rate becomes -e r."""
+
+    w: Sequence[float]
+    e: float
+    gap: float = 0.0
+    pin: Callable[[float], tuple[float, float, float]] = nothing
+
+
+@dataclass(frozen=True)
+class Flight:
+    """Pieces as (solution, begin, end, modes), events as (time, element, mode, rate before)."""
+
+    pieces: list = field(default_factory=list)
+    events: list = field(default_factory=list)
+    time: float = 0.0
+    state: np.ndarray | None = None
+    modes: tuple[int, ...] = ()
+
+    def extremes(self, of: Callable[[float, np.ndarray], float]) -> tuple[float, float]:
+        """Return smallest and largest value of a function of time and state."""
+        found = []
+        for solution, begin, end, _ in self.pieces:
+            found += [of(begin, solution(begin)), of(end, solution(end))]
+            times = np.linspace(begin, end, 400)
+            values = np.array([of(t, solution(t)) for t in times])
+            for sign in (1.0, -1.0):
+                place = int(np.argmax(sign * values))
+                if 0 < place < len(times) - 1:
+                    found.append(
+                        _peak(lambda t, s=solution: of(t, s(t)), times[place - 1], times[place + 1], sign)
+                    )
+        return min(found), max(found)
+
+    def peak_to_peak(self, of: Callable[[float, np.ndarray], float]) -> float:
+        """Return largest less smallest value."""
+        low, high = self.extremes(of)
+        return high - low
+
+    def mean(self, of: Callable[[float, np.ndarray], float]) -> float:
+        """Return the mean over the flight, by Gauss-Legendre between the solver's steps."""
+        nodes, weights = np.polynomial.legendre.leggauss(6)
+        total = length = 0.0
+        for solution, begin, end, _ in self.pieces:
+            steps = np.unique(np.clip(solution.ts, begin, end))
+            for a, b in pairwise(steps):
+                times = 0.5 * (a + b) + 0.5 * (b - a) * nodes
+                total += (
+                    0.5 * (b - a) * sum(w * of(t, solution(t)) for w, t in zip(weights, times, strict=True))
+                )
+            length += end - begin
+        return total / length
+
+
+def _peak(of: Callable[[float], float], a: float, b: float, sign: float) -> float:
+    """Return the extreme value between two times: three parabolas, each on a tenth of the one before."""
+    middle, half = 0.5 * (a + b), 0.5 * (b - a)
+    for _ in range(4):
+        low, mid, high = (of(middle + shift) for shift in (-half, 0.0, half))
+        bend = low - 2.0 * mid + high
+        if bend == 0.0:
+            break
+        middle += half * float(np.clip(0.5 * (low - high) / bend, -1.0, 1.0))
+        half *= 0.1
+    return sign * max(sign * of(middle), sign * of(middle - half), sign * of(middle + half))
+
+
+@dataclass(frozen=True, eq=False)
+class Machine:
+    """M q'' + C q' + K q = force(t) + what contacts, frictions, walls and a controller give.
+
+    ``control(t, y)`` returns forces on q and the rates of the kept states; ``corners(t, y)`` is zero
+    where such a law has a corner, ``breaks`` are times at which a force has one.
+    """
+
+    mass: np.ndarray
+    damping: np.ndarray
+    stiffness: np.ndarray
+    force: Callable[[float], np.ndarray]
+    contacts: tuple[Contact, ...] = ()
+    frictions: tuple[Friction, ...] = ()
+    walls: tuple[Wall, ...] = ()
+    control: Callable[[float, np.ndarray], tuple[np.ndarray, np.ndarray]] | None = None
+    corners: Sequence[Callable[[float, np.ndarray], float]] = ()
+    breaks: Sequence[float] = ()
+    kept: int = 0
+    made: dict = field(default_factory=dict)
+
+    @property
+    def n(self) -> int:
+        """Number of coordinates."""
+        return len(self.mass)
+
+    def split(self, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return q, q' and z."""
+        return y[: self.n], y[self.n : 2 * self.n], y[2 * self.n : 2 * self.n + len(self.contacts)]
+
+    def tension(self, t: float, y: np.ndarray, place: int, mode: int) -> float:
+        """Return T of a contact in a mode."""
+        if mode == 0:
+            return 0.0
+        each = self.contacts[place]
+        q, v, _ = self.split(y)
+        s, rate = each.s(t, q, v)
+        return each.k * (s - (each.upper if mode > 0 else each.lower)) + each.c * rate
+
+    def parts(self, modes: tuple[int, ...]) -> tuple:
+        """Return what stays in a mode: matrices with closed contacts, their pins, and how stick holds."""
+        if modes not in self.made:
+            n, stiffness, damping = len(self.contacts), self.stiffness.copy(), self.damping.copy()
+            constant, pins = np.zeros(self.n), []
+            for each, mode in zip(self.contacts, modes, strict=False):
+                if mode:
+                    w = np.asarray(each.w)
+                    stiffness, damping = (
+                        stiffness + each.k * np.outer(w, w),
+                        damping + each.c * np.outer(w, w),
+                    )
+                    constant = constant + w * each.k * (each.upper if mode > 0 else each.lower)
+                    if each.pin is not nothing:
+                        pins.append((w, each))
+            inverse = np.linalg.inv(self.mass)
+            stuck = [i for i in range(len(self.frictions)) if modes[n + i] == 0]
+            sliding = [
+                (i, np.asarray(self.frictions[i].w), modes[n + i])
+                for i in range(len(self.frictions))
+                if modes[n + i]
+            ]
+            w = np.array([self.frictions[i].w for i in stuck]).reshape(len(stuck), self.n)
+            holds = np.linalg.inv(w @ inverse @ w.T)
+            self.made[modes] = stiffness, damping, constant, pins, inverse, stuck, sliding, w, holds
+        return self.made[modes]
+
+    def acceleration(self, t: float, y: np.ndarray, modes: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+        """Return q'' and the forces of the frictions, along w."""
+        stiffness, damping, constant, pins, inverse, stuck, sliding, w, holds = self.parts(modes)
+        q, v = y[: self.n], y[self.n : 2 * self.n]
+        total = self.force(t) + constant - damping @ v - stiffness @ q
+        if self.control is not None:
+            total = total + self.control(t, y)[0]
+        for direction, each in pins:
+            at, rate, _ = each.pin(t)
+            total = total - direction * (each.k * at + each.c * rate)
+        along = np.zeros(len(self.frictions))
+        for place, direction, mode in sliding:
+            each = self.frictions[place]
+            u = direction @ v + each.pin(t)[1]
+            along[place] = -mode * each.force(abs(u)) - each.d * u
+            total = total + direction * along[place]
+        free = inverse @ total
+        if stuck:
+            holding = holds @ ([-self.frictions[place].pin(t)[2] for place in stuck] - w @ free)
+            along[stuck] = holding
+            free = free + inverse @ (w.T @ holding)
+        return free, along
+
+    def rate(self, t: float, y: np.ndarray, modes: tuple[int, ...]) -> np.ndarray:
+        """Return y' in a mode."""
+        n, rate = self.n, np.zeros(len(y))
+        rate[:n] = y[n : 2 * n]
+        rate[n : 2 * n] = self.acceleration(t, y, modes)[0]
+        for i, each in enumerate(self.contacts):
+            if each.c and not modes[i]:
+                rate[2 * n + i] = -each.k / each.c * y[2 * n + i]
+        if self.control is not None:
+            rate[2 * n + len(self.contacts) :] = self.control(t, y)[1]
+        return rate
+
+    def settled(self, t: float, y: np.ndarray, modes: tuple[int, ...]) -> tuple[int, ...]:
+        """Return the modes once frictions that cannot hold have let go, the most loaded first."""
+        first = len(self.contacts)
+        for _ in self.frictions:
+            along = self.acceleration(t, y, modes)[1]
+            load = [
+                abs(h) / each.static - 1.0 if modes[first + i] == 0 and each.static else -1.0
+                for i, (h, each) in enumerate(zip(along, self.frictions, strict=True))
+            ]
+            worst = int(np.argmax(load)) if load else 0
+            if not load or load[worst] <= 1e-9:
+                break
+            modes = _with(modes, first + worst, -int(np.sign(along[worst])))
+        return modes
+
+    def _events(self, modes: tuple[int, ...]) -> list[tuple[Callable, int, int, float]]:
+        """Return functions that fall through zero (or pass it: 0), the element's place and its next mode."""
+        found: list[tuple[Callable, int, int, float]] = []
+        for i, each in enumerate(self.contacts):
+            if modes[i]:
+                found.append((lambda t, y, i=i: modes[i] * self.tension(t, y, i, modes[i]), i, 0, -1))
+            for side, edge in ((1, each.upper), (-1, each.lower)):
+                if not modes[i] and np.isfinite(edge):
+                    found.append((partial(self._room, i, side, edge), i, side, -1))
+        first = len(self.contacts)
+        for i in range(len(self.frictions)):
+            found += (
+                self._ends_of_slip(first, i, modes)
+                if modes[first + i]
+                else self._ends_of_stick(first, i, modes)
+            )
+        first += len(self.frictions)
+        for i, each in enumerate(self.walls):
+            found.append(
+                (lambda t, y, w=each: w.gap - np.dot(w.w, y[: self.n]) - w.pin(t)[0], first + i, 0, -1)
+            )
+        return found + [(corner, -1, 0, 0) for corner in self.corners]
+
+    def _room(self, i: int, side: int, edge: float, t: float, y: np.ndarray) -> float:
+        q, v, z = self.split(y)
+        return side * (edge - (self.contacts[i].s(t, q, v)[0] - z[i]))
+
+    def _ends_of_slip(self, first: int, i: int, modes: tuple[int, ...]) -> list[tuple]:
+        each, mode, n = self.frictions[i], modes[first + i], self.n
+        turns = (lambda t, y: mode * each.u(t, y[n : 2 * n]), first + i, 0, -1)
+        return [
+            turns,
+            *((lambda t, y, k=k: abs(each.u(t, y[n : 2 * n])) - k, first + i, mode, 0) for k in each.knots),
+        ]
+
+    def _ends_of_stick(self, first: int, i: int, modes: tuple[int, ...]) -> list[tuple]:
+        def left(sign: int, t: float, y: np.ndarray) -> float:
+            return self.frictions[i].static - sign * self.acceleration(t, y, modes)[1][i]
+
+        return [(partial(left, sign), first + i, -sign, -1) for sign in (1, -1)]
+
+    def after(self, t: float, y: np.ndarray, modes: tuple[int, ...], place: int, mode: int):
+        """Return state, modes and the rate before, behind an event of an element."""
+        q, v, _ = self.split(y)
+        y = y.copy()
+        rate, first = 0.0, len(self.contacts) + len(self.frictions)
+        if 0 <= place < len(self.contacts):
+            each = self.contacts[place]
+            rate = each.s(t, q, v)[1]
+            edge = each.upper if (mode or modes[place]) > 0 else each.lower
+            # In touch z follows s; the state keeps what it is once the contact lets go.
+            y[2 * self.n + place] = each.s(t, q, v)[0] - edge if each.c else 0.0
+        if place >= first:
+            wall = self.walls[place - first]
+            rate = float(np.dot(wall.w, v)) + wall.pin(t)[1]
+            turned = np.linalg.solve(self.mass, np.asarray(wall.w))
+            y[self.n : 2 * self.n] -= turned * (1.0 + wall.e) * rate / np.dot(wall.w, turned)
+        elif place >= 0:
+            modes = _with(modes, place, mode)
+        return y, self.settled(t, y, modes), rate
+
+    def begin(self, t: float, y: np.ndarray) -> tuple[int, ...]:
+        """Return the modes of a state: contacts by s and T, frictions by u and by what holds."""
+        q, v, z = self.split(y)
+        modes = []
+        for i, each in enumerate(self.contacts):
+            s = each.s(t, q, v)[0]
+            side = 1 if s - z[i] >= each.upper else -1 if s - z[i] <= each.lower else 0
+            modes.append(side if side and side * self.tension(t, y, i, side) > 0 else 0)
+        speeds = [each.u(t, v) for each in self.frictions]
+        modes += [0 if abs(u) < 1e-14 else int(np.sign(u)) for u in speeds]
+        return self.settled(t, y, tuple(modes))
+
+    def fly(
+        self, t: float, y: np.ndarray, until: float, modes: tuple[int, ...] | None = None, rtol: float = RTOL
+    ) -> Flight:
+        """Return the motion from a state to a time."""
+        y = np.array(y, dtype=float)
+        modes = self.begin(t, y) if modes is None else modes
+        flight = Flight()
+        while t < until:
+            stop = min([each for each in self.breaks if t < each < until], default=until)
+            events, functions = self._events(modes), []
+            beside = 1e-9 * (stop - t)
+            for function, _, _, direction in events:
+                # A corner is met from the side on which the motion is just behind the start of the piece.
+                side = direction or -np.sign(function(t + beside, y + beside * self.rate(t, y, modes)))
+
+                def ends(
+                    t: float, y: np.ndarray, function: Callable = function, side: float = -side
+                ) -> float:
+                    return float(side * function(t, y))
+
+                ends.terminal, ends.direction = True, -1
+                functions.append(ends)
+            ended = solve_ivp(
+                lambda t, y, modes=modes: self.rate(t, y, modes),
+                (t, stop),
+                y,
+                method="DOP853",
+                rtol=rtol,
+                atol=ATOL * rtol / RTOL,
+                events=functions,
+                dense_output=True,
+                max_step=(stop - t) / 8,
+            )
+            flight.pieces.append((ended.sol, t, float(ended.t[-1]), modes))
+            t, y = float(ended.t[-1]), ended.y[:, -1]
+            if ended.status == 1:
+                number = next(i for i, times in enumerate(ended.t_events) if times.size)
+                place, mode = events[number][1:3]
+                y, modes, rate = self.after(t, y, modes, place, mode)
+                if place >= 0 and events[number][3]:
+                    flight.events.append((t, place, mode, rate))
+        return replace(flight, time=t, state=y, modes=modes)
+
+    def linear(self, modes: tuple[int, ...]) -> np.ndarray:
+        """Return the matrix of (q, q') in modes of contacts alone."""
+        stiffness, damping, _, _, inverse, *_ = self.parts(modes)
+        unit = np.eye(self.n)
+        return np.block([[0 * unit, unit], [-inverse @ stiffness, -inverse @ damping]])
+
+    def monodromy(self, flight: Flight) -> np.ndarray:
+        """Return d y_end / d y_begin where the right-hand side is continuous: contacts without damping."""
+        total = np.eye(2 * self.n)
+        for _, begin, end, modes in flight.pieces:
+            total = expm(self.linear(modes) * (end - begin)) @ total
+        return total
+
+
+def _with(modes: tuple[int, ...], place: int, mode: int) -> tuple[int, ...]:
+    return (*modes[:place], mode, *modes[place + 1 :])
+
+
+def jacobian(
+    of: Callable[[np.ndarray], np.ndarray], x: np.ndarray, steps: np.ndarray, order: int
+) -> np.ndarray:
+    """Return the derivative by central differences of second or fourth order."""
+    columns = []
+    for i, step in enumerate(steps):
+        shift = np.zeros(len(x))
+        shift[i] = step
+        near = of(x + shift) - of(x - shift)
+        if order == 2:
+            columns.append(near / (2.0 * step))
+        else:
+            columns.append((8.0 * near - of(x + 2 * shift) + of(x - 2 * shift)) / (12.0 * step))
+    return np.array(columns).T
+
+
+def fixed_point(of: Callable[[np.ndarray], np.ndarray], x: np.ndarray, scale: np.ndarray, order: int = 4):
+    """Return x = of(x) by Newton's method, and the derivative of ``of`` there."""
+    x = np.array(x, dtype=float)
+    for step in range(30):
+        if step % 5 == 0:
+            derivative = jacobian(of, x, 1e-5 * scale, 2)
+        change = np.linalg.solve(derivative - np.eye(len(x)), x - of(x))
+        x = x + change
+        if np.max(np.abs(change) / scale) < 2e-13:
+            break
+    else:
+        raise ValueError(
+            f"no periodic motion was found: the last change is {np.max(np.abs(change) / scale):.1e}"
+        )
+    return x, jacobian(of, x, 1e-4 * scale, order)

@@ -1,0 +1,96 @@
+"""The benchmark problems: their form, that both ways find their digits, and what is refused of a file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from benchmarks.problems import ask, publish
+from benchmarks.problems.read import KINDS, ProblemError, problems, read
+from tests.quick import quick
+
+PROBLEMS = {each.name: each for each in problems()}
+OURS = ("ball-to-rest", "falling-friction", "lever-play", "sampled-axis")
+SECOND = ("ball-to-rest", "den-hartog", "preloaded-stop", "sampled-axis")
+"""Asked in each quick run."""
+GIVEN = """
+title = "A"
+kinds = ["play"]
+statement = "x"
+second_way = "closed.soft_wall"
+ways = ["one", "two"]
+python = "found = {}"
+digits = [{ name = "a", value = 1.0, unit = "m", agreement = 1e-9 }]
+"""
+
+
+def test_the_collection_is_wide_and_whole() -> None:
+    assert {kind for each in PROBLEMS.values() for kind in each.kinds} == KINDS
+    folder = Path(publish.__file__).parent / "second_ways"
+    for each in PROBLEMS.values():
+        module, function = each.second_way.split(".")
+        assert f"def {function}()" in (folder / f"{module}.py").read_text("utf-8")
+        assert each.statement.isprintable() or "\n" in each.statement
+        assert all(digit.ours or each.python for digit in each.digits)
+
+
+@pytest.mark.parametrize("name", quick(PROBLEMS, *[list(PROBLEMS).index(each) for each in OURS]))
+def test_the_package_finds_the_digits(name: str) -> None:
+    problem = PROBLEMS[name]
+    errors = ask.compared(problem, ask.ours(problem))
+    assert all(errors[each.name] <= each.agreement for each in problem.digits), errors
+
+
+@pytest.mark.parametrize("name", quick(PROBLEMS, *[list(PROBLEMS).index(each) for each in SECOND]))
+def test_the_second_way_finds_the_digits(name: str) -> None:
+    problem = PROBLEMS[name]
+    errors = ask.compared(problem, ask.second(problem))
+    assert all(errors[each.name] <= each.agreement for each in problem.digits), errors
+
+
+def test_second_ways_know_nothing_of_the_package() -> None:
+    modules = {each.second_way.split(".")[0] for each in PROBLEMS.values()}
+    lines = [f"import benchmarks.problems.second_ways.{module}" for module in modules]
+    code = "\n".join([*lines, "import sys; sys.exit('trimmer' in sys.modules)"])
+    assert subprocess.run([sys.executable, "-c", code]).returncode == 0
+
+
+def test_what_is_published_has_every_digit() -> None:
+    told = json.loads(publish.as_json())
+    rows = list(csv.DictReader(io.StringIO(publish.as_csv())))
+    page = publish.page()
+    expected = [(each.name, digit.name, digit.value) for each in PROBLEMS.values() for digit in each.digits]
+    assert [(p["name"], d["name"], d["value"]) for p in told["problems"] for d in p["digits"]] == expected
+    assert [(row["problem"], row["digit"], float(row["value"])) for row in rows] == expected
+    for each in PROBLEMS.values():
+        assert f"## {each.title}\n" in page and each.statement in page
+        assert all(f"| {digit.name} | {digit.printed} |" in page for digit in each.digits)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "sentence"),
+    [
+        ('title = "A"', "", "'title' is missing; add it"),
+        ('title = "A"', 'title = "A"\nname = "b"', "unknown key 'name'; known are"),
+        ('["play"]', '["plays"]', "kinds has 'plays'; known are control, friction, impact, play, stop"),
+        ('["one", "two"]', '["one"]', "digit 'a' has 1 ways; two independent ones are needed"),
+        ("value = 1.0", "value = nan", "give a number that is not 0, confirmed to 1e-05"),
+        ("1e-9", "1e-3", "digit 'a' is 1.0 to 0.001; give a number"),
+        (', unit = "m"', "", "digit 'a' lacks or has 'unit'"),
+        ("1e-9 }", '1e-9 }, { name = "a", value = 1.0, unit = "", agreement = 1e-9 }', "'a' is there twice"),
+        ('python = "found = {}"', "", "give machine and asks, or python"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_said(tmp_path: Path, before: str, after: str, sentence: str) -> None:
+    assert before in GIVEN
+    path = tmp_path / "a.toml"
+    path.write_text(GIVEN.replace(before, after), encoding="utf-8")
+    with pytest.raises(ProblemError, match=r"^a\.toml: ") as told:
+        read(path)
+    assert sentence in str(told.value)
