@@ -35,7 +35,7 @@ def told(figure: Figure) -> Iterator[str]:
         for each in axes.collections:
             found = np.concatenate([*(path.vertices for path in each.get_paths()), each.get_offsets()])
             ends = _rounded(found, [found.min(axis=0), found.max(axis=0)])
-            yield f"  {type(each).__name__} {_name(each.get_label())}: within {ends}"
+            yield f"  collection {_name(each.get_label())}: within {ends}"
         for text in axes.texts:
             yield f"  {text.get_text()!r} at {_few(getattr(text, 'xyann', text.get_position()))}"
             if getattr(text, "arrow_patch", None):
@@ -47,7 +47,8 @@ def _axis(axes: Axes, name: str) -> str:
     scale = axis.get_scale()
     ends = f" {_few(getattr(axes, f'get_{name}lim')())}" if scale == "linear" else ""
     with_words = type(axis.get_major_formatter()).__name__ == "FixedFormatter"
-    words = f" {[each.get_text() for each in axis.get_ticklabels()]}" if with_words else ""
+    ticks = [each.get_text() for each in axis.get_ticklabels()] if with_words else []
+    words = f" {ticks} at {_few(axis.get_ticklocs())}" if with_words else ""
     return f"{name} {axis.get_label_text()!r} {scale}{ends}{words}"
 
 
