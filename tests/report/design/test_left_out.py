@@ -113,6 +113,7 @@ def test_a_file_without_outputs_gets_its_report(tmp_path: Path) -> None:
     assert r"block\, acceleration" in text
 
 
+@pytest.mark.slow
 def test_a_servo_that_hunts_has_no_drive_periods(tmp_path: Path) -> None:
     _, text = reported(
         design_file_of_text(without(example_text("two-mass-servo"), "targets"), "two-mass-servo.toml"),

@@ -329,7 +329,7 @@ def test_derivatives_over_impacts_and_rest_are_those_of_the_motion():
             (0.14, 0.06, ["period-doubling"], 2),
             (0.17, 0.3, ["fold"], 1),
         ],
-        2,
+        0,
         3,
     ),
 )

@@ -134,12 +134,14 @@ def test_a_remedy_meets_its_target_beside_the_point_with_the_margin_that_the_for
         assert all(float(f"{change.after:.3g}") == change.after for change in each.changes)
 
 
+@pytest.mark.slow
 def test_the_change_with_much_margin_stands_first() -> None:
     """By brute force in the formula no change of one number has more, up to what counts alike."""
     first, best = searched(0.018).found[0], one(0.018)
     assert best > 0.1 and min(first.margin, AMPLE) >= min(best, AMPLE) - ALIKE - EFFORT
 
 
+@pytest.mark.slow
 def test_two_numbers_do_what_one_cannot() -> None:
     bound = 0.0225
     assert one(bound) < 0

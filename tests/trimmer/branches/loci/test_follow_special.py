@@ -121,6 +121,7 @@ def test_both_folds_lie_on_one_locus_through_a_cusp(branch: FollowedBranch) -> N
     )
 
 
+@pytest.mark.slow
 def test_the_grazing_of_the_dead_zone_lies_where_the_linear_motion_is_as_wide_as_the_zone() -> None:
     # The body leans on the upper side of the zone with the constant force, and moves around there with
     # 0.05 omega^2 / |1 - omega^2 + 0.1 i omega|, until it comes down to the side of the zone.

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from tests.quick import quick
-from tests.trimmer.loops.reference.peer_time_stepping import time_stepping
 from tests.trimmer.loops.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
 from trimmer import (
     CoulombFriction,
@@ -125,21 +124,6 @@ def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
     changes = [(each.time, each.component) for each in motion.events]
     assert len(set(changes)) == len(changes)
     assert {each.component for each in motion.events if each.time == 0} == {"friction q2", "friction q2-q4"}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("ring", quick([*RINGS, (some_frictions(4),)], 0))
-def test_time_stepping_tends_to_the_motion(ring: Ring) -> None:
-    duration, steps = 0.015, 750
-    motion = simulate(loop_of(ring), duration)
-    misses = []
-    for refinement in (1, 4):
-        count = steps * refinement
-        instants = np.linspace(0.0, duration, count + 1)[1:]
-        exact = motion.state(instants)[:4]
-        misses.append(abs(time_stepping(peer_of(ring), count, duration) - exact).max() / abs(exact).max())
-    assert misses[1] < 3e-3
-    assert misses[1] < 0.5 * misses[0]
 
 
 @pytest.mark.parametrize("seed", quick(range(10), 1))
