@@ -12,7 +12,6 @@ import trimmer
 from tests.trimmer.command_line.inputs import AMPLITUDES, DRIVE, write_inputs
 from trimmer.command_line.main import main
 from trimmer.command_line.signals import signal_options, spectrum
-from trimmer.linear.model import InputChannels
 from trimmer.progress import progress_bar, silenced
 from trimmer.signals.csv_layout import DecimalSign, Delimiter
 from trimmer.signals.missing import MissingValues
@@ -21,10 +20,7 @@ from trimmer.signals.sampling import Gaps
 from trimmer.signals.wav import BitDepth
 from trimmer.spectra.window import Window
 
-THESIS = trimmer.TrimmerParameters.thesis()
-PLAY = trimmer.FrictionBacklash(4e-5)
 LOOP = ["--element", "friction", "--gap", "4e-5", "--channels", "displacement", "--json"]
-OPEN = trimmer.pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY)
 
 
 @pytest.fixture(scope="module")
@@ -54,51 +50,6 @@ def test_shapes_of_a_structure_are_of_its_points(printed) -> None:
     assert names == ["bit", "hand", "housing.motor", "housing.tool", "housing.handle"]
     shapes = [mode["shape"] for state in content["states"] for mode in state["modes"]]
     assert {len(shape) for shape in shapes} == {len(names)}
-
-
-def test_the_linear_trimmer(printed) -> None:
-    content = printed("linear", "--output", "q1", "--channels", "displacement", "--json")
-    summary = trimmer.summarise(
-        THESIS, trimmer.thesis.Displacement.parse("q1"), InputChannels.DISPLACEMENT_ONLY
-    )
-    assert content["parameters"] == vars(THESIS)
-    assert [complex(*mode["eigenvalue"]) for mode in content["modes"]] == [
-        mode.eigenvalue for mode in summary.modes
-    ]
-    assert tuple(complex(*pole) for pole in content["poles"]) == summary.factored.poles
-    assert tuple(complex(*zero) for zero in content["zeros"]) == summary.factored.zeros
-    assert tuple(content["gain_crossings"]) == summary.gain_crossings
-    assert [peak["omega"] for peak in content["peaks"]] == [peak.omega for peak in summary.peaks]
-    for name in ("static_gain",):
-        assert content[name] == getattr(summary.factored, name)
-    assert (content["bandwidth"], content["roll_off"]) == (summary.low_pass.bandwidth, summary.roll_off)
-
-
-def test_limit_cycles_and_orbits(printed) -> None:
-    balance = trimmer.harmonic_balance(OPEN, PLAY)
-    expected = [(each.amplitude, each.frequency, each.stable) for each in balance.limit_cycles]
-    content = printed("limit-cycles", *LOOP)
-    told = [(each["amplitude"], each["frequency"], each["stable"]) for each in content["limit_cycles"]]
-    assert told == expected
-    assert content["certificate"]["complete"] is balance.certificate.complete is True
-    orbits = trimmer.periodic_orbits(trimmer.ClosedLoop(OPEN, PLAY))
-    told = [
-        (each["amplitude"], each["period"], each["residual"]) for each in printed("orbits", *LOOP)["orbits"]
-    ]
-    assert told == [(each.amplitude, each.period, each.residual) for each in orbits]
-
-
-def test_what_a_mechanism_does(printed) -> None:
-    twin = trimmer.Mechanism.from_toml("examples/thesis-play.toml").with_value("frictions.blade.force", 1.0)
-    words = ["examples/thesis-play.toml", "--set", "frictions.blade.force=1", "--json"]
-    content, orbit = printed("respond", *words), trimmer.respond(twin).motion.orbit
-    assert [complex(*each) for each in content["multipliers"]] == list(orbit.multipliers)
-    stroke = content["outputs"]["stroke"]
-    assert stroke["peak_to_peak"] == orbit.measures.outputs["stroke"].peak_to_peak
-    content = printed("simulate", *words, "--duration", "0.02", "--state", "motor=1um,-3")
-    motion = trimmer.simulate(twin, 0.02, state={"motor": (1e-6, -3.0)})
-    assert [each["time"] for each in content["events"]] == [each.time for each in motion.events]
-    assert content["energy"]["pins"] == motion.energy.pins
 
 
 @pytest.mark.parametrize(
