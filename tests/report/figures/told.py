@@ -20,6 +20,8 @@ from tests.report.figures.conftest import FIGURES
 KEPT = Path(__file__).with_suffix(".txt")
 NOTHING = 1e-6
 """Share of the largest coordinate below which one is rounding."""
+CHAOTIC = "twin"
+"""Curves of motions of which one is chaotic: there rounding grows."""
 
 
 def told(figure: Figure) -> Iterator[str]:
@@ -27,7 +29,7 @@ def told(figure: Figure) -> Iterator[str]:
     for axes in figure.axes:
         scales = ", ".join(_axis(axes, name) for name in "xy") if axes.axison else "no axes"
         yield f"{title_of(axes)!r} {scales}"
-        yield from (f"  {_look(each)}: {_sizes(each.get_xydata())}" for each in axes.lines)
+        yield from (f"  {_look(each)}: {_of_curve(each)}" for each in axes.lines)
         for patch in axes.patches:
             corners = patch.get_transform().transform(patch.get_path().vertices)
             place = axes.transData.inverted().transform(corners)
@@ -59,6 +61,10 @@ def _look(line: Line2D) -> str:
 
 def _name(label: object) -> str:
     return "-" if str(label).startswith("_") else repr(str(label))
+
+
+def _of_curve(line: Line2D) -> str:
+    return "not told" if line.get_label() == CHAOTIC else _sizes(line.get_xydata())
 
 
 def _sizes(places: np.ndarray) -> str:
