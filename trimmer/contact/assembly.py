@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -40,58 +42,112 @@ ROUNDING = 16 * float(np.finfo(float).eps)
 """Rounding of a sum of products as a share of the moduli of its terms."""
 
 
-def assemble(machine: Machine, statuses: tuple[int, ...], period: float = 1.0) -> Mode:
-    """Return the equations of a mode.
+class _Holding(NamedTuple):
+    """What holds in a mode, whatever the status of all else: frictions that stick, and walls at rest.
 
-    Args:
+    Attributes:
+        tree: Numbers of the holds that hold the others too.
+        rates: Their velocities as functionals, (t, N).
+        push: Accelerations by their forces, (t, n).
+        inverse: Of what one accelerates another, (t, t).
+        shares: Moduli of what makes velocities fit what is held, (n, N).
+        fitted: Velocities that fit it, (n, N).
+        limits: Of each way in which it ends: part, directions, which sums of forces, and their limit, N.
+    """
+
+    tree: Places
+    rates: Reals
+    push: Reals
+    inverse: Reals
+    shares: Reals
+    fitted: Reals
+    limits: tuple[tuple[int, tuple[int, ...], Reals, float], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Assembler:
+    """Makes the modes of a machine, and keeps what several of them share.
+
+    Attributes:
         machine: The mechanism.
-        statuses: Of all contacts, then of all frictions, curves and walls.
         period: That of the drive, s; 1 without one.
     """
-    contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
-    flow = flow_without_stick(machine, statuses)
-    hold = np.eye(len(flow))
-    springs = relaxing_springs(machine)
-    for contact, z in springs:
-        if statuses[contact] in PUSHING:
-            hold[z] = machine.contact_distance[contact]
-            hold[z, -1] -= offset(machine, contact, statuses[contact])
-        elif statuses[contact] == FREE:
-            hold[z] = 0.0
-    functions = [*functions_of_controls(machine, statuses), *_of_contacts(machine, statuses)]
-    rubbing, walls = machine.of_frictions(statuses), machine.of_walls(statuses)
-    resting = np.array([each == RESTS for each in walls], dtype=bool)
-    sticking = np.flatnonzero([*(each == STICK for each in rubbing), *resting])
-    held = tuple(machine.holds[sticking].tolist()) if len(sticking) else ()
-    if len(sticking):
-        every = machine.hold_rate
-        tree = sticking[independent(every[sticking, bodies : 2 * bodies])]
-        rates, push = every[tree], machine.hold_push[tree]
-        inverse = np.linalg.inv(rates[:, bodies : 2 * bodies] @ push.T)
-        forces = inverse @ (rates @ flow)
-        velocities, shares = slice(bodies, 2 * bodies), abs(push.T) @ abs(inverse) @ abs(rates)
-        flow[velocities] = _difference(flow[velocities], push.T @ forces, shares @ abs(flow))
-        hold[velocities] = _difference(hold[velocities], push.T @ inverse @ rates, shares)
-        functions += _of_stick(machine, sticking, tree, forces)
-    for friction, status in enumerate(rubbing):
-        if status != STICK:
-            direction = 1.0 if status == FORWARD else -1.0
-            row = direction * machine.friction_rate[friction]
-            functions.append(EventFunction(contacts + friction, ARRIVED, row))
-    functions += functions_of_curves(machine, statuses)
-    functions += functions_of_walls(machine, statuses, period)
-    relaxing = {contact: _rate(machine, contact) for contact, _ in springs}
-    decay = [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
-    return Mode(
-        statuses,
-        flow,
-        tuple(functions),
-        hold if not resting.any() else hold @ at_walls(machine, np.flatnonzero(resting)),
-        held=held,
-        settled=(*(FREE if each == RELAXING else each for each in statuses[:contacts]), *statuses[contacts:]),
-        decay=np.array(decay),
-        decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
-    )
+
+    machine: Machine
+    period: float = 1.0
+    _of_contact: dict[tuple[int, int], tuple[EventFunction, ...]] = field(default_factory=dict, init=False)
+    _holdings: dict[tuple[int, ...], _Holding] = field(default_factory=dict, init=False)
+
+    def mode(self, statuses: tuple[int, ...]) -> Mode:
+        """Return the equations of a mode, by the statuses of contacts, frictions, curves, controls, walls."""
+        machine = self.machine
+        contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
+        flow = flow_without_stick(machine, statuses)
+        hold = np.eye(len(flow))
+        springs = relaxing_springs(machine)
+        for contact, z in springs:
+            if statuses[contact] in PUSHING:
+                hold[z] = machine.contact_distance[contact]
+                hold[z, -1] -= offset(machine, contact, statuses[contact])
+            elif statuses[contact] == FREE:
+                hold[z] = 0.0
+        functions = [*functions_of_controls(machine, statuses), *self._of_contacts(statuses[:contacts])]
+        rubbing, walls = machine.of_frictions(statuses), machine.of_walls(statuses)
+        resting = [number for number, each in enumerate(walls) if each == RESTS]
+        sticking = [number for number, each in enumerate(rubbing) if each == STICK]
+        sticking += [len(rubbing) + number for number in resting]
+        if sticking:
+            holding = self._holding(tuple(sticking))
+            forces, velocities = holding.inverse @ (holding.rates @ flow), slice(bodies, 2 * bodies)
+            flow[velocities] = _difference(
+                flow[velocities], holding.push.T @ forces, holding.shares @ abs(flow)
+            )
+            hold[velocities] = holding.fitted
+            functions += _of_stick(holding, sticking, forces)
+        for friction, status in enumerate(rubbing):
+            if status != STICK:
+                direction = 1.0 if status == FORWARD else -1.0
+                row = direction * machine.friction_rate[friction]
+                functions.append(EventFunction(contacts + friction, ARRIVED, row))
+        functions += functions_of_curves(machine, statuses)
+        functions += functions_of_walls(machine, statuses, self.period)
+        relaxing = {contact: _rate(machine, contact) for contact, _ in springs}
+        settled = (FREE if each == RELAXING else each for each in statuses[:contacts])
+        return Mode(
+            statuses,
+            flow,
+            tuple(functions),
+            hold @ at_walls(machine, np.array(resting)) if resting else hold,
+            held=tuple(machine.holds[sticking].tolist()) if sticking else (),
+            settled=(*settled, *statuses[contacts:]),
+            decay=np.array(
+                [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
+            ),
+            decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
+        )
+
+    def _of_contacts(self, statuses: tuple[int, ...]) -> Iterator[EventFunction]:
+        for contact, status in enumerate(statuses):
+            if (contact, status) not in self._of_contact:
+                self._of_contact[contact, status] = tuple(_of_contact(self.machine, contact, status))
+            yield from self._of_contact[contact, status]
+
+    def _holding(self, sticking: tuple[int, ...]) -> _Holding:
+        if sticking not in self._holdings:
+            self._holdings[sticking] = _holding(self.machine, np.array(sticking))
+        return self._holdings[sticking]
+
+
+def _holding(machine: Machine, sticking: Places) -> _Holding:
+    """Return what some holds do, by their numbers."""
+    bodies, every = machine.contact_push.shape[1], machine.hold_rate
+    velocities = slice(bodies, 2 * bodies)
+    tree = sticking[independent(every[sticking, velocities])]
+    rates, push = every[tree], machine.hold_push[tree]
+    inverse = np.asarray(np.linalg.inv(rates[:, velocities] @ push.T), dtype=np.float64)
+    shares = abs(push.T) @ abs(inverse) @ abs(rates)
+    fitted = _difference(np.eye(rates.shape[1])[velocities], push.T @ inverse @ rates, shares)
+    return _Holding(tree, rates, push, inverse, shares, fitted, tuple(_limits(machine, sticking, tree)))
 
 
 def _rate(machine: Machine, contact: int) -> float:
@@ -154,20 +210,18 @@ def force_of(machine: Machine, contact: int, status: int) -> Reals:
     return np.asarray(force)
 
 
-def _of_contacts(machine: Machine, statuses: tuple[int, ...]) -> Iterator[EventFunction]:
-    for contact in range(len(machine.stiffness)):
-        status = statuses[contact]
-        if status in (FREE, RELAXING):
-            yield from _while_free(machine, contact, status)
-        elif status in (PLUS, MINUS):
-            side = SIDES[status]
-            pulls = machine.law[contact] == PULLS
-            row = _beyond(machine, contact, side) if pulls else side * force_of(machine, contact, status)
-            yield EventFunction(contact, BROKEN, row)
-        elif status in (RELEASED_PLUS, RELEASED_MINUS):
-            side = SIDES[status]
-            yield EventFunction(contact, RETURNED, -side * force_of(machine, contact, status))
-            yield EventFunction(contact, LEFT, _beyond(machine, contact, side))
+def _of_contact(machine: Machine, contact: int, status: int) -> Iterator[EventFunction]:
+    if status in (FREE, RELAXING):
+        yield from _while_free(machine, contact, status)
+    elif status in (PLUS, MINUS):
+        side = SIDES[status]
+        pulls = machine.law[contact] == PULLS
+        row = _beyond(machine, contact, side) if pulls else side * force_of(machine, contact, status)
+        yield EventFunction(contact, BROKEN, row)
+    elif status in (RELEASED_PLUS, RELEASED_MINUS):
+        side = SIDES[status]
+        yield EventFunction(contact, RETURNED, -side * force_of(machine, contact, status))
+        yield EventFunction(contact, LEFT, _beyond(machine, contact, side))
 
 
 def _while_free(machine: Machine, contact: int, status: int) -> Iterator[EventFunction]:
@@ -223,17 +277,17 @@ def _without(rows: Reals, push: Reals, moved: slice) -> Reals:
     return found
 
 
-def _of_stick(machine: Machine, sticking: Places, tree: Places, forces: Reals) -> Iterator[EventFunction]:
-    """Yield how far what sticks is from its limits; rings share their forces in any admissible way."""
+def _limits(
+    machine: Machine, sticking: Places, tree: Places
+) -> Iterator[tuple[int, tuple[int, ...], Reals, float]]:
+    """Yield the ways in which stick ends; rings share their forces in any admissible way."""
     bodies, rubbing = machine.contact_push.shape[1], sticking < len(machine.kinetic)
     vectors = np.eye(len(sticking))
     if len(tree) < len(sticking):
         vectors = elementary_vectors(machine.hold_rate[sticking, bodies : 2 * bodies])
-    every = np.zeros((len(sticking), forces.shape[1]))
-    every[np.searchsorted(sticking, tree)] = forces
     holds, held, limits = machine.holds, len(machine.held), machine.held[sticking[rubbing]]
     for vector in vectors:
-        limit, across = abs(vector[rubbing]) @ limits, vector @ every
+        limit = float(abs(vector[rubbing]) @ limits)
         involved = np.flatnonzero(vector)
         owner = int(holds[sticking[involved[0]]]) if len(involved) == 1 else JOINTLY
         for side in (1, -1):
@@ -241,6 +295,14 @@ def _of_stick(machine: Machine, sticking: Places, tree: Places, forces: Reals) -
                 continue  # A wall holds against this with any force.
             signs = np.zeros(held, dtype=np.int64)
             signs[sticking] = side * np.sign(vector)
-            row = -side * across
-            row[-1] += limit
-            yield EventFunction(owner, AT_LIMIT, row, tuple(signs.tolist()))
+            yield owner, tuple(signs.tolist()), -side * vector, limit
+
+
+def _of_stick(holding: _Holding, sticking: Sequence[int], forces: Reals) -> Iterator[EventFunction]:
+    """Yield how far what sticks is from its limits, by the forces of those that hold the others too."""
+    every = np.zeros((len(sticking), forces.shape[1]))
+    every[np.searchsorted(sticking, holding.tree)] = forces
+    for owner, signs, vector, limit in holding.limits:
+        row = vector @ every
+        row[-1] += limit
+        yield EventFunction(owner, AT_LIMIT, row, signs)

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
-from trimmer.contact.assembly import assemble, flow_without_stick
+from trimmer.contact.assembly import Assembler, flow_without_stick
 from trimmer.contact.impulses import first_wall, impulse_of
 from trimmer.contact.joint import after_event
 from trimmer.contact.layout import Layout
@@ -54,6 +54,11 @@ class MechanismSystem:
         return self.machine.relaxing_state
 
     @cached_property
+    def assembler(self) -> Assembler:
+        """What makes its modes."""
+        return Assembler(self.machine, self.layout.period or 1.0)
+
+    @cached_property
     def scales(self) -> Reals:
         """Sizes of the gaps, m, (m,)."""
         offsets = self.machine.offsets
@@ -62,7 +67,7 @@ class MechanismSystem:
 
     def mode(self, statuses: tuple[int, ...]) -> Mode:
         """Return the equations of the mode with given statuses: of contacts, frictions, curves, walls."""
-        return assemble(self.machine, statuses, self.layout.period or 1.0)
+        return self.assembler.mode(statuses)
 
     def terms(self, mode: Mode) -> Reals:
         """Return the moduli of what the flow of a mode is made of, (N, N): stick takes forces away."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.assembly import assemble, stopped_at_walls
+from trimmer.contact.assembly import Assembler, stopped_at_walls
 from trimmer.contact.control_limits import first_control, limits_at
 from trimmer.contact.curves import first_curve, segments_at
 from trimmer.contact.impulses import NEARLY, at_gap, first_wall, impulse_of
@@ -168,7 +168,7 @@ class _Strike:
         leaving = -self.rate(wall, state)
         if leaving <= 0.0:
             return False
-        closing = float(self.machine.wall_rate[wall] @ (assemble(self.machine, statuses).flow @ state))
+        closing = float(self.machine.wall_rate[wall] @ (Assembler(self.machine).mode(statuses).flow @ state))
         left = 1.0 - self.machine.restitution[wall]
         return bool(2.0 * leaving < SHORTEST * self.period * closing * left)
 
