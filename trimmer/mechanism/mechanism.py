@@ -18,6 +18,7 @@ from trimmer.mechanism.controls.references import Reference
 from trimmer.mechanism.kinds import Kind, kind_of_output, kind_of_part, kind_of_point, kinds_of
 from trimmer.mechanism.outputs import UNITS, taken
 from trimmer.mechanism.parts import (
+    COUPLINGS,
     Body,
     ContactLaw,
     Force,
@@ -251,19 +252,28 @@ class Mechanism(Shown):
         return state_space_of(self, contacts, inputs, outputs)
 
 
-def changed(mechanism: Mechanism, field_name: str, content: object) -> Mechanism:
+_JUDGED = (*COUPLINGS, "forces", *SECTIONS)
+"""Sections whose numbers may not go together within an entry, and not beyond it."""
+
+
+def changed(mechanism: Mechanism, field_name: str, content: Any, name: str = "") -> Mechanism:
     """Return a mechanism in which one number has changed, without checking again what has not.
 
     Args:
         mechanism: The mechanism, which was checked.
         field_name: The field with the number.
         content: What stands there now; the number itself has been checked, and is what the parts hold.
+        name: The entry of the field that has it, if it has entries.
 
     Raises:
         MechanismError: if the number does not go together with others.
     """
     contents = {**vars(mechanism), field_name: content}
-    if problems := list(problems_of_numbers(contents, weighs=field_name == "points")):
+    asked = contents
+    if field_name != "points":  # Weights of points may leave any part without motion.
+        alone = {name: content[name]} if field_name in _JUDGED else {}
+        asked = {**contents, **{each: alone if each == field_name else {} for each in _JUDGED}}
+    if problems := list(problems_of_numbers(asked, weighs=field_name == "points")):
         raise MechanismError(as_message(problems))
     made = object.__new__(Mechanism)
     vars(made).update(contents)

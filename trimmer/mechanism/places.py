@@ -150,7 +150,7 @@ def assignment(text: str) -> tuple[str, float | str]:
 
 
 def _with_entry(mechanism: Mechanism, section: str, name: str, entry: object) -> Mechanism:
-    return changed(mechanism, section, ReadOnly({**getattr(mechanism, section), name: entry}))
+    return changed(mechanism, section, ReadOnly({**getattr(mechanism, section), name: entry}), name)
 
 
 def _number(names: Place, value: float | str, wanted: NumberField) -> float:
