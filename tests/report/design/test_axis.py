@@ -11,6 +11,7 @@ from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
+from tests.quick import quick
 from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner
@@ -54,7 +55,7 @@ def test_an_axis_that_rests_is_told_so() -> None:
     assert places == ["controllers.axis.kp", "controllers.axis.ki"]
 
 
-@pytest.mark.parametrize("targets", ["", "[targets]\novershoot_at_most = 40\n"])
+@pytest.mark.parametrize("targets", quick(["", "[targets]\novershoot_at_most = 40\n"], 1))
 def test_a_number_that_nobody_knows_is_told_by_steps_alone(targets: str) -> None:
     """Overshoots in closed form, as in tests/trimmer/design/test_axis.py."""
     ranges = told(AXIS.replace('"2 kg"', '"2 kg..3 kg"') + targets)["ranges"]

@@ -72,8 +72,10 @@ def test_the_ball_on_the_table_of_the_definition():
     assert np.prod(orbit.multipliers) == pytest.approx(0.36, rel=1e-10)
 
 
-@pytest.mark.parametrize("restitution", [0.6, 0.8])
-@pytest.mark.parametrize("kind", ["fold", "period-doubling"])
+@pytest.mark.parametrize(
+    ("restitution", "kind"),
+    quick([(0.6, "fold"), (0.8, "fold"), (0.6, "period-doubling"), (0.8, "period-doubling")], 0, 3),
+)
 def test_fold_and_period_doubling_of_the_ball_on_the_table(restitution, kind):
     """Closed forms for one impact per period (Holmes, J. Sound Vib. 84, 1982); for 0.6 also public digits."""
     omega, period = 40 * np.pi, 0.05
