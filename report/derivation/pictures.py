@@ -65,6 +65,11 @@ def waveform_pictures() -> dict[str, Figure]:
     return {step: _picture(step, waveform, values) for step, (waveform, values) in _values().items()}
 
 
+def friction_backlash_picture(step: str) -> Figure:
+    """Return the picture of play with a load that friction holds, for a step that tells it in short."""
+    return _picture(step, *_values()["df-friction-backlash"])
+
+
 def _picture(step: str, waveform: Waveform, values: Values) -> Figure:
     words = one_line(f"""
         The output y over one period in {len(waveform.segments)} parts, the input A sin θ and the output's

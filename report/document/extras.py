@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Self, final
 
 from report.document.advice import Advice
+from report.pages.derivation import DerivationStep
 from report.pages.explorable import Panel, Slider
 from report.pages.figure import Figure
 
@@ -97,36 +98,61 @@ class Root:
         return len(self.claims)
 
 
+@dataclass(frozen=True)
+class Matter:
+    """What the thesis got right of a matter, what not (Markdown), and ids of claims behind each."""
+
+    title: str
+    right: str
+    kept: tuple[str, ...]
+    wrong: str
+    slips: tuple[str, ...]
+
+
 @final
 @dataclass(frozen=True)
 class Overview(ExtraChapter):
-    """The first screen, what changes a conclusion, the research questions, and corrected predictions."""
+    """The first screen, what changes a conclusion, the research questions, what is right and what not.
+
+    Attributes:
+        opening: The first screen.
+        answers: To the research questions.
+        corrected: Corrected predictions.
+        roots: What changes a conclusion, by the slip it grows from.
+        matters: What is right beside what is not.
+        short: The thesis's loop, derived in short.
+    """
 
     opening: Opening | None = None
     answers: tuple[Answer, ...] = ()
     corrected: tuple[CorrectedResult, ...] = ()
     roots: tuple[Root, ...] = ()
+    matters: tuple[Matter, ...] = ()
+    short: tuple[DerivationStep, ...] = ()
 
     @property
     def figures(self) -> tuple[Figure, ...]:
-        """That of the first screen."""
-        return (self.opening.figure,) if self.opening else ()
+        """That of the first screen, and those of the short derivation."""
+        pictures = tuple(step.picture for step in self.short if step.picture)
+        return ((self.opening.figure,) if self.opening else ()) + pictures
 
     @property
     def named(self) -> Mapping[str, str]:
         """Claims that roots, answers and corrected predictions are about."""
         rooted = {claim: f"the root “{root.title}”" for root in self.roots for claim in root.claims}
         answered = {claim: "a research question" for answer in self.answers for claim in answer.claims}
+        sides = {claim: each.title for each in self.matters for claim in (*each.kept, *each.slips)}
         return (
             rooted
             | answered
+            | {claim: f"what is right of “{title}”, and what not" for claim, title in sides.items()}
             | {each.claim: f"the corrected result “{each.quantity}”" for each in self.corrected}
         )
 
     def part(self, kept: Collection[str]) -> Self:
         """Return the corrected predictions of some claims; the rest is about the whole report."""
         corrected = tuple(each for each in self.corrected if each.claim in kept)
-        return replace(self, opening=None, roots=(), answers=(), corrected=corrected)
+        return replace(self, opening=None, roots=(), answers=(), corrected=corrected, matters=(), short=())
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,9 @@ BOUND = 1.0
 """Of friction in the thesis, N."""
 
 SENTENCES = (
-    "The predicted limit cycles are not those of a trimmer, which has no such loop. So the trimmer was "
-    "computed again, with a bridge that pushes back on the motor."
+    "The predictions of limit cycles do not apply to a trimmer: they are those of a loop that it does not "
+    "have. So the trimmer was computed again, with a bridge that pushes back on the motor. What play does to "
+    "it is driven: harmonics, subharmonics, chaos."
 )
 
 
@@ -35,27 +36,28 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
             ("txt-5.2.1-open-loop-peak",),
             "In a trimmer nothing feeds the output back to the pin, so it does not have the predicted limit "
             "cycles.",
-            f"Do not look for {known.cycles.friction.stable.frequency:.0f} Hz.",
+            f"Do not expect an oscillation at {known.cycles.friction.stable.frequency:.0f} Hz.",
         ),
         Highlight(
             ("twin-main",),
-            f"Where the bridge pushes back, 0.2 mm and 2 N at {main.frequency:.0f} Hz repeat after "
-            f"{main.period_count} drive periods, with lines at thirds of the drive.",
+            f"With 0.2 mm of play and 2 N of friction at {main.frequency:.0f} Hz the trimmer repeats only "
+            f"after {main.period_count} drive periods, so its spectrum has lines at thirds of the drive.",
             "Look for peaks between the harmonics too.",
         ),
         Highlight(
             ("txt-3.3-open-loop-odd",),
-            "Spectra measured with play have even harmonics; the model has none for any parameters.",
-            "Use a model that is not symmetric.",
+            "Spectra measured with play have even harmonics. The thesis's model has none, whatever its "
+            "parameters.",
+            "Use a model whose motion need not be symmetric.",
         ),
         Highlight(
             ("txt-6.3-friction-dominates",),
             "By the thesis's own numbers friction does not dominate the cutter's inertia.",
-            "Let the bridge move freely through the gap.",
+            "Compute with a bridge that flies across the gap instead of being held by friction.",
         ),
         Highlight(
             ("txt-7-coulomb-evidence",),
-            f"Friction below {BOUND:.0f} N does not end the predicted cycle at 0.2 mm.",
-            f"That loop takes {in_place:.1f} N.",
+            f"Friction below {BOUND:.0f} N does not end the predicted limit cycle at 0.2 mm of play.",
+            f"In the thesis's loop that takes {in_place:.1f} N.",
         ),
     )

@@ -5,11 +5,15 @@ from __future__ import annotations
 from report.document.extras import Overview
 from report.numbers.evidence import Evidence
 from report.overview.answers import answers
+from report.overview.balance import balance
 from report.overview.corrected_results import corrected_results
 from report.overview.opening import opening
 from report.overview.roots import ROOTS
+from report.overview.short import short
 
 
 def overview(known: Evidence) -> Overview:
-    """Return the first screen, the roots, the research questions, and the corrected predictions."""
-    return Overview(opening(known), answers(known), corrected_results(known), ROOTS)
+    """Return what these pages show."""
+    return Overview(
+        opening(known), answers(known), corrected_results(known), ROOTS, balance(known), short(known)
+    )

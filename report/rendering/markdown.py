@@ -8,6 +8,7 @@ from typing import Any
 
 from jinja2 import Environment, Template
 
+from report.data.bibliography import cited, works
 from report.document.document import Document
 from report.judging.finding import Finding
 from report.judging.shown import Mathematics, Number, Shown, Words
@@ -34,11 +35,13 @@ MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
-REPORT = ("opening", "advice", "answers", "roots", "twin", "derived", "certificate")
-"""Pieces of the report to be read, in their order; what follows them are the cards."""
+REPORT = (
+    *("opening", "advice", "answers", "roots", "balance", "twin", "derived", "certificate", "bibliography"),
+)
+"""Pieces of the report to be read, in their order, last the works that all cite; then come the cards."""
 CARDS = ("method",)
 """Pieces before the cards of the chapters."""
-BACK = ("programs", "explorable", "spread", "derivation", "nomenclature", "tables", "errata")
+BACK = ("programs", "explorable", "spread", "derivation", "nomenclature", "errata")
 """Pieces that follow the chapters."""
 ARCHIVE = "octave.zip"
 """Name of the archive of the corrected listings."""
@@ -66,8 +69,12 @@ def to_markdown(document: Document) -> dict[str, str]:
         "errata": errata.by_severity(errata.errata(document)),
     }
     template = _environment().get_template
-    written = {name: template(f"{name}.md.j2").render(content) for name in (*REPORT, *CARDS, *BACK)}
+    own = (*REPORT[:-1], *CARDS, *BACK)
+    written = {name: template(f"{name}.md.j2").render(content) for name in own}
     sections = _sections(document, template("section.md.j2"), content)
+    citing = "".join((*written.values(), *sections.values()))
+    content["works"] = [work for work in works() if f"(#ref-{work.name})" in citing]
+    written[REPORT[-1]] = template(f"{REPORT[-1]}.md.j2").render(content)
     pieces = (
         {name: written[name] for name in (*REPORT, *CARDS)}
         | sections
@@ -195,6 +202,7 @@ def _environment() -> Environment:
         ERRATA_HEADINGS=errata.HEADINGS,
         ARCHIVE=ARCHIVE,
         VERDICT_PICTURE=verdict_picture.NAME,
+        cited=cited,
         SPREAD_PICTURE=spread_picture.NAME,
     )
     return environment

@@ -43,27 +43,28 @@ IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.
 
 @figure("fig-3.1")
 def motions_without_play(known: Evidence) -> Figure:
-    return _motions(known.motion.driven.run(0.0, SHOWN_FORCE))
+    return _motions(known, "without play")
 
 
 @figure("fig-3.3")
 def motions_with_play(known: Evidence) -> Figure:
-    return _motions(known.motion.driven.run(EXPERIMENT_GAP, SHOWN_FORCE))
+    return _motions(known, "with play")
 
 
-def _motions(run: DrivenRun) -> Figure:
-    part = run.last(int(SHOWN_TIME * SAMPLE_RATE) + 1)
-    times = 1e3 * (run.times[part] - run.times[part.start])
-    rows = (
-        ("cutter, $q_2$ [mm]", 1e3 * run.cutter),
-        ("guard, $q_4$ [µm]", 1e6 * run.guard),
-        ("$q_2 - q_4$ [mm]", 1e3 * run.output),
-    )
-    figure, column = panels(4.4, 3, sharex=True)
-    for axes, (label, values), line in zip(column, rows, LINES, strict=False):
-        axes.plot(times, values[part], **line)
-        axes.set_ylabel(label)
-    column[-1].set(xlabel="time [ms]", xlim=(0, 1e3 * SHOWN_TIME))
+def _motions(known: Evidence, shown: str) -> Figure:
+    """Draw stroke and guard with and without play over each other, the one that is shown on top."""
+    gaps = {"without play": 0.0, "with play": EXPERIMENT_GAP}
+    figure, (stroke, guard) = panels(3.6, 2, sharex=True)
+    for (name, gap), line in zip(gaps.items(), LINES, strict=False):
+        run = known.motion.driven.run(gap, SHOWN_FORCE)
+        part = run.last(int(SHOWN_TIME * SAMPLE_RATE) + 1)
+        times = 1e3 * (run.times[part] - run.times[part.start])
+        look = line | ({"zorder": 3, "linewidth": 1.6} if name == shown else {"linewidth": 0.9})
+        stroke.plot(times, 1e3 * run.output[part], label=name, **look)
+        guard.plot(times, 1e6 * run.guard[part], **look)
+    stroke.set(ylabel="$q_2 - q_4$ [mm]", ylim=(-1.9, 2.6))
+    stroke.legend(loc="upper right", ncols=2)
+    guard.set(ylabel="guard, $q_4$ [µm]", xlabel="time [ms]", xlim=(0, 1e3 * SHOWN_TIME))
     return figure
 
 

@@ -42,7 +42,7 @@ def drive_period(known: Evidence) -> Observed:
         {MICRO * torus:.2f} µm, where a torus is born. It is stable again between {MICRO * back:.2f} and
         {MICRO * lost:.2f} µm. Its symmetry breaks at {MICRO * breaking[0]:.2f}, {MICRO * breaking[1]:.2f} and
         {MICRO * breaking[2]:.2f} µm, where pairs of mirrored motions part from it. Beyond {MICRO * lost:.0f}
-        µm it goes on, unstable but for short pieces, where waiting does not find it.
+        µm it goes on, unstable except for short pieces, which a motion from rest does not reach.
     """)
     yield so("multipliers of the exact orbits on both sides", first_end < torus < back <= second[0] < lost)
     yield so(

@@ -43,7 +43,7 @@ def models(known: Evidence) -> Observed:
     )
 
 
-@observation("twin-pull", source=FROZEN, title="What the frozen bridge would need.")
+@observation("twin-pull", source=FROZEN, title="What the thesis's bridge would need.")
 def pull(known: Evidence) -> Observed:
     small_gap, large = known.twin.small.frozen, known.twin.experiment.frozen
     yield text(f"""
@@ -108,5 +108,5 @@ def reaction(known: Evidence) -> Observed:
 
 
 SECTION = SectionRecord(
-    "twin-bridge", "Where the frozen bridge fails", (models, pull, side, bridge_in_slot, reaction)
+    "twin-bridge", "Where the thesis's bridge fails", (models, pull, side, bridge_in_slot, reaction)
 )

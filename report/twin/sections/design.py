@@ -35,11 +35,9 @@ def _held(number: int, known: Evidence) -> Observed:
     ranges = ", ".join(_range(place, *ends) for place, ends in line.over.items())
     kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(found.kinds.items()))
     yield text(f"""
-        Holds from rest for {ranges}. {len(found.tried)} points of this box were tried: its corners, random
-        ones, and more around the worst; their motions: {kinds}. Nearest to the bound is
-        {_value(line, found.worst)} with {_point(line, found.worst)}. The worst points were tried from
-        {STARTS - 1} random starts each besides; then it is {_value(line, found.worst_of_starts)}
-        {_of_starts(found)}.
+        From rest, for {ranges}. {len(found.tried)} points were tried: {kinds}. The worst has
+        {_value(line, found.worst)} with {_point(line, found.worst)}; from {STARTS - 1} other starts it is
+        {_value(line, found.worst_of_starts)} {_of_starts(found)}.
     """)
     yield so("all points that were searched, and those that this build has tried again, hold it", found.holds)
 

@@ -81,7 +81,7 @@ def friction_(known: Evidence) -> Observed:
     numbers = known.twin
     first, last = numbers.no_gap[0], numbers.no_gap[-1]
     yield text(f"""
-        It calms the play and is paid for. 40 µm need {numbers.friction_for_small_gap:.1f} N to repeat with
+        It calms the play, at a price. 40 µm need {numbers.friction_for_small_gap:.1f} N to repeat with
         the drive, 0.2 mm need {numbers.friction_for_experiment:.1f} N. Without any play, friction from 0 to 4
         N raises the motor's acceleration from {first.motor:.1f} to {last.motor:.0f} m/s², lowers the stroke
         from {1e3 * first.peak_to_peak:.2f} to {1e3 * last.peak_to_peak:.2f} mm, and the blade loses

@@ -11,7 +11,7 @@ from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
 from report.document.advice import Advice
 from report.document.document import Document
-from report.document.extras import Answer, CorrectedResult, Highlight, Opening, Overview
+from report.document.extras import Answer, CorrectedResult, Highlight, Matter, Opening, Overview
 from report.document.thesis import Chapter, Program
 from report.pages.derivation import DerivationStep, NomenclatureRow, ParameterRow
 from report.pages.figure import Equation, Figure
@@ -148,6 +148,18 @@ def _advice(words: str, wanted: bool) -> Advice:
     )
 
 
+def matter() -> Matter:
+    """Return what is right beside what is not, of one matter."""
+    return Matter("Model & numbers", "The *locus*.", ("eq-2.8",), "Its sign.", ("eq-2.9", "tab-5.1"))
+
+
+def short() -> DerivationStep:
+    """Return a step told in short, with a picture of its own."""
+    drawn = _another(picture(), "short-picture")
+    formulas = (Equation("a = b"), Equation(INTEGRAL, words="Loeb's rule, with *words*:"))
+    return DerivationStep("short-relay", "Relay, in short", "Harmonic balance.", formulas, picture=drawn)
+
+
 def sample() -> Document:
     """Return the report."""
     return Document(
@@ -185,7 +197,7 @@ def sample() -> Document:
         step_of={"eq-2.9": "kinetic", "eq-2.37": "relay"},
         explorable=explorable(),
         spread=SPREAD,
-        overview=Overview(opening(), answers(), corrected()),
+        overview=Overview(opening(), answers(), corrected(), matters=(matter(),), short=(short(),)),
         sections=(
             ThesisSection("2.2.1", "Mechanism & masses"),
             ThesisSection("2.2.2", "Linear system", ("fig-2.3",)),

@@ -1,0 +1,71 @@
+"""What the thesis got right beside what it did not, by matter; each side with cards on which it rests."""
+
+from __future__ import annotations
+
+from report.document.extras import Matter
+from report.judging.text import one_line
+from report.numbers.evidence import Evidence
+from report.numbers.thesis import EXPERIMENT_GAP
+
+
+def balance(known: Evidence) -> tuple[Matter, ...]:
+    """Return the matters in the order of the thesis, with the numbers as solved."""
+    stable = known.cycles.friction.stable
+    in_place = known.cycles.equivalent.in_place.merger.force_per_gap * EXPERIMENT_GAP
+    return (
+        _matter(
+            "The linear trimmer",
+            "Equations of motion, state space and transfer function are right, and so are the eight "
+            "eigenvalues: it is stable. One mode does not show in the response.",
+            ("eq-2.9", "eq-5.2", "txt-5.1.2-order", "txt-5.1.3-hidden-peak"),
+            "The response falls by 40 dB per decade, not by 60. Damping lowers the peaks. The resonances lie "
+            "above the drive, where its harmonics meet them, not below.",
+            ("txt-5.1.2-roll-off", "txt-7-damping", "txt-7-operating-frequency"),
+        ),
+        _matter(
+            "Describing functions",
+            "Those of play with a load held by friction and with a load that flies on are right, and so is "
+            "that of dry friction.",
+            ("eq-2.38", "eq-2.43", "eq-2.52", "txt-2.3.4-contact-angle"),
+            "One sign is wrong where the load is braked in proportion to its speed, and spreads into a "
+            "listing and a figure. Friction has the wrong sign where it joins the play: it would feed the "
+            "oscillation.",
+            ("eq-2.46", "txt-5.2.5-coulomb-term", "lst-A.6"),
+        ),
+        _matter(
+            "Limit cycles of the loop",
+            "There are two. The larger is stable, with an amplitude in proportion to the gap, at a frequency "
+            f"of {stable.frequency:.0f} to {known.cycles.inertia.stable.frequency:.0f} Hz, by its load.",
+            (
+                "txt-5.2.1-proportional",
+                "fig-5.10",
+                "txt-5.2.1-stable",
+                "txt-5.2.3-band",
+                "txt-5.2.3-unstable-inner",
+            ),
+            "There is no smallest gap. Both are there for every gap. A driven trimmer has neither: nothing "
+            "feeds its output back to the pin.",
+            ("txt-5.2.1-threshold", "txt-5.2.1-second-limit-cycle", "txt-5.2.1-open-loop-peak"),
+        ),
+        _matter(
+            "Friction",
+            "Enough dry friction between cutter and guard ends the limit cycles.",
+            ("txt-7-coulomb", "txt-3.3-friction-suppresses"),
+            f"That takes {in_place:.1f} N at 0.2 mm, more than there was. The limit cycle printed for 0.6 N "
+            "and 4 µm does not exist. Friction does not dominate the cutter's inertia.",
+            ("txt-5.2.5-prediction", "txt-7-coulomb-evidence", "txt-6.3-friction-dominates"),
+        ),
+        _matter(
+            "The experiment",
+            "Without play the spectrum has odd harmonics alone, as the model says. The peak at 550 Hz is the "
+            "fifth harmonic near a natural mode.",
+            ("txt-3.2-odd-harmonics", "txt-3.3-peak-550", "txt-3.1-resolution"),
+            "With play it has even harmonics, which the model cannot have. The peaks read as limit cycles "
+            "are harmonics or modes that die out.",
+            ("txt-3.3-open-loop-odd", "txt-3.3-peak-366", "txt-3.3-peak-350"),
+        ),
+    )
+
+
+def _matter(title: str, right: str, kept: tuple[str, ...], wrong: str, slips: tuple[str, ...]) -> Matter:
+    return Matter(title, one_line(right), kept, one_line(wrong), slips)

@@ -1,0 +1,14 @@
+"""What is called right follows as printed, and what is called wrong does not."""
+
+from __future__ import annotations
+
+from report.judging.verdict import Verdict
+from report.overview.balance import balance
+
+
+def test_each_side_rests_on_cards_of_its_kind(evidence, findings) -> None:
+    matters = balance(evidence)
+    kept = {claim: findings[claim].verdict for matter in matters for claim in matter.kept}
+    slips = {claim: findings[claim].verdict for matter in matters for claim in matter.slips}
+    assert set(kept.values()) == {Verdict.REPRODUCED}, kept
+    assert all(verdict.is_wrong for verdict in slips.values()), slips
