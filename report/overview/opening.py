@@ -12,9 +12,9 @@ BOUND = 1.0
 """Of friction in the thesis, N."""
 
 SENTENCES = (
-    "The predictions of limit cycles do not apply to a trimmer: they are those of a loop that it does not "
-    "have. So the trimmer was computed again, with a bridge that pushes back on the motor. What play does to "
-    "it is driven: harmonics, subharmonics, chaos."
+    "The predicted limit cycles are those of a loop that a trimmer does not have. So the trimmer was "
+    "computed again, with a bridge that pushes back on the motor. What play does to it is driven: harmonics, "
+    "subharmonics, chaos."
 )
 
 
@@ -53,7 +53,7 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         Highlight(
             ("txt-6.3-friction-dominates",),
             "By the thesis's own numbers friction does not dominate the cutter's inertia.",
-            "Compute with a bridge that flies across the gap instead of being held by friction.",
+            "Compute with a bridge that flies across the gap.",
         ),
         Highlight(
             ("txt-7-coulomb-evidence",),
