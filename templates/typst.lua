@@ -184,7 +184,7 @@ function Div(div)
 end
 
 -- Some chapters begin on a page of their own. Levels are shifted after this filter: a chapter is still of level 2.
-local with_break = { certificate = true, programs = true, derivation = true }
+local with_break = { certificate = true }
 
 function Header(header)
   if header.level == 2 and (with_break[header.identifier] or header.classes:includes("breaking")) then

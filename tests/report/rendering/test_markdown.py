@@ -43,10 +43,10 @@ def text_of(document: Document) -> str:
 
 
 SECTIONS = (
-    *("summary", "answers", "corrected", "certificate"),
+    *("summary", "answers", "parameters", "corrected", "certificate"),
     *("method", "chapter-2", "section-2.2.1", "chapter-5", "chapter-A"),
     *("programs", "explorable", "spread", "derivation", "describing-functions", "solution"),
-    *("nomenclature", "parameters", "errata"),
+    *("nomenclature", "errata"),
 )
 
 
