@@ -38,12 +38,13 @@ def fourier(course: Course, signals: Reals, omega: float, count: int) -> Complex
     wave = np.ones_like(turn)
     found = np.empty((count, signals.shape[1]), dtype=complex)
     lengths = weights.reshape(-1, NODES).sum(axis=1)
-    middles = 0.5 * (times[::NODES] + times[NODES - 1 :: NODES])
+    middles, longest = 0.5 * (times[::NODES] + times[NODES - 1 :: NODES]), lengths.max(initial=0.0)
     for multiple in range(1, count + 1):
         wave = wave * turn
-        angles = 0.5 * multiple * omega * lengths
-        used, fast = wave, np.flatnonzero(angles > FAST)
-        if len(fast):
+        used = wave
+        if 0.5 * multiple * omega * longest > FAST:
+            angles = 0.5 * multiple * omega * lengths
+            fast = np.flatnonzero(angles > FAST)
             used = wave.copy().reshape(-1, NODES)
             middle = np.exp(-1j * multiple * omega * middles[fast])
             used[fast] = middle[:, None] * _projected(angles[fast])
