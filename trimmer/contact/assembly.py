@@ -38,6 +38,8 @@ PUSHING = (PLUS, MINUS, ALWAYS)
 """Statuses of a contact that exerts a force."""
 SIDES = {PLUS: 1, RELEASED_PLUS: 1, MINUS: -1, RELEASED_MINUS: -1}
 """Statuses of a contact on either side of the slot."""
+MOST_KEPT = 250_000
+"""Numbers of one kind that are kept of what holds: many parts make many sets, most of which hold once."""
 ROUNDING = 16 * float(np.finfo(float).eps)
 """Rounding of a sum of products as a share of the moduli of its terms."""
 
@@ -134,7 +136,10 @@ class Assembler:
 
     def _holding(self, sticking: tuple[int, ...]) -> _Holding:
         if sticking not in self._holdings:
-            self._holdings[sticking] = _holding(self.machine, np.array(sticking))
+            found = _holding(self.machine, np.array(sticking))
+            if len(self._holdings) * found.shares.size > MOST_KEPT:
+                self._holdings.clear()
+            self._holdings[sticking] = found
         return self._holdings[sticking]
 
 
