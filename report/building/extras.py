@@ -8,6 +8,7 @@ from typing import Final, final
 
 from report.document.extras import ExtraChapter
 from report.explorable.make import explorable
+from report.future_work.chapter import future_work
 from report.numbers.evidence import Evidence
 from report.overview.page import overview
 from report.robustness.page import robustness
@@ -32,6 +33,7 @@ class Extra:
 
 EXTRAS: Final = (
     Extra("twin", "report.twin.chapter", twin_chapter),
+    Extra("future_work", "report.future_work.chapter", lambda known, _: future_work(known)),
     Extra("robustness", "report.robustness.page", lambda known, _: robustness(known)),
     Extra("explorable", "report.explorable.make", lambda known, _: explorable(known)),
     Extra("overview", "report.overview.page", lambda known, _: overview(known)),

@@ -10,6 +10,7 @@ from report.data.mutation import MutationMeasurement
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
 from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
+from report.document.future_work import FutureWork
 from report.document.subject import Subject
 from report.document.thesis import Chapter, Program
 from report.judging.finding import Finding
@@ -19,7 +20,7 @@ from report.pages.figure import Figure
 from report.pages.provenance import Provenance
 
 NOTHING_SAID: Final = Overview()
-EXTRAS: Final = ("overview", "twin", "robustness", "explorable")
+EXTRAS: Final = ("overview", "twin", "future_work", "robustness", "explorable")
 """The chapters beside those of the thesis, in the order in which they are shown."""
 
 
@@ -51,6 +52,7 @@ class Document:
     further_statements: int = 0
     overview: Overview = NOTHING_SAID
     twin: TwinChapter | None = None
+    future_work: FutureWork | None = None
     robustness: Robustness | None = None
     explorable: Explorable | None = None
 

@@ -23,6 +23,11 @@ class ExtraChapter:
         return ()
 
     @property
+    def observations(self) -> tuple[Observation, ...]:
+        """Its observations."""
+        return ()
+
+    @property
     def named(self) -> Mapping[str, str]:
         """Ids of the claims that it names, and where it does, in words."""
         return MappingProxyType({})

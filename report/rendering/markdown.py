@@ -36,7 +36,8 @@ MANY_PARTS = 6
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
 REPORT = (
-    *("opening", "advice", "answers", "roots", "balance", "twin", "derived", "certificate", "bibliography"),
+    *("opening", "advice", "answers", "roots", "balance", "twin"),
+    *("future_work", "derived", "certificate", "bibliography"),
 )
 """Pieces of the report to be read, in their order, last the works that all cite; then come the cards."""
 CARDS = ("method",)

@@ -20,7 +20,7 @@ class ShownSource:
         path: Where it is, from the folder of the three packages, or from that of another text.
         identifier: Its place in the report.
         text: What it holds.
-        findings: Those that name it, in thesis order, and then observations on the twin; never empty.
+        findings: Those that name it, in thesis order, and then observations of extra chapters; never empty.
     """
 
     path: str
@@ -41,7 +41,7 @@ def sources(document: Document) -> tuple[ShownSource, ...]:
         BrokenLinkError: naming the claim and the file, if a finding names a file that is not there.
     """
     findings: dict[str, list[Finding | Observation]] = {}
-    observations: tuple[Observation, ...] = document.twin.observations if document.twin else ()
+    observations = (each for extra in document.extras.values() for each in extra.observations)
     named: tuple[Finding | Observation, ...] = (*document.findings, *observations)
     for finding in named:
         findings.setdefault(finding.source, []).append(finding)

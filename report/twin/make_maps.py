@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 
 from report.cache.source_closure import SourceTree
+from report.numbers.future_work.all import ANSWERS
 from report.numbers.twin.advice import LINES, search, write_advice
 from report.numbers.twin.closed_loop import FILE as LOOP_FILE
 from report.numbers.twin.closed_loop import LOOP_COURSES, without_friction
@@ -77,6 +78,13 @@ def make_advice() -> None:
     write_advice(found)
 
 
+def make_answers() -> None:
+    """Compute what the answers to section 6.4 rest on; it takes minutes, and nothing of it is resumed."""
+    for answer in ANSWERS:
+        print(f"answer {answer.name}", file=sys.stderr)
+        answer.write()
+
+
 def _followed(course: KeptCourse, state: Reals | None = None) -> FollowedBranch:
     print(f"branch {course.name}", file=sys.stderr)
     interval = course.place, course.start, course.stop
@@ -107,6 +115,7 @@ def main() -> int:
         make(work_folder())
         make_branches()
         make_advice()
+        make_answers()
     except MapInterruptedError as interrupt:
         print(f"{str(interrupt).partition(';')[0]}; `make maps` goes on", file=sys.stderr)
         return INTERRUPTED

@@ -9,6 +9,7 @@ phase ends with the gap gives its length. The gap is the unit of length.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final
 
@@ -21,8 +22,8 @@ from trimmer import TrimmerParameters, pin_model
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
 
-RESTS: Final = (0.1, 0.65)
-"""Shares of half a period between which the bridge comes to rest for as long as it takes."""
+RESTS: Final = np.linspace(0.02, 0.98, 49)
+"""Shares of half a period: between two of them the bridge rests for as long as the pin takes for the gap."""
 ACCURACY: Final = 1e-6
 """Of the frequency with the largest force, Hz; the force is flat there."""
 
@@ -37,6 +38,15 @@ def largest_friction(parameters: TrimmerParameters, lowest: float, highest: floa
         options={"xatol": ACCURACY},
     )
     return loop.cycle(float(found.x))
+
+
+def cycles_at(parameters: TrimmerParameters, frequencies: Iterable[float]) -> list[FrictionCycle]:
+    """Return the limit cycles of given frequencies, Hz.
+
+    A negative force pushes along, as too much compensation does.
+    """
+    loop = _HalfPeriods.of(parameters)
+    return [loop.cycle(frequency) for frequency in frequencies]
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +66,10 @@ class _HalfPeriods:
     def cycle(self, frequency: float) -> FrictionCycle:
         """Return the limit cycle of a frequency, Hz."""
         half = 0.5 / frequency
-        share = brentq(lambda share: self._from_turn(half, share)[2], *RESTS, xtol=1e-15)
+        beyond = [self._from_turn(half, share)[2] > 0 for share in RESTS]
+        after = int(np.flatnonzero(np.diff(np.array(beyond, dtype=int)) > 0)[0])
+        ends = RESTS[after : after + 2]
+        share = brentq(lambda share: self._from_turn(half, share)[2], *ends, xtol=1e-15)
         amplitude, force, _ = self._from_turn(half, share)
         return FrictionCycle(amplitude, frequency, force)
 

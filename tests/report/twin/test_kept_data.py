@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import pytest
 
+from report.numbers.future_work.all import ANSWERS
 from report.numbers.twin.closed_loop import FILE as LOOP_FILE
 from report.numbers.twin.closed_loop import FORCE as LOOP_FORCE
 from report.numbers.twin.closed_loop import LOOP_COURSES
@@ -58,6 +59,7 @@ def test_all_files_are_there_and_moderate_in_size():
         "advice.json",
         "branches.json",
         "loop.json",
+        *(answer.path.name for answer in ANSWERS),
     }
     assert sum(path.stat().st_size for path in FOLDER.glob("*.json")) < MOST_BYTES
 

@@ -1,0 +1,32 @@
+"""The chapter on what section 6.4 of the thesis asks for: its sections with their numbers."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from report.document.extras import TwinSection
+from report.document.future_work import FutureWork
+from report.future_work.sections import harmonics, load
+from report.numbers.evidence import Evidence
+
+TITLE: Final = "What the thesis left open, answered"
+SECTIONS: Final = (
+    harmonics.SECTION,
+    load.SECTION,
+)
+
+
+def future_work(known: Evidence) -> FutureWork:
+    """Return the chapter.
+
+    Raises:
+        KeptDataError: if data that are kept with the code are missing, or were made from something else.
+        UnsupportedObservationError: if a check of an observation does not hold.
+    """
+    return FutureWork(
+        TITLE,
+        tuple(
+            TwinSection(section.id, section.title, tuple(item.finished(known) for item in section.items))
+            for section in SECTIONS
+        ),
+    )

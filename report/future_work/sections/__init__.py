@@ -1,0 +1,1 @@
+"""The six answers, each in a file with its figure."""
