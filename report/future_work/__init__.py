@@ -1,1 +1,1 @@
-"""What section 6.4 of the thesis asks for, answered: each answer with a figure, its evidence and its limits."""
+"""What section 6.4 of the thesis asks for, answered: with figures, evidence and limits."""

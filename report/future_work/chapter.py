@@ -6,13 +6,17 @@ from typing import Final
 
 from report.document.extras import TwinSection
 from report.document.future_work import FutureWork
-from report.future_work.sections import harmonics, load
+from report.future_work.sections import compensation, felt, harmonics, load, scatter, second_play
 from report.numbers.evidence import Evidence
 
 TITLE: Final = "What the thesis left open, answered"
 SECTIONS: Final = (
+    compensation.SECTION,
     harmonics.SECTION,
+    second_play.SECTION,
+    scatter.SECTION,
     load.SECTION,
+    felt.SECTION,
 )
 
 

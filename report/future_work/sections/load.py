@@ -63,7 +63,9 @@ def answer(_: Evidence) -> Observed:
         {TOLERANCE:.0%}, the lower end of the band lies anywhere between {ends[:, 0].min():.0f} and
         {ends[:, 0].max():.0f} Hz, and the same {EXAMPLE:.0f} Hz may then mean nearly any M/D.
     """)
-    yield so("the frequencies of the stable limit cycles rise with M/D", bool((np.diff(stable[:, 1]) > 0).all()))
+    yield so(
+        "the frequencies of the stable limit cycles rise with M/D", bool((np.diff(stable[:, 1]) > 0).all())
+    )
     width = np.diff(ends).mean()
     yield so("the shift by parameters against the width of the band", np.ptp(ends[:, 0]) > 0.5 * width)
 
@@ -79,7 +81,15 @@ def drawing(_: Evidence) -> Figure:
             low, high = interval(at, record)
             ends = MILLI * np.clip([low, high], *stable[[0, -1], 0])
             label = f"{record:g} s" if at == MEASURED[0] else None
-            frequency.plot(ends, (at, at), color=BLACK, linestyle="-", linewidth=width, alpha=0.35 + 0.3 * number, label=label)
+            frequency.plot(
+                ends,
+                (at, at),
+                color=BLACK,
+                linestyle="-",
+                linewidth=width,
+                alpha=0.35 + 0.3 * number,
+                label=label,
+            )
     frequency.set(xlabel="M/D [ms]", ylabel="frequency [Hz]", title="stable limit cycle")
     frequency.legend(title="record", loc="upper left")
     amplitude.semilogx(MILLI * stable[:, 0], stable[:, 2], **LINES[0])
@@ -92,8 +102,8 @@ def how(_: Evidence) -> Observed:
     rows = [row[:3] for row in LOAD.read()["curves"][::EVERY]]
     yield text(f"""
         Equation 5.11, $1 + N(A, \\omega M/D) G(j\\omega) = 0$, solved for amplitude and frequency at each M/D
-        by a search that misses no solution, and backwards for M/D at the ends of what a frequency leaves open,
-        half a bin $1/(2T)$ to either side. {SAMPLES} sets of parameters were drawn for their tolerance.
+        by a search that misses no solution, and backwards for M/D at the ends of what a frequency leaves
+        open, half a bin $1/(2T)$ to either side. {SAMPLES} sets of parameters were drawn for their tolerance.
     """)
     yield small(
         "every ninth solution, with sums over the waveform and matrices written by hand",

@@ -22,7 +22,7 @@ ELEMENTS: Final = {"friction": FrictionBacklash(1.0), "inertia": InertiaBacklash
 
 
 def rows_of(name: str, orders: tuple[int, ...] = ORDERS) -> list[list[Any]]:
-    """Return kind of play, stability, order, frequency (Hz) and amplitude in gaps; order 0 is the exact orbit."""
+    """Return play, stability, order, frequency (Hz) and amplitude in gaps; order 0 is the exact orbit."""
     system = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
     element, rows = ELEMENTS[name], []
     predicted = limit_cycles(system, element)

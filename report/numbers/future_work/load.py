@@ -1,4 +1,4 @@
-"""M/D of the load behind the play from the frequency of a limit cycle: curves, intervals, what shifts them."""
+"""M/D of the load behind the play from the frequency of a limit cycle: curves, intervals, and shifts."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def drawn(factor: float, count: int = SAMPLES) -> tuple[Reals, list[TrimmerParam
 
 
 def sample_row(parameters: TrimmerParameters) -> list[Any]:
-    """Return how many limit cycles, how many stable, and frequency (Hz) and amplitude of the largest of these."""
+    """Return numbers of limit cycles and of stable ones, frequency (Hz) and amplitude of the largest."""
     found = limit_cycles(response(parameters), FrictionBacklash(1.0))
     stable = [each for each in found if each.stable]
     largest = max(stable, key=lambda each: each.amplitude, default=None)
@@ -36,7 +36,7 @@ def sample_row(parameters: TrimmerParameters) -> list[Any]:
 
 
 def ranks(logs: Reals, rows: list[list[Any]]) -> Iterator[list[Any]]:
-    """Yield each parameter with Spearman's rank correlations: with having a stable limit cycle, its frequency."""
+    """Yield each parameter and its rank correlations with having a stable limit cycle and its frequency."""
     stable = np.array([row[1] > 0 for row in rows])
     frequency = np.array([row[2] for row in rows if row[1]])
     for place, name in enumerate(NAMES):
@@ -45,7 +45,7 @@ def ranks(logs: Reals, rows: list[list[Any]]) -> Iterator[list[Any]]:
 
 
 def _computed() -> dict[str, Any]:
-    content = {}
+    content: dict[str, Any] = {}
     for factor in FACTORS:
         logs, parameters = drawn(factor)
         rows = [sample_row(each) for each in parameters]

@@ -69,7 +69,7 @@ def loop_with_seat(ratio: float) -> Feedback:
 
 
 def seat_rows(ratio: float) -> list[list[Any]]:
-    """Return ratio, way, frequency (Hz), amplitude of pin and of seat in gaps, for each motion that is found."""
+    """Return ratio, way, frequency (Hz), amplitudes of pin and seat in gaps, for each motion found."""
     loop = loop_with_seat(ratio)
     balanced = harmonic_balance(loop, order=ORDER).motions
     rows = [
@@ -85,7 +85,7 @@ def seat_rows(ratio: float) -> list[list[Any]]:
 
 
 def multiplied(share: float, near: LimitCycle) -> tuple[float, float]:
-    """Return frequency (Hz) and amplitude of a limit cycle if describing functions of two plays are multiplied.
+    """Return frequency (Hz) and amplitude that the product of two describing functions predicts.
 
     Args:
         share: Of the first play; both have one metre together.
