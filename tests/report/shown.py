@@ -14,12 +14,13 @@ from typing import Any
 
 from report.data.statements import read_inventory
 from report.derivation.number_steps import number_steps
+from report.future_work.chapter import SECTIONS as FUTURE_WORK
 from report.judging.finding import Finding
 from report.judging.judge import judge
 from report.numbers.evidence import Evidence, gather
 from report.overview.page import overview
 from report.twin.chapter import SECTIONS
-from report.twin.observation import ObservationRecord
+from report.twin.observation import ObservationRecord, SectionRecord
 
 FOLDER = Path(__file__).with_name("shown_numbers")
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -63,20 +64,21 @@ def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]
         **{f"answer {number}": each for number, each in enumerate(first.answers, start=1)},
         **{f"{row.claim}, {row.quantity}": row for row in first.corrected},
     }
-    seen = {
-        each.id: each.finished(known)
-        for section in SECTIONS
-        for each in section.items
-        if isinstance(each, ObservationRecord)
-    }
     chapters = {
         f"findings-{chapter}": headed(
             {name: each for name, each in findings.items() if each.section[0] == chapter}
         )
         for chapter in sorted({each.section[0] for each in findings.values()})
     }
-    others = {"steps": headed(steps), "overview": headed(pages), "twin": headed(seen)}
+    others = {"steps": headed(steps), "overview": headed(pages), "twin": observed(SECTIONS, known)}
+    others["future-work"] = observed(FUTURE_WORK, known)
     return {**chapters, **others, "items": items_of(findings), "second-ways": ways_of(findings)}
+
+
+def observed(sections: Iterable[SectionRecord], known: Evidence) -> str:
+    """Return the texts of the observations in sections."""
+    records = (each for section in sections for each in section.items)
+    return headed({each.id: each.finished(known) for each in records if isinstance(each, ObservationRecord)})
 
 
 def items_of(findings: Mapping[str, Finding]) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report.data.figures import figure
+from report.future_work.marked import marked
 from report.judging.parts import close, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
@@ -67,8 +68,8 @@ def answer(known: Evidence) -> Observed:
         there is a stable one of {MICRO * GAP * half:.0f} µm and an unstable one of
         {MICRO * GAP * small:.0f} µm, with all of it they have {of_gap[0]:.0f} and {of_gap[1]:.0f} µm. With
         more than all of it rest is lost too: {TOO_MUCH[0] - 1:.0%} too much makes the loop hum at
-        {low:.0f} Hz with {MICRO * GAP * shaken:.0f} µm, and {TOO_MUCH[1] - 1:.0%} too much drives it from a slight push to the
-        large limit cycle.
+        {low:.0f} Hz with {MICRO * GAP * shaken:.0f} µm, and {TOO_MUCH[1] - 1:.0%} too much drives it
+        from a slight push to the large limit cycle.
 
         The driven trimmer has no limit cycle that could come back. There less friction makes the motion
         chaotic and the motor calmer: {exact[0][5]:.0f} m/s² without, {exact[-1][5]:.0f} m/s² with full
@@ -94,18 +95,16 @@ def drawing(known: Evidence) -> Figure:
     for side in (balance.stable, balance.unstable):
         at = 100 * (1 - side.force_per_gap[::EVERY] * GAP / FRICTION)
         loop.plot(at, side.amplitude[::EVERY], "x", color=BLACK, markersize=4, linestyle="none")
-    for row in COMPENSATION.read()["too much"]:
-        face = BLACK if row[3] else "white"
-        loop.plot(100 * row[0], row[2], "o", color=BLACK, markersize=4, markerfacecolor=face)
+    for stays, face in ((True, BLACK), (False, "white")):
+        rows = [row for row in COMPENSATION.read()["too much"] if row[3] is stays]
+        at = np.array([[100 * row[0], row[2]] for row in rows]).T
+        loop.plot(*at, "o", color=BLACK, markersize=4, markerfacecolor=face)
     loop.set(xlabel="compensated [%]", ylabel="amplitude [gaps]", title="the loop")
     loop.set(xlim=(0, 130), ylim=(0.2, 20))
     loop.legend(loc="upper left")
     for (way, words), line in zip(WAYS.items(), LINES, strict=False):
         rows = in_twin(way)
-        motor.plot([100 * row[0] for row in rows], [row[5] for row in rows], label=words, **line)
-        for row in rows:
-            face = line["color"] if row[2] == "periodic" else "white"
-            motor.plot(100 * row[0], row[5], "o", color=line["color"], markerfacecolor=face, markersize=4.5)
+        marked(motor, [(100 * row[0], row[5], row[2]) for row in rows], words, line)
     motor.set(xlabel="compensated [%]", ylabel="motor [m/s²]", title="the driven trimmer", ylim=(0, None))
     motor.legend(loc="upper right")
     return drawn

@@ -8,10 +8,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report.data.figures import figure
+from report.future_work.marked import marked
 from report.judging.parts import close, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
-from report.numbers.future_work.felt import CALM, CALM_FORCE, FELT, FORCES, GAPS, SPEED
+from report.numbers.future_work.felt import CALM, CALM_FORCE, FELT, FORCES, SPEED
 from report.numbers.independent.harmonics import BY_THE_PIN, displacements
 from report.numbers.thesis import DRIVE_AMPLITUDE
 from report.pages.drawing.style import LINES, panels
@@ -34,6 +35,11 @@ MICRO: Final = 1e6
 def cells(force: float) -> list[list[Any]]:
     """Return speed, gap, friction, kind, weighted and plain rms of the cells with one friction."""
     return [row for row in FELT.read()["map"] if row[2] == force]
+
+
+def points_of(rows: list[list[Any]]) -> list[tuple[float, float, str]]:
+    """Return gap in micrometres, weighted acceleration, and kind of motion of each cell."""
+    return [(MICRO * row[1], row[4], row[3]) for row in rows]
 
 
 def weighted_by_hand() -> float:
@@ -74,27 +80,17 @@ def answer(_: Evidence) -> Observed:
 def drawing(_: Evidence) -> Figure:
     """Draw the weighted acceleration over the gap: by friction, and at two speeds."""
     drawn, (friction, speed) = panels(3.2, 1, 2, sharey=True)
-    gaps = MICRO * np.array(GAPS)
     for force, line in zip(FORCES, (*LINES, *LINES), strict=False):
-        _course(friction, gaps, cells(force), f"{force:g} N", line)
+        marked(friction, points_of(cells(force)), f"{force:g} N", line)
     friction.set(xlabel="gap [µm]", ylabel="weighted [m/s²]", title=f"at {SPEED:.0f} Hz", ylim=(0, 4.6))
     friction.legend(loc="upper left", ncols=2)
     for rows, label, line in zip(
         (cells(CALM_FORCE), FELT.read()["calm"]), (SPEED, CALM), LINES, strict=False
     ):
-        _course(speed, gaps, rows, f"{label:.0f} Hz", line)
+        marked(speed, points_of(rows), f"{label:.0f} Hz", line)
     speed.set(xlabel="gap [µm]", title=f"with {CALM_FORCE} N")
     speed.legend(loc="upper left")
     return drawn
-
-
-def _course(axes: Any, gaps: Any, rows: list[list[Any]], label: str, line: Any) -> None:
-    """Draw one line, with open markers where the motion does not repeat."""
-    values = [row[4] for row in rows]
-    axes.plot(gaps, values, label=label, **line)
-    for gap, value, row in zip(gaps, values, rows, strict=True):
-        face = line["color"] if row[3] == "periodic" else "white"
-        axes.plot(gap, value, "o", color=line["color"], markerfacecolor=face, markersize=4)
 
 
 @observation("future-felt-how", source=NUMBERS, title="How it was computed.")

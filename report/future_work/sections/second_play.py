@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report.data.figures import figure
+from report.future_work.marked import marked
 from report.judging.parts import close, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
@@ -66,8 +67,8 @@ def answer(known: Evidence) -> Observed:
         miss that: for two equal plays they give {frequency:.1f} Hz and {amplitude:.2f} times the sum in place
         of {exact.frequency:.1f} Hz and {exact.amplitude:.2f}. Play between guard and housing, which section
         6.3 leaves out, lowers the loop's {exact.frequency:.2f} Hz to {seats[-1, 1]:.2f} Hz and the amplitude
-        by {1 - seats[-1, 2] / exact.amplitude:.1%}; beyond {2 * seats[-1, 3]:.2f} of the pin's play the guard no
-        longer reaches the ends of its seat, and nothing changes any more.
+        by {1 - seats[-1, 2] / exact.amplitude:.1%}; beyond {2 * seats[-1, 3]:.2f} of the pin's play the guard
+        no longer reaches the ends of its seat, and nothing changes any more.
 
         In the trimmer driven at {SPEEDS[0]:.0f} Hz with {MICRO * GAP:.0f} µm, a seat with
         {MICRO * wide[0]:.0f} µm takes {1 - wide[4] / tight[4]:.1%} of the stroke; a part of the play put into
@@ -99,13 +100,8 @@ def drawing(_: Evidence) -> Figure:
     loop.legend(loc="upper right")
     for speed, line in zip(SPEEDS, LINES, strict=False):
         rows = in_twin("seat", speed)
-        stroke.plot(
-            MICRO * np.array(SEAT_GAPS), [MILLI * row[4] for row in rows], label=f"{speed:.0f} Hz", **line
-        )
-        for row in rows:
-            face = line["color"] if row[2] == "periodic" else "white"
-            look = {"color": line["color"], "markerfacecolor": face, "markersize": 4.5}
-            stroke.plot(MICRO * row[0], MILLI * row[4], "o", **look)
+        points = [(MICRO * row[0], MILLI * row[4], row[2]) for row in rows]
+        marked(stroke, points, f"{speed:.0f} Hz", line)
     stroke.set(xlabel="play of the seat [µm]", ylabel="stroke [mm]", title="the driven trimmer")
     stroke.legend(loc="upper left", bbox_to_anchor=(0.0, 0.75))
     return drawn

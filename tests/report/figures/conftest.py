@@ -5,7 +5,9 @@ from functools import cache
 import pytest
 
 from report.building.collect import collect
+from report.data.figures import FigureRecord
 from report.data.statements import read_inventory
+from report.future_work.chapter import SECTIONS
 from report.pages.drawing.letters import letter_panels
 from report.twin.figures.bridge import bridge_in_slot
 from report.twin.figures.design import design_limits
@@ -24,7 +26,9 @@ TWIN = (
     design_limits,
 )
 """Figures of the chapter on the twin, which belong to no claim."""
-FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN)}
+FUTURE = tuple(each for section in SECTIONS for each in section.items if isinstance(each, FigureRecord))
+"""Figures of the answers to section 6.4."""
+FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN, *FUTURE)}
 
 
 @pytest.fixture(scope="session")
