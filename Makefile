@@ -23,7 +23,7 @@ docs: .venv/for-development ## build the site, build/site/index.html; fails on a
 	@echo build/site/index.html
 
 # BLAS with several threads is slower here: its matrices are small, and the cells already use all cores.
-maps: .venv/for-use ## compute the maps and branches of the twin again, report/data/twin; goes on where it was interrupted
+maps: .venv/for-use ## compute the maps, branches and answers again, report/data/twin; goes on where it was interrupted
 	@OPENBLAS_NUM_THREADS=1 python -m report.twin.make_maps
 
 # The tests of a file share what they make once. Bytecode is kept, also where the environment forbids it: or else
