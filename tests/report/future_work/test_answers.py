@@ -75,8 +75,8 @@ def alike(found, then, tolerance=ALIKE):
 
 def test_motions_of_the_twin_come_out_again():
     alike(
-        compensation.motion_row(compensation.compensated(0.5), 0.5, "exact"),
-        *kept(compensation.COMPENSATION, "twin", 0.5, "exact"),
+        compensation.motion_row(compensation.compensated(0.25), 0.25, "exact"),
+        *kept(compensation.COMPENSATION, "twin", 0.25, "exact"),
     )
     alike(
         second_play.motion_row(second_play.seated(40e-6, 110.0), 40e-6, "seat"),
