@@ -16,7 +16,7 @@ from trimmer.errors import TrimmerError
 from trimmer.files import ERRATA, HTML, JSON, PDF, STANDARD_INPUT, check_target
 
 if TYPE_CHECKING:
-    from report.building.build import Built
+    from report.building.build import Built, Content
     from report.copy.reading import ReaderCopy
     from report.judging.changes import ClaimsFile
 
@@ -28,15 +28,30 @@ class NothingToOpenError(TrimmerError, ValueError):
     """The report was to be opened in a browser, but not to be written as HTML."""
 
 
-def _configure(parser: ArgumentParser) -> None:
+def add_build_options(parser: ArgumentParser, directory: Path) -> None:
+    """Add the options on what is written and where, for reports on any text."""
     parser.add_argument(
         "--directory",
         type=folder_to_write,
         metavar="DIR",
-        default=DIRECTORY,
+        default=directory,
         help="folder for report.html, report.pdf, cards.pdf, claims.json, errata.csv and build.log "
         "(default: %(default)s)",
     )
+    add_form_options(parser, Format, "all", "; cards come with pdf; may be given several times")
+    parser.add_argument(
+        "--compare",
+        type=file_to_read,
+        metavar="OLD.json",
+        help="claims.json of an earlier build, also that of the same folder: prints which claims are new or "
+        "gone, and whose verdict, severity, printed or derived side has changed",
+    )
+    parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
+    add_overwrite_option(parser)
+
+
+def _configure(parser: ArgumentParser) -> None:
+    add_build_options(parser, DIRECTORY)
     parser.add_argument(
         "--only",
         action="extend",
@@ -46,7 +61,6 @@ def _configure(parser: ArgumentParser) -> None:
         help="chapters to show, such as ch5 or appA (default: all); the files then hold this part alone; may "
         "be given several times",
     )
-    add_form_options(parser, Format, "all", "; cards come with pdf; may be given several times")
     parser.add_argument(
         "--thesis",
         type=file_to_read,
@@ -59,19 +73,24 @@ def _configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="take another text with --thesis as well; its lines may not fit",
     )
-    parser.add_argument(
-        "--compare",
-        type=file_to_read,
-        metavar="OLD.json",
-        help="claims.json of an earlier build, also that of the same folder: prints which claims are new or "
-        "gone, and whose verdict, severity, printed or derived side has changed",
-    )
-    parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
-    add_overwrite_option(parser)
 
 
 def _run(arguments: Namespace) -> int:
-    request = _request(arguments)
+    return made(arguments, _request(arguments))
+
+
+def made(arguments: Namespace, request: Request, content: Content | None = None) -> int:
+    """Build what was asked for, show what was written, and return the exit code.
+
+    Args:
+        arguments: Those of ``add_build_options``.
+        request: What of the report is wanted.
+        content: What makes it; without it the report is that on the thesis.
+
+    Raises:
+        FileWriteError: if a file is there and of another kind, or cannot be written.
+        ClaimsFileError: if the earlier claims cannot be read.
+    """
     from report.rendering.render import NAMES
 
     for form in request.formats:
@@ -79,7 +98,7 @@ def _run(arguments: Namespace) -> int:
     earlier = _earlier(arguments)
     from report.building.build import build
 
-    built = build(arguments.directory, request)
+    built = build(arguments.directory, request, content)
     show(_summary(built))
     if earlier is not None:
         show(_differences(earlier, built))
@@ -103,17 +122,28 @@ def _request(arguments: Namespace) -> Request:
     from report.rendering.selection import chapter_numbers
 
     chapter_numbers(arguments.only, {entry.chapter for entry in read_inventory().values()})
-    formats = frozenset(map(Format, arguments.format)) or frozenset(Format)
-    if arguments.open and Format.HTML not in formats:
-        raise NothingToOpenError("--open shows the HTML: add html to --format, or leave one of the two out")
-    if not formats & {Format.PDF, Format.CARDS}:
-        refuse_unused(arguments, ["paper"], "pdf or cards among --format")
+    formats = formats_of(arguments)
     if Format.HTML not in formats:
         refuse_unused(arguments, ["thesis"], "html among --format")
     if arguments.thesis == arguments.compare == STANDARD_INPUT:
         raise OptionError("--thesis and --compare both read standard input: name a file for one of them")
     copy = _reader_copy(arguments)
     return Request(tuple(arguments.only), formats, Paper(arguments.paper), arguments.overwrite, copy)
+
+
+def formats_of(arguments: Namespace) -> frozenset[Format]:
+    """Return the forms that are wanted.
+
+    Raises:
+        NothingToOpenError: if the HTML is to be opened and not to be written.
+        OptionError: if a paper is chosen without a PDF.
+    """
+    formats = frozenset(map(Format, arguments.format)) or frozenset(Format)
+    if arguments.open and Format.HTML not in formats:
+        raise NothingToOpenError("--open shows the HTML: add html to --format, or leave one of the two out")
+    if not formats & {Format.PDF, Format.CARDS}:
+        refuse_unused(arguments, ["paper"], "pdf or cards among --format")
+    return formats
 
 
 def _reader_copy(arguments: Namespace) -> ReaderCopy | None:

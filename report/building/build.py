@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -31,6 +31,10 @@ OCTAVE = "octave"
 """Folder of the corrected listings, in the report's."""
 
 
+Content = Callable[[Progress, StageStore], Document]
+"""What makes a document, behind progress bars, with what is kept of the last one."""
+
+
 @dataclass(frozen=True)
 class Built:
     """Result of a build: its document, the files, the log of the stages' times, and the time it took, s."""
@@ -41,10 +45,11 @@ class Built:
     seconds: float
 
 
-def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
+def build(directory: Path, request: Request = WHOLE_REPORT, content: Content | None = None) -> Built:
     """Make the report, or the part of it that is wanted, and write it into a folder.
 
-    Nothing is written before everything has been made, so a failure leaves the previous report whole.
+    ``content`` makes what it shows; without it that is what was found of the thesis. Nothing is written
+    before everything has been made, so a failure leaves the previous report whole.
 
     Raises:
         ClaimIdError: if a claim is not in the inventory or stands twice.
@@ -58,7 +63,7 @@ def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
         directory / LOG, "a build is under way, or was interrupted\n"
     )  # fails now, not at the end
     store = StageStore(directory / CACHE)
-    document = select(_content(store, progress), request.chapters)
+    document = select((content or _of_the_thesis)(progress, store), request.chapters)
     (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request, store))
     write_files(document.programs, directory / OCTAVE)
     if document.overview.opening is not None:
@@ -68,7 +73,7 @@ def build(directory: Path, request: Request = WHOLE_REPORT) -> Built:
     return Built(document, files, log, time.perf_counter() - started)
 
 
-def _content(store: StageStore, progress: Progress) -> Document:
+def _of_the_thesis(progress: Progress, store: StageStore) -> Document:
     key = content_key()
     kept: Document | None = store.load(CONTENT, key)
     if kept is not None:

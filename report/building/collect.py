@@ -8,9 +8,9 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 from report.building.thesis import THESIS
-from report.data.figures import FigureRecord
 from report.document.subject import Subject
 from report.judging.claim import Statement
+from report.judging.figure import FigureRecord
 from report.judging.record import ClaimRecord
 from report.judging.text import RecordError
 
@@ -93,9 +93,13 @@ def by_id(
     for module, record in found:
         if record.id not in inventory:
             raise ClaimIdError(
-                f"{module}: {record.id} is not in the inventory; add a line to {subject.inventory}"
+                f"{subject.file_of(module)}: {record.id} is not in the inventory; add a line to "
+                f"{subject.inventory}"
             )
         if record.id in records:
-            raise ClaimIdError(f"{record.id} stands twice, in {homes[record.id]} and {module}; keep one")
+            raise ClaimIdError(
+                f"{record.id} stands twice, in {subject.file_of(homes[record.id])} and "
+                f"{subject.file_of(module)}; keep one"
+            )
         records[record.id], homes[record.id] = record, module
     return records

@@ -58,7 +58,7 @@ def read_reader_copy(path: Path, judged: str, *, accept_other: bool = False) -> 
         content = read_content(path)
     except OSError as error:
         raise CopyFileError(f"--thesis {path}: cannot be read: {error.strerror or error}") from error
-    lines = split(_decoded(content, path))
+    lines = split(_decoded(content, f"--thesis {path}"))
     digest = hashlib.sha256(content).hexdigest()
     if digest != judged and not accept_other:
         raise OtherCopyError(
@@ -69,19 +69,34 @@ def read_reader_copy(path: Path, judged: str, *, accept_other: bool = False) -> 
     return ReaderCopy(lines, digest, digest == judged)
 
 
+def read_judged_text(path: Path) -> ReaderCopy:
+    """Read a text that is judged itself.
+
+    Raises:
+        CopyFileError: naming the file, if it cannot be read, or is not UTF-8.
+    """
+    try:
+        content = read_content(path)
+    except OSError as error:
+        raise CopyFileError(f"{path}: cannot be read: {error.strerror or error}") from error
+    return ReaderCopy(
+        split(_decoded(content, str(path))), hashlib.sha256(content).hexdigest(), is_judged=True
+    )
+
+
 def split(text: str) -> tuple[str, ...]:
     """Return the lines of a text, as an editor counts them; nothing but a line feed ends a line."""
     lines = text.removesuffix("\n").split("\n")
     return tuple(line.removesuffix("\r") for line in lines)
 
 
-def _decoded(content: bytes, path: Path) -> str:
+def _decoded(content: bytes, name: str) -> str:
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         found = content[error.start : error.start + SHOWN_BYTES].hex(" ")
         raise CopyFileError(
-            f"--thesis {path}: is no text in UTF-8 (line {line} has the bytes {found}): give the text copy, "
+            f"{name}: is no text in UTF-8 (line {line} has the bytes {found}): give the text copy, "
             "not the PDF, and save it as UTF-8"
         ) from error

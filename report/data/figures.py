@@ -1,34 +1,16 @@
-"""Figures to draw: what draws each, and what stands beside it in ``figures.toml``."""
+"""Figures of the thesis's report, whose words stand in ``figures.toml``."""
 
 from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any, final
 
-import matplotlib.figure
-
+from report.judging.figure import Draw, FigureRecord, FigureWords, recorded
 from report.judging.text import RecordError, one_line
-from report.pages.drawing.drawn import drawn
-from report.pages.drawing.style import style
-from report.pages.figure import Figure
-
-Draw = Callable[[Any], matplotlib.figure.Figure]
 
 PATH = Path(__file__).with_name("figures.toml")
-
-
-@final
-@dataclass(frozen=True)
-class FigureWords:
-    """Title, caption (Markdown) and alternative text of a figure."""
-
-    title: str
-    caption: str
-    alternative_text: str
 
 
 @cache
@@ -38,31 +20,12 @@ def figure_words() -> Mapping[str, FigureWords]:
     return {name: FigureWords(**{key: one_line(each) for key, each in of.items()}) for name, of in figures}
 
 
-@final
-@dataclass(frozen=True)
-class FigureRecord:
-    """A figure before it is drawn: its claim's id, or a place of its own in the report, and what draws it."""
-
-    id: str
-    draw: Draw = field(repr=False)
-
-    @property
-    def words(self) -> FigureWords:
-        """What stands beside it.
-
-        Raises:
-            RecordError: if nothing does.
-        """
-        if self.id not in figure_words():
-            raise RecordError(f"{PATH.name} has no [{self.id!r}]: add title, caption and alternative_text")
-        return figure_words()[self.id]
-
-    def finished(self, known: Any) -> Figure:
-        """Draw the figure; it is then an SVG with its words."""
-        words = self.words
-        return drawn(self.id, words.title, words.caption, words.alternative_text, lambda: self.draw(known))
-
-
 def figure(figure_id: str) -> Callable[[Draw], FigureRecord]:
-    """Make a figure, in the report's look, of what draws it."""
-    return lambda draw: FigureRecord(figure_id, style()(draw))
+    """Make a figure, in the report's look, of what draws it; its words are read when they are asked for."""
+    return recorded(figure_id, lambda: _words(figure_id))
+
+
+def _words(figure_id: str) -> FigureWords:
+    if figure_id not in figure_words():
+        raise RecordError(f"{PATH.name} has no [{figure_id!r}]: add title, caption and alternative_text")
+    return figure_words()[figure_id]

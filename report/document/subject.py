@@ -38,6 +38,11 @@ class Subject:
     root: str = ""
     by_machine: bool = False
 
+    def file_of(self, module: str) -> str:
+        """Name the file of a module of the package; another module keeps its name."""
+        inner = module.removeprefix(f"{self.claims}.")
+        return module if inner == module else f"{self.records}/{inner.replace('.', '/')}.py"
+
 
 def usual_meanings(called: str) -> dict[Grade, str]:
     """Return what the grades say of a text that is called so."""

@@ -5,11 +5,20 @@ from __future__ import annotations
 import csv
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from enum import Enum
 from pathlib import Path
+from typing import TypeVar
 
 from report.judging.claim import Kind, Statement
 from report.judging.verdict import Certainty, Impact, Severity
 from trimmer.errors import TrimmerError
+from trimmer.messages import listed
+
+Word = TypeVar("Word", bound=Enum)
+COLUMNS = ("id", "kind", "section", "subject")
+"""What a list of statements has."""
+FURTHER = ("source", "impact", "first_line", "last_line", "paragraph", "severity", "certainty", "title")
+"""What may be said of a statement."""
 
 
 class InventoryError(TrimmerError, ValueError):
@@ -36,9 +45,9 @@ def filed(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statemen
 
     Args:
         entries: The statements by id.
-        path: File with the columns ``id``, ``source``, ``impact``, ``first_line``, ``last_line``,
+        path: File with the column ``id`` and any of ``source``, ``impact``, ``first_line``, ``last_line``,
             ``paragraph``, ``severity``, ``certainty`` and ``title``, a line for each statement. A title
-            stands in the place of the subject.
+            stands in the place of the subject. It may be the file of the statements.
 
     Raises:
         InventoryError: naming file and ids, if a statement has not one line or a line has no statement;
@@ -59,24 +68,39 @@ def filed(entries: Mapping[str, Statement], path: Path) -> Mapping[str, Statemen
 
 
 def _filed(entry: Statement, row: Mapping[str, str]) -> Statement:
-    first, last = row["first_line"], row["last_line"]
+    given = {column: (row.get(column) or "").strip() for column in FURTHER}
+    first, last = given["first_line"], given["last_line"]
     return replace(
         entry,
-        title=row["title"] or entry.title,
-        source=row["source"],
-        impact=Impact(row["impact"] or Impact.NONE.value),
+        title=given["title"] or entry.title,
+        source=given["source"],
+        impact=_word(Impact, given["impact"] or Impact.NONE.value),
         lines=(int(first), int(last)) if first or last else None,
-        paragraph=int(row["paragraph"]) if row["paragraph"] else None,
-        severity=Severity(row["severity"]) if row["severity"] else None,
-        certainty=Certainty(row["certainty"]) if row["certainty"] else None,
+        paragraph=int(given["paragraph"]) if given["paragraph"] else None,
+        severity=_word(Severity, given["severity"]) if given["severity"] else None,
+        certainty=_word(Certainty, given["certainty"]) if given["certainty"] else None,
     )
+
+
+def _word(kind: type[Word], text: str) -> Word:
+    words = [each.value for each in kind]
+    if text not in words:
+        raise ValueError(f"{text!r} is not a valid {kind.__name__}; there are {listed(words)}")
+    return kind(text)
 
 
 def _entries(path: Path) -> Iterator[tuple[int, Statement]]:
     with path.open(encoding="utf-8", newline="") as file:
-        for line, row in enumerate(csv.DictReader(file), start=2):
+        reader = csv.DictReader(file)
+        if lacking := [column for column in COLUMNS if column not in (reader.fieldnames or ())]:
+            raise InventoryError(f"{path.name}, line 1: lacks {listed(lacking)}; it names the columns")
+        for line, row in enumerate(reader, start=2):
             if None in row or None in row.values():
-                raise InventoryError(f"{path.name}, line {line}: not four columns; quote a comma")
-            if row["kind"] not in {kind.value for kind in Kind}:
-                raise InventoryError(f"{path.name}, line {line}: unknown kind {row['kind']!r}")
+                raise InventoryError(
+                    f"{path.name}, line {line}: not as many columns as line 1 names; quote a comma"
+                )
+            if row["kind"] not in (kinds := [kind.value for kind in Kind]):
+                raise InventoryError(
+                    f"{path.name}, line {line}: unknown kind {row['kind']!r}; there are {listed(kinds)}"
+                )
             yield line, Statement(row["id"], Kind(row["kind"]), row["section"], row["subject"])

@@ -70,7 +70,11 @@ def _with_copy(body: str, document: Document, copy: ReaderCopy | None) -> str:
     if copy is None:
         return _PLACE_OF_COPY.sub("", _PLACE_OF_PASSAGE.sub("", body))
     template = html_templates().get_template("passage.html.j2")
-    shown = {claim: template.render(passage=passage) for claim, passage in passages(document, copy).items()}
+    whose = "reader’s copy" if document.subject.by_machine else document.subject.called
+    shown = {
+        claim: template.render(passage=passage, whose=whose)
+        for claim, passage in passages(document, copy).items()
+    }
     notice = html_templates().get_template("reader_copy.html.j2").render(copy=copy)
     noticed = _PLACE_OF_COPY.sub(lambda _: notice, body)
     return _PLACE_OF_PASSAGE.sub(lambda match: shown[match["claim"]], noticed)

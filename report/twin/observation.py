@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final
 
-from report.data.figures import FigureRecord
 from report.document.extras import Observation
 from report.judging.claim import Confirmation
+from report.judging.figure import FigureRecord
 from report.judging.record import Text, said
 from report.judging.text import RecordError, one_line
 from report.numbers.evidence import Evidence

@@ -44,6 +44,11 @@ def file_to_write(text: str) -> Path:
     return _named(text)
 
 
+def folder_to_read(text: str) -> Path:
+    """Read the name of a folder to read, as the type of an option; ``-`` is a folder of that name."""
+    return _named(text)
+
+
 def folder_to_write(text: str) -> Path:
     """Read the name of a folder to write into, as the type of an option."""
     return _named(text)

@@ -8,7 +8,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from report.chapters.chapter_2.figures.block_diagrams import feedback_system, linear_system
-from report.data.figures import FigureRecord
+from report.judging.figure import FigureRecord
 from report.pages.drawing.style import LINES, new_figure, style
 from report.pages.drawing.svg import to_svg
 

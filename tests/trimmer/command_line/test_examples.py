@@ -18,7 +18,7 @@ COMMANDS = {command.name: command for command in installed_commands()}
 FIRST = ("parameters", "simulate")
 """What these write, the examples of others read."""
 TAKES_LONG = (
-    *(f"trimmer {name}" for name in ("compare", "derive", "design", "fit", "follow", "sample")),
+    *(f"trimmer {name}" for name in ("compare", "derive", "design", "fit", "follow", "judge", "sample")),
     "trimmer identify --gap 4e-5 --frequency 740 --uncertainty",
     "trimmer limit-cycles --element viscous",
     "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml --set",
