@@ -9,6 +9,7 @@ import sympy
 from sympy import cos, pi, sin
 
 import trimmer
+from trimmer.response import MechanismOrbit
 
 BETA, SHARE = sympy.symbols("beta rho", positive=True)  # ratio of frequencies, and F/P
 V, U = 1 / (1 - BETA**2), sin(pi / BETA) / (BETA * (1 + cos(pi / BETA)))
@@ -21,7 +22,7 @@ class Evidence:
 
     lag: sympy.Expr
     squared: sympy.Expr
-    orbits: Mapping[float, trimmer.MechanismOrbit]
+    orbits: Mapping[float, MechanismOrbit]
 
     def exact(self, beta: float, share: float = 0.3) -> float:
         """Return the amplitude per P/k that the conditions at the turning points give."""
