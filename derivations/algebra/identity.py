@@ -140,11 +140,11 @@ def _numerator(difference: sympy.Expr) -> sympy.Expr:
 def _expansion(difference: sympy.Expr) -> Proof | None:
     """Prove by expansion that a difference is zero; None if it is not, or is not found to be."""
     if difference == 0:
-        return Proof(True, "difference expands to zero")
+        return Proof(True, "difference is zero when expanded")
     if difference.has(*_CIRCULAR) and expands_to_zero(difference):
-        return Proof(True, "difference expands to zero in exponentials")
+        return Proof(True, "difference is zero when expanded in exponentials")
     if sympy.expand(difference) == 0 or _numerator(difference) == 0:
-        return Proof(True, "difference expands to zero")
+        return Proof(True, "difference is zero when expanded")
     return None
 
 

@@ -1,4 +1,4 @@
-"""How large a gap is borne, over what a designer chooses."""
+"""Up to which gap the motion stays regular, over what a designer chooses."""
 
 from __future__ import annotations
 

@@ -113,7 +113,7 @@ def second_version(_: Evidence) -> Record:
         As at [Listing A.2](#lst-A.2): the formula is right, and the guard has no effect. The text before it
         describes another function, with an input wave and a previous output: Listing A.7.
 
-        None on figures, as there.
+        No figure is affected.
     """)
 
 

@@ -206,7 +206,7 @@ def first_segment(_: Evidence) -> Record:
         As at [equation 2.36](#eq-2.36), in words: the first piece follows the pin's peak, where the bridge
         rests at its highest, at $+(A - b)$. The text gives it a minus sign, and the third piece a plus sign.
 
-        No result is affected, as there.
+        No result is affected.
     """)
 
 
