@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -67,7 +68,8 @@ def waveform_pictures() -> dict[str, Figure]:
 
 def friction_backlash_picture(step: str) -> Figure:
     """Return the picture of play with a load that friction holds, for a step that tells it in short."""
-    return _picture(step, *_values()["df-friction-backlash"])
+    caption = "Input, output, and the sine that stands for the output, for a gap of 0.6 of the amplitude."
+    return replace(_picture(step, *_values()["df-friction-backlash"]), caption=caption)
 
 
 def _picture(step: str, waveform: Waveform, values: Values) -> Figure:

@@ -35,7 +35,8 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
         _matter(
             "Limit cycles of the loop",
             "There are two. The larger is stable, with an amplitude in proportion to the gap, at a frequency "
-            f"of {stable.frequency:.0f} to {known.cycles.inertia.stable.frequency:.0f} Hz, by its load.",
+            f"of {stable.frequency:.0f} to {known.cycles.inertia.stable.frequency:.0f} Hz that depends on "
+            "the load.",
             (
                 "txt-5.2.1-proportional",
                 "fig-5.10",

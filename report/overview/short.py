@@ -79,8 +79,8 @@ def _play() -> DerivationStep:
         next, and with the opposite sign in the other half of the period, the output is
         """,
         (
-            r"y = \begin{cases} A - \frac{b}{2} & \frac{\pi}{2} \le \theta < \pi - \psi \\"
-            r" A \sin\theta + \frac{b}{2} & \pi - \psi \le \theta < \frac{3\pi}{2} \end{cases}"
+            r"y = \begin{cases} A - \frac{b}{2} & \quad \frac{\pi}{2} \le \theta < \pi - \psi \\"
+            r" A \sin\theta + \frac{b}{2} & \quad \pi - \psi \le \theta < \frac{3\pi}{2} \end{cases}"
             r" \quad \text{with} \quad \sin\psi = 1 - \frac{b}{A}",
             "",
         ),
