@@ -5,7 +5,6 @@ from __future__ import annotations
 from math import cos, pi, sin
 
 import numpy as np
-from scipy.optimize import root
 
 from benchmarks.problems.second_ways.pieces import Contact, Flight, Machine, fixed_point
 
@@ -177,70 +176,3 @@ def preloaded_stop() -> dict[str, float]:
         "velocity at 0.12 s": flight.state[1],
         "peak to peak of x": flight.peak_to_peak(lambda t, y: y[0]),
     }
-
-
-class Strobe:
-    """Periodic motions and special points of machines whose contacts have no damping, over omega."""
-
-    def __init__(self, of_omega, periods: int = 1) -> None:
-        self.of_omega, self.periods = of_omega, periods
-
-    def flown(self, omega: float, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, Flight]:
-        """Return the end of a period, the derivative of it, and the flight."""
-        machine = self.of_omega(omega)
-        start = np.concatenate([x, np.zeros(len(machine.contacts))])
-        flight = machine.fly(0.0, start, self.periods * TURN / omega)
-        return flight.state[: len(x)], machine.monodromy(flight), flight
-
-    def orbit(self, omega: float, x: np.ndarray) -> np.ndarray:
-        """Return the state of the periodic motion near x."""
-        for _ in range(30):
-            end, derivative, _ = self.flown(omega, x)
-            change = np.linalg.solve(derivative - np.eye(len(x)), x - end)
-            x = x + change
-            if np.max(abs(change)) < 1e-12 * (1.0 + np.max(abs(x))):
-                break
-        return x
-
-    def special(self, kind: str, omega: float, x: np.ndarray) -> tuple[float, np.ndarray]:
-        """Return omega and state where det(M - 1), det(M + 1) or |complex multiplier|^2 - 1 is zero."""
-
-        def lacking(unknown: np.ndarray) -> np.ndarray:
-            end, derivative, _ = self.flown(unknown[-1], unknown[:-1])
-            return np.append(end - unknown[:-1], _test(kind, derivative))
-
-        found = root(lacking, np.append(x, omega), tol=1e-13, options={"eps": 1e-8, "xtol": 1e-13})
-        return float(found.x[-1]), found.x[:-1]
-
-    def grazing(self, reach, omega: float, x: np.ndarray) -> tuple[float, np.ndarray]:
-        """Return omega where the largest value of ``reach`` over the motion is zero, by the secant method."""
-        pairs: list[tuple[float, float]] = []
-        for value in (omega, omega * (1 + 1e-4)):
-            x = self.orbit(value, x)
-            pairs.append((value, self.flown(value, x)[2].extremes(reach)[1]))
-        for _ in range(20):
-            (a, fa), (b, fb) = pairs[-2:]
-            if fa == fb or abs(b - a) < 1e-13:
-                break
-            new = b - fb * (b - a) / (fb - fa)
-            x = self.orbit(new, x)
-            pairs.append((new, self.flown(new, x)[2].extremes(reach)[1]))
-        return pairs[-1][0], x
-
-
-def _test(kind: str, derivative: np.ndarray) -> float:
-    unit = np.eye(len(derivative))
-    if kind == "fold":
-        return float(np.linalg.det(derivative - unit))
-    if kind == "period doubling":
-        return float(np.linalg.det(derivative + unit))
-    values = np.linalg.eigvals(derivative)
-    turning = values[abs(values.imag) > 1e-6]
-    return float(min(abs(turning) ** 2 - 1.0, key=abs)) if turning.size else 1.0
-
-
-def steady(machine: Machine, amplitudes, omega: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the state at t = 0 of the linear motion under forces Re(F exp(i omega t)), and amplitudes."""
-    dynamic = machine.stiffness - omega**2 * machine.mass + 1j * omega * machine.damping
-    x = np.linalg.solve(dynamic, np.asarray(amplitudes, dtype=complex))
-    return np.concatenate([x.real, (1j * omega * x).real]), x
