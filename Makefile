@@ -9,7 +9,7 @@ COMPILE = uv pip compile --quiet --universal --generate-hashes --no-annotate --n
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
 .DEFAULT_GOAL := help
-.PHONY: help report docs maps test test-all test-kernels lint format derive lock mutate benchmark check-install clean
+.PHONY: help report docs maps test test-all test-kernels lint format derive lock mutate benchmark peers check-install clean
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' Makefile | awk -F'|' '{ printf "%-22s %s\n", $$1, $$2 }'
@@ -59,6 +59,9 @@ lock: .venv/for-development ## write both lock files again, keeping versions tha
 
 mutate: .venv/for-development ## change the sources at random in a copy, and count what tests and claims notice; goes on where it was; an hour or two
 	@OPENBLAS_NUM_THREADS=1 python -m scripts.mutation all $(ARGS)
+
+peers: .venv/for-development ## run SciPy, python-control, MuJoCo, Siconos on the problems they can do, beside ours (needs network)
+	@OPENBLAS_NUM_THREADS=1 python -m benchmarks.peers.run
 
 benchmark: .venv/for-development ## measure the build and the start, each beside a peer in the same run
 	@python benchmarks/run.py

@@ -31,10 +31,23 @@ def ours(problem: Problem) -> dict[str, float]:
         exec(compile(problem.python, f"{problem.name}.toml", "exec"), space)
         return {each.name: float(space["found"][each.name]) for each in problem.digits}
     with TemporaryDirectory() as folder:
-        for name, content in {FILE: problem.machine, **problem.files}.items():
-            (Path(folder) / name).write_text(content, encoding="utf-8")
+        _write(problem, Path(folder))
         told = {name: _told(line, Path(folder)) for name, line in problem.asks.items()}
     return {each.name: followed(told, each) for each in problem.digits}
+
+
+def one(problem: Problem, digit: Digit) -> float:
+    """Return one digit as the package finds it, by the command that it needs alone."""
+    if problem.python:
+        return ours(problem)[digit.name]
+    with TemporaryDirectory() as folder:
+        _write(problem, Path(folder))
+        return followed({digit.ours[0]: _told(problem.asks[str(digit.ours[0])], Path(folder))}, digit)
+
+
+def _write(problem: Problem, folder: Path) -> None:
+    for name, content in {FILE: problem.machine, **problem.files}.items():
+        (folder / name).write_text(content, encoding="utf-8")
 
 
 def _told(line: str, folder: Path) -> Any:

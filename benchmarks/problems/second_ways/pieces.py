@@ -15,7 +15,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-RTOL, ATOL = 1e-13, 1e-17
+METHOD, RTOL, ATOL = "DOP853", 1e-13, 1e-17
+"""What solve_ivp is asked with; the peers ask with its defaults too."""
 
 
 def nothing(t: float) -> tuple[float, float, float]:
@@ -317,7 +318,12 @@ class Machine:
         return self.settled(t, y, tuple(modes))
 
     def fly(
-        self, t: float, y: np.ndarray, until: float, modes: tuple[int, ...] | None = None, rtol: float = RTOL
+        self,
+        t: float,
+        y: np.ndarray,
+        until: float,
+        modes: tuple[int, ...] | None = None,
+        rtol: float | None = None,
     ) -> Flight:
         """Return the motion from a state to a time."""
         y = np.array(y, dtype=float)
@@ -342,9 +348,9 @@ class Machine:
                 lambda t, y, modes=modes: self.rate(t, y, modes),
                 (t, stop),
                 y,
-                method="DOP853",
-                rtol=rtol,
-                atol=ATOL * rtol / RTOL,
+                method=METHOD,
+                rtol=rtol or RTOL,
+                atol=ATOL * (rtol / RTOL if rtol else 1.0),
                 events=functions,
                 dense_output=True,
                 max_step=(stop - t) / 8,

@@ -1,13 +1,13 @@
 """Second ways of special points: folds, period doublings, tori, and where the linear motion grazes.
 
-Contacts without damping give a continuous right-hand side, so that the derivative of a period is the product of
-the exponentials of its pieces, whose durations DOP853 has found.
+Contacts without damping give a continuous right-hand side, so that the derivative of a period is the product
+of the exponentials of its pieces, whose durations DOP853 has found.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import cos, sin
+from math import cos
 
 import mpmath
 import numpy as np

@@ -1,0 +1,144 @@
+"""Run the peers on the problems they can do, in one run with ours; run by ``make peers``.
+
+What pip installs goes into an environment of its own, build/peers; Debian's packages are used where they are.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+import time
+import venv
+from argparse import ArgumentParser
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from benchmarks.calibration import sentence
+from benchmarks.problems import ask
+from benchmarks.problems.read import Digit, Problem, problems
+
+PROJECT = Path(__file__).resolve().parents[2]
+ENVIRONMENT = PROJECT / "build" / "peers"
+PACKAGES = ("control==0.10.2", "mpmath", "mujoco==4.0.0", "scipy==1.17.1")
+LONGEST = 600.0
+"""A peer that takes longer, s, is shown as not having ended."""
+OWN = "trimmer"
+
+
+@dataclass(frozen=True)
+class Peer:
+    """A peer: its script, the Python that has it, and how to get it."""
+
+    name: str
+    script: str
+    python: str
+    how: str
+
+
+PEERS = (
+    Peer("SciPy", "with_scipy", str(ENVIRONMENT / "bin" / "python"), "pip install scipy"),
+    Peer("python-control", "with_python_control", str(ENVIRONMENT / "bin" / "python"), "pip install control"),
+    Peer("MuJoCo", "with_mujoco", str(ENVIRONMENT / "bin" / "python"), "pip install mujoco"),
+    Peer("Siconos", "with_siconos", "/usr/bin/python3", "apt install python3-siconos"),
+)
+NOT_RUN = {
+    "pyHarm": "pip install pyHarm-os; no script is written yet",
+    "AUTO-07p": "apt install auto-07p gfortran; no script is written yet",
+    "NLvib": "its authors' site, for Octave; no script is written yet",
+}
+HEAD = """## Peers
+
+Each peer at its defaults or at the settings of its own example, and at a finer one; ours in the same run, by
+`make peers`. A time is the shortest of up to three runs and includes what a peer needs to settle, without
+imports; ours is the second call with all that the command tells. The error is relative to the digits above.
+These programs were made for more than these problems: SciPy integrates anything, python-control designs
+controllers, MuJoCo moves robots in real time, Siconos follows many contacts with friction in space. Where three
+digits will do, Siconos at its coarser step takes a small share of our time. {calibration}.
+
+"""
+
+
+def environment() -> None:
+    """Make the environment of what pip installs, if it is not there."""
+    if not (ENVIRONMENT / "bin" / "python").exists():
+        venv.create(ENVIRONMENT, with_pip=True)
+    pip = [str(ENVIRONMENT / "bin" / "python"), "-m", "pip", "install", "--quiet", *PACKAGES]
+    subprocess.run(pip, check=False)
+
+
+def told_by(peer: Peer) -> list[dict[str, Any]]:
+    """Return what a peer's script prints; nothing where the peer is not there."""
+    if shutil.which(peer.python) is None:
+        return []
+    try:
+        ended = subprocess.run(
+            [peer.python, "-m", f"benchmarks.peers.{peer.script}"],
+            cwd=PROJECT,
+            capture_output=True,
+            text=True,
+            timeout=LONGEST,
+        )
+    except subprocess.TimeoutExpired:
+        return []
+    return [json.loads(line) for line in ended.stdout.splitlines() if line.startswith("{")]
+
+
+def ours(problem: Problem, digit: Digit) -> dict[str, Any]:
+    """Return the digit as the package finds it at the second call, with its time."""
+    value, seconds = 0.0, 0.0
+    for _ in range(2):
+        started = time.perf_counter()
+        value = ask.one(problem, digit)
+        seconds = time.perf_counter() - started
+    told = {"peer": OWN, "setting": "as it is", "problem": problem.name, "digit": digit.name}
+    return {**told, "value": value, "seconds": seconds}
+
+
+def rows() -> Iterator[str]:
+    """Yield the rows of the table, those of a digit together, ours last."""
+    known = {problem.name: problem for problem in problems()}
+    told = {peer: told_by(peer) for peer in PEERS}
+    entries = [entry for found in told.values() for entry in found]
+    for name, asked in dict.fromkeys((entry["problem"], entry["digit"]) for entry in entries):
+        problem = known[name]
+        digit = next(each for each in problem.digits if each.name == asked)
+        of_it = [entry for entry in entries if (entry["problem"], entry["digit"]) == (name, asked)]
+        for entry in [*of_it, ours(problem, digit)]:
+            yield row(entry, digit)
+    for peer, found in told.items():
+        if not found:
+            yield f"| | | {peer.name} | not run here: {peer.how} | | |\n"
+    for name, how in NOT_RUN.items():
+        yield f"| | | {name} | not run here: {how} | | |\n"
+
+
+def row(entry: dict[str, Any], digit: Digit) -> str:
+    """Return a row of the table."""
+    head = f"| `{entry['problem']}` | {entry['digit']} | {entry['peer']} | {entry['setting']} |"
+    if "failed" in entry:
+        return f"{head} | {entry['failed']} |\n"
+    error = abs(entry["value"] / digit.value - 1.0)
+    shown = f"below {digit.agreement:.0e}" if error < digit.agreement else f"{error:.0e}"
+    return f"{head} {1e3 * entry['seconds']:.3g} ms | {shown} |\n"
+
+
+def main() -> None:
+    """Write the table, and print it."""
+    parser = ArgumentParser(prog="python -m benchmarks.peers.run", description=__doc__)
+    parser.add_argument("--output", type=Path, default=PROJECT / "benchmarks" / "peers" / "table.md")
+    output: Path = parser.parse_args().output
+    environment()
+    head = "| problem | digit | peer | settings | time | error |\n| --- | --- | --- | --- | --- | --- |\n"
+    calibration = sentence().capitalize()
+    table = "".join([HEAD.format(calibration=calibration), head, *rows()])
+    output.write_text(table, encoding="utf-8")
+    print(table)
+
+
+if __name__ == "__main__":
+    main()
+    sys.exit(0)

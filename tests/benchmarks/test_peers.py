@@ -1,0 +1,45 @@
+"""The table of the peers: what a row says of an error, of a failure, and that ours is asked alike."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from benchmarks.peers import run, telling
+from benchmarks.problems import ask
+from benchmarks.problems.read import problems
+
+PROBLEM = next(each for each in problems() if each.name == "ball-to-rest")
+DIGIT = PROBLEM.digits[0]
+HEAD = {"peer": "P", "setting": "s", "problem": PROBLEM.name, "digit": DIGIT.name}
+
+
+@pytest.mark.parametrize(
+    ("told", "end"),
+    [
+        ({"value": DIGIT.value, "seconds": 0.0123}, "| 12.3 ms | below 1e-12 |\n"),
+        ({"value": DIGIT.value * 1.002, "seconds": 1.5}, "| 1.5e+03 ms | 2e-03 |\n"),
+        ({"failed": "ValueError: no impact"}, "| ValueError: no impact |\n"),
+    ],
+)
+def test_a_row_tells_time_and_error(told: dict[str, object], end: str) -> None:
+    assert run.row({**HEAD, **told}, DIGIT) == f"| `ball-to-rest` | first impact | P | s {end}"
+
+
+def test_ours_is_the_digit_by_one_command() -> None:
+    assert ask.one(PROBLEM, DIGIT) == pytest.approx(DIGIT.value, rel=DIGIT.agreement)
+
+
+def test_a_peer_that_fails_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    telling.tell("P", "s", "a", "b", lambda: 1 / 0)
+    telling.tell("P", "s", "a", "b", lambda: 2)
+    first, second = (json.loads(line) for line in capsys.readouterr().out.splitlines())
+    assert first["failed"] == "ZeroDivisionError: division by zero"
+    assert second["value"] == 2.0 and second["seconds"] >= 0.0
+
+
+def test_the_kept_table_names_every_peer() -> None:
+    table = (run.PROJECT / "benchmarks" / "peers" / "table.md").read_text("utf-8")
+    assert all(f"| {name}" in table for name in [*run.NOT_RUN, *(peer.name for peer in run.PEERS)])
+    assert "calibration loop" in table.lower()
