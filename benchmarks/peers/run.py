@@ -6,13 +6,13 @@ What pip installs goes into an environment of its own, build/peers; Debian's pac
 from __future__ import annotations
 
 import json
+import math
 import shutil
 import subprocess
 import sys
 import time
 import venv
 from argparse import ArgumentParser
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -56,8 +56,10 @@ Each peer at its defaults or at the settings of its own example, and at a finer 
 `make peers`. A time is the shortest of up to three runs and includes what a peer needs to settle, without
 imports; ours is the second call with all that the command tells. The error is relative to the digits above.
 These programs were made for more than these problems: SciPy integrates anything, python-control designs
-controllers, MuJoCo moves robots in real time, Siconos follows many contacts with friction in space. Where three
-digits will do, Siconos at its coarser step takes a small share of our time. {calibration}.
+controllers, MuJoCo moves robots in real time, Siconos follows many contacts with friction in space.
+
+{calibration}; a loop that takes much longer tells of other work beside, and then times mean little.
+{faster}
 
 """
 
@@ -98,22 +100,38 @@ def ours(problem: Problem, digit: Digit) -> dict[str, Any]:
     return {**told, "value": value, "seconds": seconds}
 
 
-def rows() -> Iterator[str]:
-    """Yield the rows of the table, those of a digit together, ours last."""
+def asked() -> tuple[list[tuple[dict[str, Any], Digit]], list[Peer]]:
+    """Return what peers and ours told of each digit, ours last, and the peers that are not there."""
     known = {problem.name: problem for problem in problems()}
     told = {peer: told_by(peer) for peer in PEERS}
     entries = [entry for found in told.values() for entry in found]
-    for name, asked in dict.fromkeys((entry["problem"], entry["digit"]) for entry in entries):
+    pairs = []
+    for name, wanted in dict.fromkeys((entry["problem"], entry["digit"]) for entry in entries):
         problem = known[name]
-        digit = next(each for each in problem.digits if each.name == asked)
-        of_it = [entry for entry in entries if (entry["problem"], entry["digit"]) == (name, asked)]
-        for entry in [*of_it, ours(problem, digit)]:
-            yield row(entry, digit)
-    for peer, found in told.items():
-        if not found:
-            yield f"| | | {peer.name} | not run here: {peer.how} | | |\n"
-    for name, how in NOT_RUN.items():
-        yield f"| | | {name} | not run here: {how} | | |\n"
+        digit = next(each for each in problem.digits if each.name == wanted)
+        of_it = [entry for entry in entries if (entry["problem"], entry["digit"]) == (name, wanted)]
+        pairs += [(entry, digit) for entry in [*of_it, ours(problem, digit)]]
+    return pairs, [peer for peer, found in told.items() if not found]
+
+
+def faster(pairs: list[tuple[dict[str, Any], Digit]]) -> str:
+    """Return a sentence on which peers took less time than ours."""
+    own = {(e["problem"], e["digit"]): e["seconds"] for e, _ in pairs if e["peer"] == OWN}
+    found = [
+        f"{e['peer']} ({e['setting']}) on `{e['problem']}`"
+        for e, _ in pairs
+        if e["peer"] != OWN and e.get("seconds", math.inf) < own[e["problem"], e["digit"]]
+    ]
+    return f"Faster than ours: {'; '.join(dict.fromkeys(found))}." if found else "None was faster than ours."
+
+
+def written(pairs: list[tuple[dict[str, Any], Digit]], missing: list[Peer], calibration: str) -> str:
+    """Return the whole table, Markdown."""
+    head = "| problem | digit | peer | settings | time | error |\n| --- | --- | --- | --- | --- | --- |\n"
+    lines = [HEAD.format(calibration=calibration, faster=faster(pairs)), head]
+    lines += [row(entry, digit) for entry, digit in pairs]
+    absent = {**{peer.name: peer.how for peer in missing}, **NOT_RUN}
+    return "".join([*lines, *(f"| | | {name} | not run here: {how} | | |\n" for name, how in absent.items())])
 
 
 def row(entry: dict[str, Any], digit: Digit) -> str:
@@ -132,9 +150,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=PROJECT / "benchmarks" / "peers" / "table.md")
     output: Path = parser.parse_args().output
     environment()
-    head = "| problem | digit | peer | settings | time | error |\n| --- | --- | --- | --- | --- | --- |\n"
-    calibration = sentence().capitalize()
-    table = "".join([HEAD.format(calibration=calibration), head, *rows()])
+    table = written(*asked(), sentence().capitalize())
     output.write_text(table, encoding="utf-8")
     print(table)
 
