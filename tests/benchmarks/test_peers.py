@@ -20,7 +20,7 @@ HEAD = {"peer": "P", "setting": "s", "problem": PROBLEM.name, "digit": DIGIT.nam
     [
         ({"value": DIGIT.value, "seconds": 0.0123}, "| 12.3 ms | below 1e-12 |\n"),
         ({"value": DIGIT.value * 1.002, "seconds": 1.5}, "| 1.5e+03 ms | 2e-03 |\n"),
-        ({"failed": "ValueError: no impact"}, "| ValueError: no impact |\n"),
+        ({"failed": "ValueError: no impact"}, "| | ValueError: no impact |\n"),
     ],
 )
 def test_a_row_tells_time_and_error(told: dict[str, object], end: str) -> None:
@@ -43,3 +43,15 @@ def test_the_kept_table_names_every_peer() -> None:
     table = (run.PROJECT / "benchmarks" / "peers" / "table.md").read_text("utf-8")
     assert all(f"| {name}" in table for name in [*run.NOT_RUN, *(peer.name for peer in run.PEERS)])
     assert "calibration loop" in table.lower()
+
+
+def test_who_was_faster_and_who_is_missing_is_said() -> None:
+    slow, own = (
+        {**HEAD, "value": 1.0, "seconds": 0.3},
+        {**HEAD, "peer": "trimmer", "seconds": 0.2, "value": 1.0},
+    )
+    fast = {**slow, "peer": "Q", "seconds": 0.1}
+    table = run.written([(slow, DIGIT), (fast, DIGIT), (own, DIGIT)], [run.PEERS[0]], "Loop: 24 ms")
+    assert "Faster than ours: Q (s) on `ball-to-rest`." in table
+    assert "None was faster than ours." in run.written([(slow, DIGIT), (own, DIGIT)], [], "")
+    assert "| | | SciPy | not run here: pip install scipy | | |" in table
