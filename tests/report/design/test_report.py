@@ -14,11 +14,13 @@ import pytest
 from report.design.comparison import comparison_sentence
 from report.design.markdown import to_markdown
 from report.design.report import DesignReport
+from report.design.sentences import helpless_words
 from report.design.tables import target_rows
 from report.design.words import measure_value, sureness_sentences, verdict_sentence
 from report.pages.formats import Format
 from trimmer.design.comparison import compared
 from trimmer.design.design import Design
+from trimmer.design.remedies import Mend, Remedies
 from trimmer.design.targets import Measure
 from trimmer.design.verdict import DesignOutcome, DesignVerdict, JudgedTarget, Sureness
 
@@ -199,6 +201,26 @@ def test_a_comparison_says_better_only_of_the_same_targets(design: Design) -> No
     assert told(nothing, one).endswith("in B the target is met.")
     other = judged_at(design, stroke_at_least=1e-3, impact_speed_at_most=1.0)
     assert told(met, other).startswith("**The files want different things**")
+
+
+@pytest.mark.parametrize(
+    ("helpless", "told"),
+    [
+        (((), ()), ""),
+        ((("frequency",), ()), ""),  # it meets one of the two
+        (
+            (("frequency",), ("frequency",)),
+            "frequency of the drive meets any of the targets that are missed.",
+        ),
+        ((("frequency",),), "frequency of the drive meets the target."),
+    ],
+)
+def test_a_number_helps_if_it_meets_any_target(design: Design, helpless, told: str) -> None:
+    targets = design.file.targets
+    mends = [Mend(target, None, None, (), each, ()) for target, each in zip(targets, helpless, strict=False)]
+    tried = Remedies((), None, tuple(mends), 1, ("frequency", "plays.bridge.gap"), 9)
+    words = helpless_words(dataclasses.replace(design, remedies=tried))
+    assert words.endswith(told) and bool(words) is bool(told)
 
 
 def test_how_many_starts_lead_to_it_is_told(design: Design) -> None:
