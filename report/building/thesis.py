@@ -31,5 +31,6 @@ THESIS: Final = Subject(
     | {
         Grade.CONCLUSION: "is wrong, and a conclusion of the thesis or a designer's choice changes with it",
     },
+    cites=True,
     by_machine=True,
 )

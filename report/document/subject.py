@@ -24,6 +24,7 @@ class Subject:
         inventory: Which file has its statements and takes one more, in words.
         meanings: What each grade says, as Markdown.
         root: Folder below which the sources of claims are; a relative one is below that of this project.
+        cites: Whether its cards cite works of report/data/bibliography.csv whose methods they name.
         by_machine: Whether a machine read it from pages, so that its drawings were not seen.
     """
 
@@ -36,6 +37,7 @@ class Subject:
     inventory: str
     meanings: Mapping[Grade, str]
     root: str = ""
+    cites: bool = False
     by_machine: bool = False
 
     def file_of(self, module: str) -> str:

@@ -33,7 +33,7 @@ from .evidence import TWO
 
 @claim("eq-1")
 def total(known):
-    yield digits("sum", "2", known, second=close("counting", TWO, known))
+    yield digits("sum", "2", known, second=close("the exact orbit", TWO, known))
     yield text("It is two.")
 
 @claim("fig-1")
@@ -79,7 +79,7 @@ def test_a_text_of_ones_own_is_judged(tmp_path: Path, capsys: pytest.CaptureFixt
         ("eq-1", "reproduced"),
         ("fig-1", "erratum"),
     ]
-    assert claims[0]["source"] == "claims.py" and "confirmed by counting" in claims[0]["method"]
+    assert claims[0]["source"] == "claims.py" and "confirmed by the exact orbit" in claims[0]["method"]
     page = (tmp_path / "build/judge/report.html").read_text("utf-8")
     assert all(
         words in page for words in ("Sums &amp; &lt;b&gt;more", "Paper, our wording", "known, second=")
@@ -90,7 +90,9 @@ def test_a_text_of_ones_own_is_judged(tmp_path: Path, capsys: pytest.CaptureFixt
 def test_nothing_tells_of_the_thesis(tmp_path: Path) -> None:
     told = " ".join(to_markdown(document(tmp_path / "mine", tmp_path)).values()).lower()
     assert not [
-        word for word in ("thesis", "designer", "trimmer report", "drawing was not seen") if word in told
+        word
+        for word in ("thesis", "designer", "leine", "trimmer report", "drawing was not seen")
+        if word in told
     ]
 
 
@@ -122,7 +124,7 @@ REFUSED = [
     (CLAIMS, 'digits("sum"', 'known / 0, digits("sum"', "mine/claims.py, line 10: the claim eq-1 ended with"),
     (CLAIMS, 'yield text("It is two.")', "", "mine/claims.py: claim eq-1 has 0 texts; it needs one"),
     (CLAIMS, '"2", known', '"two", known', "'two' is no string of digits such as '8.28' or '2.1e-8'"),
-    (CLAIMS, "TWO, known", "3, known", "by counting disagree (relative difference at most 1e-09); nothing i"),
+    (CLAIMS, "TWO, known", "3, known", "by the exact orbit disagree (relative difference at most 1e-09)"),
     (CLAIMS, "It is two.", "See [it](#eq-9).", "mine: the pages cannot be made: the report links to places"),
     (CLAIMS, "return Figure()", "return 1 / 0", "mine/claims.py, line 20: the figure fig-1 ended with ZeroD"),
     ("evidence.py", "1.0 + 1.0", "1 / 0", "mine/evidence.py, line 3: gather() ended with ZeroDivisionError:"),
