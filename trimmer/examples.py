@@ -38,6 +38,11 @@ def example_tables(name: str) -> dict[str, str]:
     return {path.name: path.read_text(encoding="utf-8") for path in sorted(_folder().glob(f"{name}*.csv"))}
 
 
+def example_proof(name: str) -> str:
+    """Return the text of a kept proof, by the name of its file."""
+    return (_folder() / "proofs" / f"{name}.json").read_text(encoding="utf-8")
+
+
 def _folder() -> Path:
     """Return their folder: in an installed package inside of it, in a checkout at the top."""
     installed = _PACKAGE / "examples"

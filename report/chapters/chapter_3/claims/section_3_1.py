@@ -18,7 +18,8 @@ from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence
 from report.numbers.independent.loci import gains_where_phases_match
 from report.numbers.independent.spectrum_bins import bins, fitting_samples
-from report.numbers.thesis import SAMPLE_RATE
+from report.numbers.proven import solutions_are_proven
+from report.numbers.thesis import LARGE_GAP, SAMPLE_RATE
 from trimmer import FrictionBacklash, limit_cycles
 
 DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"
@@ -125,13 +126,14 @@ def sign_of_the_output(known: Evidence) -> Record:
         severity=Severity.SLIP,
         certainty=Certainty.READING,
     )
-    yield text("""
+    yield text(f"""
         Section 3.1 gives the output map as $x_4 - x_2$; equation 2.14 and Listing A.1 have $x_2 - x_4$. Read
         as a slip of the pen it has no effect: a measured spectrum does not see the sign, and chapter 5
         computes with the other one. This reading is the likelier one, as the sentence is about what the
         camera measures, and the card is graded by it. Read as the output of the loop it leaves no limit cycle
         with Listing A.1: backlash only lags, so with the sign turned $G$ would have to lead, which it does by
         little and with too large a gain.
+        {solutions_are_proven("thesis-turned-sign", -plant, LARGE_GAP, turned)}
 
         Nothing in a trimmer leads from the output back to the pin, so neither sign is that of the device. The
         predicted limit cycles rest on this choice.

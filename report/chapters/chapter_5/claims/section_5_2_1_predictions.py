@@ -14,6 +14,7 @@ from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
+from report.numbers.proven import orbit_is_proven, solutions_are_proven
 from report.numbers.thesis import LARGE_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, LimitCycle, limit_cycles
 
@@ -131,6 +132,7 @@ def stability(known: Evidence) -> Record:
         A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again; a smaller one
         grows. That is the thesis's own argument on the describing function, and the multipliers of the exact
         limit cycle agree. Disturbances decay slowly, with {-math.log(largest) / orbit.period:.0f}/s.
+        {orbit_is_proven("thesis-stable-orbit", orbit)}
     """)
 
 
@@ -159,7 +161,7 @@ def second_limit_cycle(known: Evidence) -> Record:
         for every gap or for none. The second one lies just above the edge of the dead band, $A = b/2$.
         Listing A.9 plots the curve from $b/2 + 10^{{-6}}$ m on, and so shows it only for gaps above
         {power_of(PLOT_OFFSET / (right.amplitude - 0.5), 1)} m: for $4\times10^{{-5}}$ m, but not for
-        $4\times10^{{-6}}$ m.
+        $4\times10^{{-6}}$ m. {orbit_is_proven("thesis-unstable-orbit", known.orbits.friction.unstable)}
 
         A trimmer with a small gap has the same two limit cycles as one with a large gap, in proportion. The
         unstable one is a threshold: what starts below it decays.
@@ -175,6 +177,7 @@ def two_limit_cycles(known: Evidence) -> Record:
     second = close(NEWTON, stable.omega, stable.exact.omega)
     yield amplitude_part("first: amplitude", "3.3138e-4", LARGE_GAP, stable, AMPLITUDE)
     label, derived = "first: frequency", stable.exact.frequency
+    plant = known.numbers.displacement_only
     yield digits(label, "733.33", derived, "Hz", second=second, slip=slip, item=FREQUENCY)
     yield amplitude_part("second: amplitude", "2.1089e-5", LARGE_GAP, unstable, SECOND_AMPLITUDE)
     yield second_frequency("second: frequency", unstable)
@@ -183,6 +186,7 @@ def two_limit_cycles(known: Evidence) -> Record:
         Hz, with exact ones at {unstable.exact.frequency:.2f} Hz; the printed 533.22 Hz has one digit wrong,
         here and in the text. The other cells come out with the rounded coefficients. For 733.33 Hz a number
         was cut off as well; the section's percent error has it rounded, as 733.34 Hz.
+        {solutions_are_proven("thesis-limit-cycles", plant, LARGE_GAP, [unstable.exact, stable.exact])}
 
         None: the comparisons of the section rest on the first limit cycle.
     """)
