@@ -96,7 +96,7 @@ def cycle_is_proven(name: str, force: float, gap: float, frequency: float, none_
     _require(name, abs(_period(name) * frequency - 1) < COMPUTED, f"another frequency than {frequency} Hz")
     return (
         f"Proven by ball arithmetic: with {force} N the exact limit cycle is there and stable "
-        f"({_file(name)}). That none is left with {none_at} N is computed, not proven."
+        f"({_file(name)}); that none is left with {none_at} N is computed, not proven."
     )
 
 

@@ -13,7 +13,7 @@ from flint import arb, ctx
 from trimmer.proof.between_events import require_positive_between
 from trimmer.proof.following import ORBIT_PRECISION, RADIUS, Followed, Motion
 from trimmer.proof.outcome import Outcome, Verdict
-from trimmer.proof.returning import multipliers_of, solve
+from trimmer.proof.returning import first_guess, multipliers_of, solve
 from trimmer.proof.undecided import RefutedError, UndecidedError
 
 NEAR = 1e-9
@@ -76,7 +76,9 @@ def require_near(motion: Motion, unknown: list[arb], near: float) -> None:
     """
     for i, given in enumerate(motion.start):
         if not abs(unknown[i] - given) < near * motion.sizes[i]:
-            if motion.data["stable"] is None:
+            back = motion.follow(first_guess(motion)).back
+            pairs = zip(back, motion.start, motion.sizes, strict=False)
+            if all(abs(end - begin) < near * size for end, begin, size in pairs):
                 raise UndecidedError("it stays where it is put, and the motion that returns is elsewhere")
             told = float((unknown[i] * motion.units[i]).mid())
             raise RefutedError(f"the motion begins elsewhere: state {i} is {told!r}")

@@ -36,6 +36,6 @@ def test_an_orbit_is_said_to_be_proven_only_where_the_proof_has_its_period(evide
 )
 def test_a_cycle_with_friction_is_that_of_its_proof(force, gap, frequency):
     told = cycle_is_proven("thesis-friction-orbit", 1.6, 2e-4, 710.74, 1.65)
-    assert told.endswith("That none is left with 1.65 N is computed, not proven.")
+    assert told.endswith("that none is left with 1.65 N is computed, not proven.")
     with pytest.raises(OtherNumbersError):
         cycle_is_proven("thesis-friction-orbit", force, gap, frequency, 1.65)

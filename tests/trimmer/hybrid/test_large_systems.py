@@ -18,7 +18,7 @@ from trimmer.hybrid.advance import Ending, advance
 from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, Mode
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop
+from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop, Wall
 from trimmer.motion.course import Course
 
 FREQUENCY = 50.0
@@ -75,6 +75,16 @@ def test_each_of_many_moves_as_it_does_alone() -> None:
         times = np.linspace(0.0, together.duration, 50)
         apart = together.states(times)[:, own] - alone.states(times)[:, : len(own)]
         assert (abs(apart) <= 1e-8 * sizes[own]).all()
+
+
+def test_a_wall_among_many_changes_small_distances_as_it_does_alone() -> None:
+    walls = {"wall": Wall((GROUND, "body 0"), restitution=0.5, gap=1.5e-4)}
+    together, alone = (motion(replace(copies(range(count)), walls=walls)) for count in (COPIES, 1))
+    assert together.modes.tables.rows is not None
+    assert alone.modes.tables.rows is None
+    own = [0, COPIES]
+    found, expected = together.monodromy[np.ix_(own, own)], alone.monodromy[:2, :2]
+    np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6 * abs(expected).max())
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,6 @@ from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty
 from report.numbers.driven_motion import FORCES
 from report.numbers.evidence import Evidence
-from report.numbers.proven import cycle_is_proven
 from report.numbers.released_motion import FORCES_OF_FIGURE, INSIDE, OUTSIDE, SCALE, released_peak
 from report.numbers.thesis import EXPERIMENT_GAP, LARGEST_GAP, OPEN_LOOP_PEAK
 
@@ -119,17 +118,13 @@ def suppression(known: Evidence) -> Record:
         second=so(alike, distance < ALIKE),
         certainty=Certainty.PROVEN,
     )
-    proven = cycle_is_proven(
-        "thesis-friction-orbit", before.force, EXPERIMENT_GAP, before.frequency, last.force
-    )
     least, *_, most = (released.released(LARGEST_GAP, force, OUTSIDE) for force in FORCES_OF_FIGURE)
     share = 100 * (1 - most.amplitude / least.amplitude)
     yield text(f"""
         With friction between cutter and guard that resists their motion all of it holds, and the force that
         is needed is proportional to the gap. With Listing A.1 and {f"{1e3 * EXPERIMENT_GAP:g}"} mm the limit
         cycle lasts up to {lasting[-1].force} N: the forces below {ASSUMED_FORCE} N that the text assumes
-        weaken it and do not end it. {proven}
-        For {f"{1e3 * LARGEST_GAP:g}"} mm the largest force of figure 3.9 takes
+        weaken it and do not end it. For {f"{1e3 * LARGEST_GAP:g}"} mm the largest force of figure 3.9 takes
         {share:.1f} % of its {1e3 * least.amplitude:.0f} mm, which no figure shows; what was suppressed there
         seems to be another peak.
     """)

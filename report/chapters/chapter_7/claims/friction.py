@@ -9,8 +9,13 @@ from report.judging.parts import assertion, so
 from report.judging.record import Record, claim, text
 from report.numbers.equivalent_nonlinearity import FORCES
 from report.numbers.evidence import Evidence
-from report.numbers.thesis import EXPERIMENT_GAP
+from report.numbers.proven import cycle_is_proven
+from report.numbers.thesis import EXPERIMENT_GAP, LARGE_GAP
+from report.numbers.twin.kept_branch import KeptBranch
+from trimmer.arrays import Reals
 
+PROVEN, NONE_AT = 1.6, 1.65
+"""Frictions in the experiment's gap, N: with one a limit cycle is proven, with the other none is found."""
 BRANCH_METHOD = "all solutions of harmonic balance over the whole range of forces"
 
 
@@ -44,15 +49,26 @@ def coulomb_friction(known: Evidence) -> Record:
         method=BRANCH_METHOD,
         second=so(f"exact simulation of both channels, {lasting}", between),
     )
+    exact = known.twin.loop.over_force
+    period = np.interp(PROVEN * LARGE_GAP / EXPERIMENT_GAP, *periods_of_stable(exact))
+    proven = cycle_is_proven("thesis-friction-orbit", PROVEN, EXPERIMENT_GAP, 1 / period, NONE_AT)
     yield text(f"""
         With friction in its place, between cutter and guard, and with its right sign the conclusion holds. It
         takes {merger.force_per_gap:.0f} N per metre of gap to end the limit cycle, {force:.2f} N for
         {1e6 * EXPERIMENT_GAP:.0f} µm; with the pin's velocity too, {both.merger.force_per_gap:.0f} N/m and
-        {with_both:.2f} N. By Listing A.6, on which section 5.2.5 rests, the amplitude would grow with the
-        force instead, to {1e3 * numbers.by_force[-1].amplitude:.0f} mm at {FORCES[-1]} N. The rest position
+        {with_both:.2f} N. {proven}
+        By Listing A.6, on which section 5.2.5 rests, the amplitude would grow with the force instead, to
+        {1e3 * numbers.by_force[-1].amplitude:.0f} mm at {FORCES[-1]} N. The rest position
         stays stable, as the text has it: the more friction, the larger a disturbance it survives, and beyond
         that force any.
     """)
+
+
+def periods_of_stable(branch: KeptBranch) -> tuple[Reals, Reals]:
+    """Return the frictions of stable limit cycles, N, rising, and their periods, s."""
+    values, periods = branch.values[branch.stable], branch.states[branch.stable, -1]
+    order = np.argsort(values)
+    return values[order], periods[order]
 
 
 @claim("txt-7-coulomb-evidence")
