@@ -60,7 +60,7 @@ lock: .venv/for-development ## write both lock files again, keeping versions tha
 mutate: .venv/for-development ## change the sources at random in a copy, and count what tests and claims notice; goes on where it was; an hour or two
 	@OPENBLAS_NUM_THREADS=1 python -m scripts.mutation all $(ARGS)
 
-peers: .venv/for-development ## run SciPy, python-control, MuJoCo, Siconos on the problems they can do, beside ours (needs network)
+peers: .venv/for-development ## run SciPy, python-control, MuJoCo, pyHarm, Siconos on the problems they can do, beside ours (needs network)
 	@OPENBLAS_NUM_THREADS=1 python -m benchmarks.peers.run
 
 benchmark: .venv/for-development ## measure the build and the start, each beside a peer in the same run

@@ -23,7 +23,7 @@ from benchmarks.problems.read import Digit, Problem, problems
 
 PROJECT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = PROJECT / "build" / "peers"
-PACKAGES = ("control==0.10.2", "mpmath", "mujoco==4.0.0", "scipy==1.17.1")
+PACKAGES = ("control==0.10.2", "mpmath", "mujoco==4.0.0", "pyHarm-os==1.2.2", "scipy==1.17.1")
 LONGEST = 600.0
 """A peer that takes longer, s, is shown as not having ended."""
 OWN = "trimmer"
@@ -43,10 +43,10 @@ PEERS = (
     Peer("SciPy", "with_scipy", str(ENVIRONMENT / "bin" / "python"), "pip install scipy"),
     Peer("python-control", "with_python_control", str(ENVIRONMENT / "bin" / "python"), "pip install control"),
     Peer("MuJoCo", "with_mujoco", str(ENVIRONMENT / "bin" / "python"), "pip install mujoco"),
+    Peer("pyHarm", "with_pyharm", str(ENVIRONMENT / "bin" / "python"), "pip install pyHarm-os"),
     Peer("Siconos", "with_siconos", "/usr/bin/python3", "apt install python3-siconos"),
 )
 NOT_RUN = {
-    "pyHarm": "pip install pyHarm-os; no script is written yet",
     "AUTO-07p": "apt install auto-07p gfortran; no script is written yet",
     "NLvib": "its authors' site, for Octave; no script is written yet",
 }

@@ -15,7 +15,7 @@ solreflimit="-1 {damping}" solimplimit="0.9999 0.9999 0.001"/>
 BELT = """<mujoco><option gravity="0 0 0" timestep="{step}" integrator="{integrator}"/><worldbody><body>
 <joint name="x" type="slide" axis="1 0 0" stiffness="1" frictionloss="0.2"/>
 <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody></mujoco>"""
-SETTINGS = {"Euler, 2 ms (defaults)": ("Euler", 2e-3), "RK4, 0.5 ms": ("RK4", 5e-4)}
+SETTINGS = {"Euler, 2 ms (defaults)": ("Euler", 2e-3), "RK4, 1 ms": ("RK4", 1e-3)}
 
 
 def rebound(integrator: str, step: float) -> float:
