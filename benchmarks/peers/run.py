@@ -57,6 +57,7 @@ Each peer at its defaults or at the settings of its own example, and at a finer 
 imports; ours is the second call with all that the command tells. The error is relative to the digits above.
 These programs were made for more than these problems: SciPy integrates anything, python-control designs
 controllers, MuJoCo moves robots in real time, Siconos follows many contacts with friction in space.
+`trimmer follow` tells stability, all special points and the branches that part; pyHarm tells the branch.
 
 {calibration}; a loop that takes much longer tells of other work beside, and then times mean little.
 {faster}
