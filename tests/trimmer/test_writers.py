@@ -95,6 +95,7 @@ COMMANDS = {
     "derive": f"derive {TWIN}",
     "design": f"design {TWIN}",
     "compare": f"compare {TWIN} {SCATTER}",
+    "judge": f"judge {EXAMPLES / 'judged-paper'}",
     "report": "report",
 }
 """Of each command that writes files a use that works for long, if it is not refused at once."""
@@ -114,7 +115,8 @@ WRITTEN = {
 IN_FOLDER = {
     "design": ["thesis-play.html", "thesis-play.pdf"],
     "compare": ["thesis-play-scatter.html"],
-    "report": ["report.html", "report.pdf", "claims.json", "errata.csv"],
+    "judge": ["report.html", "cards.pdf"],
+    "report": ["report.html", "report.pdf", "cards.pdf", "claims.json", "errata.csv"],
 }
 """What is written into the folder that is named."""
 NAMES = {"--wav": "mine.wav", "--plot": "mine.svg"}

@@ -31,14 +31,14 @@ p = { on = "b0", constant = 0.1, amplitude = 2.0 }
 
 
 def test_frictions_that_tie_end_the_motion_where_they_do() -> None:
-    """f0 and f2 break away at 0.8 N; then f4 has to hold just its 0.4 N, and sliding it would stop b3."""
-    made = Mechanism.from_toml_text(TIED)
+    """f0 and f2 break away at 0.85 N; then f4 slides, and f2 has to hold just its limit of 0.2 N."""
+    made = Mechanism.from_toml_text(TIED).with_value("frictions.f0.static", 0.65)
     motion = simulate(made, 1.0)
     assert not motion.success
-    assert motion.duration == pytest.approx(np.arcsin(0.35) / np.pi, rel=1e-9)
+    assert motion.duration == pytest.approx(np.arcsin(0.375) / np.pi, rel=1e-9)
     assert "more events at one instant than can be told apart" in motion.message
     settled = respond(made).motion
     assert settled.kind is MotionKind.UNDECIDED
     assert "more events at one instant than can be told apart" in settled.message
-    freed = made.with_value("frictions.f4.static", 0.45)
+    freed = Mechanism.from_toml_text(TIED).with_value("frictions.f4.static", 0.45)
     assert simulate(freed, 1.0).success
