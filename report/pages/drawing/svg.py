@@ -26,6 +26,8 @@ _BETWEEN = re.compile(r">\s+<")
 _REFERENCE = re.compile(r'(?P<before>\bid="|href="#|url\(#)')
 _HASHED = re.compile(r'(?<=[#"])([A-Za-z]\w*?)[0-9a-f]{10}(?=["\)])')
 """An id with a hash in it: of a clipping box, a mark or a hatching."""
+_LETTER = re.compile(r'(?<=[#"])STIXGeneral-([A-Za-z]+)-')
+"""The font in the id of a letter's outline."""
 
 
 def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -> str:
@@ -53,7 +55,7 @@ def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -
     # The file's style would reach out of the figure; the page reads values off the axes given as data.
     svg = _STYLE.sub("", _METADATA.sub("", document[document.index("<svg") :])).strip()
     svg = _BETWEEN.sub("><", _COMMENT.sub("", _PLACED.sub(_rounded, svg))).replace(" \n", "")
-    svg = _numbered(svg)
+    svg = _LETTER.sub(lambda font: re.sub("[a-z]", "", font[1]), _numbered(svg))
     svg = _REFERENCE.sub(lambda match: f"{match['before']}{identifier}-", svg)
     if axes:
         svg = svg.replace("<svg ", f"<svg data-axes={quoteattr(axes)} ", 1)
