@@ -12,9 +12,8 @@ BOUND = 1.0
 """Of friction in the thesis, N."""
 
 SENTENCES = (
-    "The predicted limit cycles are those of a loop that a trimmer does not have. So the trimmer was "
-    "computed again, with a bridge that pushes back on the motor. What play does to it is driven: harmonics, "
-    "subharmonics, chaos."
+    "The trimmer was computed again, with a bridge that pushes back on the motor. There play brings "
+    "harmonics of the drive, subharmonics, chaos."
 )
 
 
@@ -53,11 +52,11 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
         Highlight(
             ("txt-6.3-friction-dominates",),
             "By the thesis's own numbers friction does not dominate the cutter's inertia.",
-            "Compute with a bridge that flies across the gap.",
+            "Compute with a bridge that can leave the pin.",
         ),
         Highlight(
             ("txt-7-coulomb-evidence",),
             f"Friction below {BOUND:.0f} N does not end the predicted limit cycle at 0.2 mm of play.",
-            f"In the thesis's loop that takes {in_place:.1f} N.",
+            f"In the loop it takes {in_place:.1f} N.",
         ),
     )

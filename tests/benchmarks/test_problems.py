@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import mpmath
 import pytest
 
 from benchmarks.problems import ask, publish
@@ -52,6 +53,12 @@ def test_the_second_way_finds_the_digits(name: str) -> None:
     problem = PROBLEMS[name]
     errors = ask.compared(problem, ask.second(problem))
     assert all(errors[each.name] <= each.agreement for each in problem.digits), errors
+
+
+def test_a_second_way_with_many_digits_leaves_those_of_others_alone() -> None:
+    before = mpmath.mp.dps
+    ask.second(PROBLEMS["ball-to-rest"])
+    assert mpmath.mp.dps == before
 
 
 def test_second_ways_know_nothing_of_the_package() -> None:

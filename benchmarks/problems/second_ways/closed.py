@@ -5,9 +5,10 @@ from __future__ import annotations
 import mpmath
 from mpmath import mp, mpf
 
-mp.dps = 40
+AT_40_DIGITS = mp.workdps(40)
 
 
+@AT_40_DIGITS
 def den_hartog() -> dict[str, float]:
     told = {}
     for ratio, force in (("0.7", "0.2"), ("1.2", "0.5"), ("2", "0.3")):
@@ -17,12 +18,14 @@ def den_hartog() -> dict[str, float]:
     return told
 
 
+@AT_40_DIGITS
 def block_on_belt() -> dict[str, float]:
     drop, speed = mpf(1) / 2, mpf("0.2")
     slip, stick = 2 * (mp.pi - mpmath.atan2(drop, speed)), 2 * drop / speed
     return {"amplitude": mpmath.hypot(drop, speed), "stick": stick, "period": slip + stick}
 
 
+@AT_40_DIGITS
 def end_of_stick_slip() -> float:
     """Belt speed at which the damped block's highest velocity after a slip is just that of the belt."""
     delta = mpf("0.05")
@@ -41,6 +44,7 @@ def end_of_stick_slip() -> float:
     return mpmath.findroot(touches, (mpf("5.9"), mpf("0.5")))[1]
 
 
+@AT_40_DIGITS
 def soft_wall() -> dict[str, float]:
     told = {}
     for ratio in ("0.1", "0.3", "0.6"):
@@ -51,6 +55,7 @@ def soft_wall() -> dict[str, float]:
     return told
 
 
+@AT_40_DIGITS
 def bouncing_ball() -> dict[str, float]:
     """One impact per period: the ball leaves with g T/2 and comes back with as much."""
     g, e, amplitude, omega = mpf("9.81"), mpf("0.6"), mpf("0.0005"), 40 * mp.pi
@@ -66,6 +71,7 @@ def bouncing_ball() -> dict[str, float]:
     }
 
 
+@AT_40_DIGITS
 def ball_to_rest() -> dict[str, float]:
     """Fall from 1 m, then a geometric series of flights, e = 0.8."""
     g, e = mpf("9.81"), mpf("0.8")

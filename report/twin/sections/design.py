@@ -35,11 +35,19 @@ def _held(number: int, known: Evidence) -> Observed:
     ranges = ", ".join(_range(place, *ends) for place, ends in line.over.items())
     kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(found.kinds.items()))
     yield text(f"""
-        From rest, for {ranges}. {len(found.tried)} points were tried: {kinds}. The worst has
-        {_value(line, found.worst)} with {_point(line, found.worst)}; from {STARTS - 1} other starts it is
-        {_value(line, found.worst_of_starts)} {_of_starts(found)}.
+        From rest, for {ranges}. {len(found.tried)} points were tried: {kinds}. {_worst(found)}
     """)
     yield so("all points that were searched, and those that this build has tried again, hold it", found.holds)
+
+
+def _worst(found: Searched) -> str:
+    line, other = found.line, f"from {STARTS - 1} other starts"
+    if line.measure == PERIODS and found.worst.value == found.worst_of_starts.value == 1.0:
+        return f"All repeat after one drive period, and those nearest to the bound do {other} too."
+    return (
+        f"The worst has {_value(line, found.worst)} with {_point(line, found.worst)}; {other} the worst "
+        f"points have {_value(line, found.worst_of_starts)} {_of_starts(found)}."
+    )
 
 
 def _of_starts(found: Searched) -> str:
@@ -55,7 +63,7 @@ def _range(place: str, low: float, high: float) -> str:
 
 def _point(line: Advice, tried: Tried) -> str:
     told = (
-        f"{words} {factor * value:.4g} {unit}"
+        f"{words} {factor * value:.5g} {unit}"
         for place, value in zip(line.over, tried.point, strict=True)
         for words, factor, unit in (WORDS[place],)
     )
