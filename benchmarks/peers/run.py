@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import venv
 from argparse import ArgumentParser
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from benchmarks.calibration import sentence
@@ -25,7 +27,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = PROJECT / "build" / "peers"
 PACKAGES = ("control==0.10.2", "mpmath", "mujoco==4.0.0", "pyHarm-os==1.2.2", "scipy==1.17.1")
 LONGEST = 600.0
-"""A peer that takes longer, s, is shown as not having ended."""
+"""A peer that takes longer, s, is ended; what it told until then is shown."""
 OWN = "trimmer"
 
 
@@ -47,8 +49,8 @@ PEERS = (
     Peer("Siconos", "with_siconos", "/usr/bin/python3", "apt install python3-siconos"),
 )
 NOT_RUN = {
-    "AUTO-07p": "apt install auto-07p gfortran; no script is written yet",
-    "NLvib": "its authors' site, for Octave; no script is written yet",
+    "AUTO-07p": "not run here: apt install auto-07p gfortran; no script is written yet",
+    "NLvib": "not run here: its authors' site, for Octave; no script is written yet",
 }
 HEAD = """## Peers
 
@@ -73,21 +75,26 @@ def environment() -> None:
     subprocess.run(pip, check=False)
 
 
-def told_by(peer: Peer) -> list[dict[str, Any]]:
-    """Return what a peer's script prints; nothing where the peer is not there."""
+def told_by(peer: Peer, longest: float = LONGEST) -> tuple[list[dict[str, Any]], str]:
+    """Return what a peer's script prints, and why that is not all; empty if it is."""
     if shutil.which(peer.python) is None:
-        return []
-    try:
-        ended = subprocess.run(
-            [peer.python, "-m", f"benchmarks.peers.{peer.script}"],
-            cwd=PROJECT,
-            capture_output=True,
-            text=True,
-            timeout=LONGEST,
-        )
-    except subprocess.TimeoutExpired:
-        return []
-    return [json.loads(line) for line in ended.stdout.splitlines() if line.startswith("{")]
+        return [], f"not run here: {peer.how}"
+    lack = ""
+    with TemporaryDirectory() as folder:  # some peers leave files where they are run
+        try:
+            ended = subprocess.run(
+                [peer.python, "-m", f"benchmarks.peers.{peer.script}"],
+                cwd=folder,
+                env={**os.environ, "PYTHONPATH": str(PROJECT)},
+                capture_output=True,
+                timeout=longest,
+            )
+            printed = ended.stdout
+            if ended.returncode:
+                lack = f"not run here: {peer.how}"
+        except subprocess.TimeoutExpired as late:
+            printed, lack = late.stdout or b"", f"not ended after {longest:g} s"
+    return [json.loads(line) for line in printed.decode().splitlines() if line.startswith("{")], lack
 
 
 def ours(problem: Problem, digit: Digit) -> dict[str, Any]:
@@ -101,18 +108,18 @@ def ours(problem: Problem, digit: Digit) -> dict[str, Any]:
     return {**told, "value": value, "seconds": seconds}
 
 
-def asked() -> tuple[list[tuple[dict[str, Any], Digit]], list[Peer]]:
-    """Return what peers and ours told of each digit, ours last, and the peers that are not there."""
+def asked() -> tuple[list[tuple[dict[str, Any], Digit]], dict[str, str]]:
+    """Return what peers and ours told of each digit, ours last, and why not all of a peer is there."""
     known = {problem.name: problem for problem in problems()}
-    told = {peer: told_by(peer) for peer in PEERS}
-    entries = [entry for found in told.values() for entry in found]
+    told = {peer.name: told_by(peer) for peer in PEERS}
+    entries = [entry for found, _ in told.values() for entry in found]
     pairs = []
     for name, wanted in dict.fromkeys((entry["problem"], entry["digit"]) for entry in entries):
         problem = known[name]
         digit = next(each for each in problem.digits if each.name == wanted)
         of_it = [entry for entry in entries if (entry["problem"], entry["digit"]) == (name, wanted)]
         pairs += [(entry, digit) for entry in [*of_it, ours(problem, digit)]]
-    return pairs, [peer for peer, found in told.items() if not found]
+    return pairs, {name: lack for name, (_, lack) in told.items() if lack}
 
 
 def faster(pairs: list[tuple[dict[str, Any], Digit]]) -> str:
@@ -126,13 +133,13 @@ def faster(pairs: list[tuple[dict[str, Any], Digit]]) -> str:
     return f"Faster than ours: {'; '.join(dict.fromkeys(found))}." if found else "None was faster than ours."
 
 
-def written(pairs: list[tuple[dict[str, Any], Digit]], missing: list[Peer], calibration: str) -> str:
+def written(pairs: list[tuple[dict[str, Any], Digit]], missing: dict[str, str], calibration: str) -> str:
     """Return the whole table, Markdown."""
     head = "| problem | digit | peer | settings | time | error |\n| --- | --- | --- | --- | --- | --- |\n"
     lines = [HEAD.format(calibration=calibration, faster=faster(pairs)), head]
     lines += [row(entry, digit) for entry, digit in pairs]
-    absent = {**{peer.name: peer.how for peer in missing}, **NOT_RUN}
-    return "".join([*lines, *(f"| | | {name} | not run here: {how} | | |\n" for name, how in absent.items())])
+    lines += [f"| | | {name} | {why} | | |\n" for name, why in {**missing, **NOT_RUN}.items()]
+    return "".join(lines)
 
 
 def row(entry: dict[str, Any], digit: Digit) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 
 import pytest
 
@@ -51,7 +52,23 @@ def test_who_was_faster_and_who_is_missing_is_said() -> None:
         {**HEAD, "peer": "trimmer", "seconds": 0.2, "value": 1.0},
     )
     fast = {**slow, "peer": "Q", "seconds": 0.1}
-    table = run.written([(slow, DIGIT), (fast, DIGIT), (own, DIGIT)], [run.PEERS[0]], "Loop: 24 ms")
+    table = run.written(
+        [(slow, DIGIT), (fast, DIGIT), (own, DIGIT)],
+        {"SciPy": "not run here: pip install scipy"},
+        "Loop: 24 ms",
+    )
     assert "Faster than ours: Q (s) on `ball-to-rest`." in table
-    assert "None was faster than ours." in run.written([(slow, DIGIT), (own, DIGIT)], [], "")
+    assert "None was faster than ours." in run.written([(slow, DIGIT), (own, DIGIT)], {}, "")
     assert "| | | SciPy | not run here: pip install scipy | | |" in table
+
+
+@pytest.mark.parametrize(
+    ("python", "longest", "why"),
+    [
+        ("no-such-python", 60.0, "not run here: ask apt"),
+        (sys.executable, 60.0, "not run here: ask apt"),
+        (sys.executable, 1e-3, "not ended after 0.001 s"),
+    ],
+)
+def test_why_a_peer_told_nothing_is_said(python: str, longest: float, why: str) -> None:
+    assert run.told_by(run.Peer("P", "no_such_peer", python, "ask apt"), longest) == ([], why)
