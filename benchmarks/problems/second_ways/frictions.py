@@ -6,7 +6,8 @@ from math import cos
 
 import numpy as np
 
-from benchmarks.problems.second_ways.contacts import TURN, measured, settled, sine
+from benchmarks.problems.second_ways.closed import end_of_stick_slip
+from benchmarks.problems.second_ways.contacts import TURN, measured, orbit, settled, sine
 from benchmarks.problems.second_ways.pieces import Contact, Flight, Friction, Machine, fixed_point
 
 
@@ -39,14 +40,7 @@ def stick_slip(machine: Machine, until: float) -> Flight:
     """Return one cycle, from one end of stick to the next, once a start from rest is forgotten."""
     flight = machine.fly(0.0, np.zeros(2 * machine.n), until)
     ended = [event[0] for event in flight.events if event[2] != 0]
-    begin, end = ended[-2:]
-    return Flight(
-        [(s, max(a, begin), min(b, end), m) for s, a, b, m in flight.pieces if b > begin and a < end],
-        [event for event in flight.events if begin < event[0] <= end],
-        end - begin,
-        flight.state,
-        flight.modes,
-    )
+    return flight.between(*ended[-2:])
 
 
 def falling_friction() -> dict[str, float]:
@@ -55,19 +49,15 @@ def falling_friction() -> dict[str, float]:
     )
     machine = Machine(np.eye(1), np.zeros((1, 1)), np.eye(1), lambda t: np.zeros(1), (), (rub,))
     flight = stick_slip(machine, 32.0)
-    stuck = sum(end - begin for _, begin, end, modes in flight.pieces if modes[0] == 0)
-    told = measured(flight, x=lambda t, y: y[0], v=lambda t, y: y[1])
-    return {**told, "period": flight.time, "stick": stuck}
+    return {**measured(flight, x=lambda t, y: y[0], v=lambda t, y: y[1]), "period": flight.length}
 
 
 def damped_block() -> dict[str, float]:
     rub = Friction([1.0], lambda u: 0.5, 1.0, pin=belt(0.3))
     machine = Machine(np.eye(1), 0.1 * np.eye(1), np.eye(1), lambda t: np.zeros(1), (), (rub,))
     flight = stick_slip(machine, 28.0)
-    from benchmarks.problems.second_ways.closed import end_of_stick_slip
-
     return {
-        "period": flight.time,
+        "period": flight.length,
         "peak to peak of x": flight.peak_to_peak(lambda t, y: y[0]),
         "end of stick-slip": end_of_stick_slip(),
     }
@@ -89,22 +79,12 @@ def two_blocks() -> dict[str, float]:
         """Return when the left block falls through 0.549 again, from a state on that plane."""
         y = np.array([0.549, *x])
         flight = machine.fly(0.0, y, 7.5)
-        for solution, begin, end, _ in flight.pieces:
-            times = np.linspace(begin, end, 200)
-            values = np.array([solution(t)[0] - 0.549 for t in times])
-            for i in np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0)):
-                a, b = times[i], times[i + 1]
-                if b < 3.0:
-                    continue
-                t = 0.5 * (a + b)
-                for _ in range(8):
-                    t -= (solution(t)[0] - 0.549) / solution(t)[2]
-                return float(t), solution(t)[1:], flight
-        raise ValueError("the block does not come back")
+        time = flight.passes(lambda y: float(y[0]), 0.549)[-1]
+        return time, next(s(time)[1:] for s, a, b, _ in flight.pieces if a <= time <= b), flight
 
     x, derivative = fixed_point(lambda x: passage(x)[1], start[1:], np.array([1.0, 1.0, 1.0]))
     period, _, flight = passage(x)
-    cycle = Flight([(s, a, min(b, period), m) for s, a, b, m in flight.pieces if a < period])
+    cycle = flight.between(0.0, period)
     multipliers = np.linalg.eigvals(derivative)
     return {
         "period": period,
@@ -126,11 +106,7 @@ def stops_per_cycle() -> dict[str, float]:
     y = machine.fly(30 * period, y, 31 * period).state
     flight = machine.fly(31 * period, y, 32 * period)
     stuck = sum(end - begin for _, begin, end, modes in flight.pieces if modes[0] == 0)
-    return {
-        **measured(flight, x=lambda t, y: y[0]),
-        "share of stick": stuck / period,
-        "events per period": len(flight.events),
-    }
+    return {**measured(flight, x=lambda t, y: y[0]), "share of stick": stuck / period}
 
 
 def trimmer(frequency: float, friction: float, periods: int) -> dict[str, float]:
@@ -147,8 +123,6 @@ def trimmer(frequency: float, friction: float, periods: int) -> dict[str, float]
         (bridge,),
         (blade,),
     )
-    from benchmarks.problems.second_ways.contacts import orbit
-
     start = settled(machine, 1 / frequency, periods, _from_rest(bridge))
     flight, multipliers = orbit(machine, 1 / frequency, start, [1e-3] * 4 + [1.0] * 4 + [1e-4])
 

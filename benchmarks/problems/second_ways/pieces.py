@@ -14,6 +14,7 @@ from itertools import pairwise
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
+from scipy.optimize import brentq
 
 METHOD, RTOL, ATOL = "DOP853", 1e-13, 1e-17
 """What solve_ivp is asked with; the peers ask with its defaults too."""
@@ -95,6 +96,27 @@ class Flight:
                     )
         return min(found), max(found)
 
+    @property
+    def length(self) -> float:
+        """Return how long the pieces take together."""
+        return sum(end - begin for _, begin, end, _ in self.pieces)
+
+    def between(self, begin: float, end: float) -> Flight:
+        """Return the pieces between two times."""
+        within = [piece for piece in self.pieces if piece[2] > begin and piece[1] < end]
+        return Flight([(s, max(a, begin), min(b, end), modes) for s, a, b, modes in within])
+
+    def passes(self, of: Callable[[np.ndarray], float], level: float) -> list[float]:
+        """Return the times at which a function of the state passes a level."""
+        found = []
+        for solution, begin, end, _ in self.pieces:
+            times = np.linspace(begin, end, 60)
+            values = np.array([of(solution(t)) - level for t in times])
+            for i in np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0):
+                a, b = times[i], times[i + 1]
+                found.append(brentq(lambda t, s=solution: of(s(t)) - level, a, b, xtol=1e-15))
+        return found
+
     def peak_to_peak(self, of: Callable[[float, np.ndarray], float]) -> float:
         """Return largest less smallest value."""
         low, high = self.extremes(of)
@@ -103,7 +125,7 @@ class Flight:
     def mean(self, of: Callable[[float, np.ndarray], float]) -> float:
         """Return the mean over the flight, by Gauss-Legendre between the solver's steps."""
         nodes, weights = np.polynomial.legendre.leggauss(6)
-        total = length = 0.0
+        total = 0.0
         for solution, begin, end, _ in self.pieces:
             steps = np.unique(np.clip(solution.ts, begin, end))
             for a, b in pairwise(steps):
@@ -111,8 +133,7 @@ class Flight:
                 total += (
                     0.5 * (b - a) * sum(w * of(t, solution(t)) for w, t in zip(weights, times, strict=True))
                 )
-            length += end - begin
-        return total / length
+        return total / self.length
 
 
 def _peak(of: Callable[[float], float], a: float, b: float, sign: float) -> float:
@@ -323,9 +344,10 @@ class Machine:
         y: np.ndarray,
         until: float,
         modes: tuple[int, ...] | None = None,
-        rtol: float | None = None,
+        rtol: float = 0.0,
     ) -> Flight:
-        """Return the motion from a state to a time."""
+        """Return the motion from a state to a time; ``rtol`` may be coarser than RTOL, not finer."""
+        rtol = max(rtol, RTOL)
         y = np.array(y, dtype=float)
         modes = self.begin(t, y) if modes is None else modes
         flight = Flight()
@@ -349,8 +371,8 @@ class Machine:
                 (t, stop),
                 y,
                 method=METHOD,
-                rtol=rtol or RTOL,
-                atol=ATOL * (rtol / RTOL if rtol else 1.0),
+                rtol=rtol,
+                atol=ATOL * (rtol / RTOL),
                 events=functions,
                 dense_output=True,
                 max_step=(stop - t) / 8,
