@@ -10,11 +10,12 @@ import contextlib
 import importlib
 import io
 import json
+import math
 import os
 import shlex
 import sys
 from argparse import ArgumentParser
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -68,7 +69,7 @@ def followed(told: Any, digit: Digit) -> float:
 
     A key of a list is a number, or a ``kind``: of the entries of that kind the one whose ``value`` is nearest
     to the digit. Behind the number may stand ``modulus`` of a complex one, ``half``, ``minus``, or ``turns``,
-    which makes rad/s of Hz; of a list ``count`` or ``largest``.
+    which makes rad/s of Hz; of a list ``count``.
     """
     for key in digit.ours:
         told = _step(told, key, digit.value)
@@ -78,17 +79,15 @@ def followed(told: Any, digit: Digit) -> float:
 def _step(told: Any, key: str | int, near: float) -> Any:
     if isinstance(told, dict) or isinstance(key, int):
         return told[key]
-    if isinstance(told, list) and key not in {"modulus", "count", "largest"}:
-        scale = 2.0 * 3.141592653589793
+    if isinstance(told, list) and key not in {"modulus", "count"}:
         found = [each["value"] for each in told if each["kind"] == key]
-        return min(found, key=lambda value: min(abs(value - near), abs(scale * value - near)))
+        return min(found, key=lambda value: min(abs(value - near), abs(math.tau * value - near)))
     changed = {
         "modulus": lambda: abs(complex(*told)),
         "half": lambda: 0.5 * told,
         "minus": lambda: -told,
-        "turns": lambda: 2.0 * 3.141592653589793 * told,
+        "turns": lambda: math.tau * told,
         "count": lambda: len(told),
-        "largest": lambda: max(told),
     }
     return changed[str(key)]()
 
@@ -107,6 +106,18 @@ def compared(problem: Problem, found: Mapping[str, float]) -> dict[str, float]:
     return {each.name: abs(found[each.name] / each.value - 1.0) for each in problem.digits}
 
 
+def held(problem: Problem, found: Mapping[str, Mapping[str, float]]) -> Iterator[tuple[bool, str]]:
+    """Yield of each digit whether a way is further off than the file says, and a line on all ways."""
+    off = {name: compared(problem, values) for name, values in found.items()}
+    for each in problem.digits:
+        late = any(not errors[each.name] <= each.agreement for errors in off.values())
+        told = "  ".join(
+            f"{name} {found[name][each.name]!r} ({errors[each.name]:.0e})" for name, errors in off.items()
+        )
+        head = f"  {each.name}: {each.printed} {each.unit}, to {each.agreement:.0e}"
+        yield late, f"{head}; {told}{'  OFF' if late else ''}"
+
+
 def main() -> int:
     """Print the table of what both ways find; return 1 where one is too far off."""
     parser = ArgumentParser(prog="python -m benchmarks.problems.ask", description=__doc__)
@@ -120,15 +131,9 @@ def main() -> int:
         ways = {"ours": ours, "second": second}
         found = {name: way(problem) for name, way in ways.items() if arguments.only in (None, name)}
         print(problem.name)
-        for each in problem.digits:
-            errors = {name: abs(values[each.name] / each.value - 1.0) for name, values in found.items()}
-            late = any(not error <= each.agreement for error in errors.values())
+        for late, line in held(problem, found):
             wrong += late
-            told = "  ".join(
-                f"{name} {found[name][each.name]!r} ({error:.0e})" for name, error in errors.items()
-            )
-            head = f"  {each.name}: {each.printed} {each.unit}, to {each.agreement:.0e}"
-            print(f"{head}; {told}{'  OFF' if late else ''}", flush=True)
+            print(line, flush=True)
     return 1 if wrong else 0
 
 
