@@ -85,20 +85,6 @@ class BruteMotion:
             ]
         )
 
-    def contact_forces(self, times: np.ndarray) -> np.ndarray:
-        """T of each play and stop, one row per time."""
-        return np.array(
-            [
-                [
-                    contact.force(its) @ y
-                    for contact, its in zip(
-                        self.system.contacts, self._piece(time).mode.contacts, strict=True
-                    )
-                ]
-                for time, y in zip(times, self._extended(times), strict=True)
-            ]
-        )
-
     def mode(self, time: float) -> Mode:
         return self._piece(time).mode
 

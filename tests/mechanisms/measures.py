@@ -1,4 +1,4 @@
-"""Numbers of one period of a motion by brute force: peak to peak, harmonics, rms acceleration, settling."""
+"""Numbers of a motion by brute force: integral, rms, smallest and largest value."""
 
 from __future__ import annotations
 
