@@ -101,8 +101,8 @@ def test_each_picture_is_there_once_and_described(page: str, report: DesignRepor
     assert 'src="figures/' not in page
 
 
+@pytest.mark.poppler
 def test_the_pages_of_the_pdf_hold_the_same(pdf: Path) -> None:
-    pytest.importorskip("shutil")
     found = subprocess.run(
         ["pdftotext", "-layout", str(pdf), "-"], capture_output=True, text=True, check=True
     ).stdout
