@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from trimmer.balance.limit_cycle import Certificate, UndecidedRegion
-from trimmer.command_line.json_values import finite
+from trimmer.balance.limit_cycle import Certificate
+from trimmer.command_line.json_values import picked
 
 
 def certificate_as_text(certificate: Certificate) -> list[str]:
@@ -22,27 +22,12 @@ def certificate_as_text(certificate: Certificate) -> list[str]:
 
 
 def certificate_as_json(certificate: Certificate) -> dict[str, object]:
-    """Return a certificate as entries of JSON, in SI units; what is infinite is null."""
+    """Return a certificate as entries of JSON, in SI units."""
+    names = ("smallest_gain", "winding_number", "winding_omegas", "index_sum", "zero_on_axis", "doubts")
     return {
-        "method": certificate.method,
-        "omegas": certificate.omegas,
-        "outside_excluded": certificate.outside_excluded,
-        "complete": certificate.complete,
-        "boxes": certificate.boxes,
-        "undecided": [_region(region) for region in certificate.undecided],
-        "smallest_gain": certificate.smallest_gain,
-        "winding_number": certificate.winding_number,
-        "winding_omegas": certificate.winding_omegas,
-        "index_sum": certificate.index_sum,
-        "zero_on_axis": certificate.zero_on_axis,
-        "doubts": certificate.doubts,
-    }
-
-
-def _region(region: UndecidedRegion) -> dict[str, list[float | None]]:
-    return {
-        "amplitudes": [finite(end) for end in region.amplitudes],
-        "omegas": [finite(end) for end in region.omegas],
+        **picked(certificate, "method", "omegas", "outside_excluded", "complete", "boxes"),
+        "undecided": [picked(region, "amplitudes", "omegas") for region in certificate.undecided],
+        **picked(certificate, *names),
     }
 
 

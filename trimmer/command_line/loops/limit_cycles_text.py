@@ -10,7 +10,7 @@ from trimmer.balance.feasible_frequencies import FeasibleBand
 from trimmer.balance.identification import Identification, IdentifiedTimeConstant, TimeConstantInterval
 from trimmer.balance.leakage import HARMONICS, harmonic_leakage
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-from trimmer.command_line.json_values import document, finite
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 from trimmer.loops.loops import ClosedLoop
@@ -43,7 +43,7 @@ def as_text(loop: ClosedLoop | MeasuredLoop, balance: HarmonicBalance) -> str:
 
 
 def as_json(loop: ClosedLoop | MeasuredLoop, balance: HarmonicBalance) -> str:
-    """Return limit cycles as JSON: full precision, SI units; what is infinite is null."""
+    """Return limit cycles as JSON: full precision, SI units."""
     content = {
         "element": repr(loop.element),
         "limit_cycles": [
@@ -52,7 +52,7 @@ def as_json(loop: ClosedLoop | MeasuredLoop, balance: HarmonicBalance) -> str:
                 "harmonic_leakage": dict(
                     zip(
                         map(str, HARMONICS),
-                        map(finite, harmonic_leakage(loop.system, loop.element, cycle)),
+                        harmonic_leakage(loop.system, loop.element, cycle),
                         strict=True,
                     )
                 ),
@@ -89,21 +89,13 @@ def identified_as_json(identified: Identification) -> str:
     """Return what was identified as JSON; an infinite M/D, which is inertia-controlled backlash, is null."""
     nearest = identified.nearest
     content = {
-        "frequency": identified.frequency,
-        "frequency_uncertainty": identified.frequency_uncertainty,
+        **picked(identified, "frequency", "frequency_uncertainty"),
         "time_constants": [_time_constant(each) for each in identified.time_constants],
-        "intervals": [
-            {
-                "lowest": finite(each.lowest),
-                "highest": finite(each.highest),
-                "frequencies": each.frequencies,
-            }
-            for each in identified.intervals
-        ],
+        "intervals": [picked(each, "lowest", "highest", "frequencies") for each in identified.intervals],
         "bands": [
             {
-                "frequencies": [finite(frequency) for frequency in band.frequencies],
-                "time_constants": [finite(end.time_constant) for end in (band.lower, band.upper)],
+                "frequencies": band.frequencies,
+                "time_constants": [end.time_constant for end in (band.lower, band.upper)],
             }
             for band in identified.bands
         ],
@@ -118,7 +110,7 @@ def _table_of(found: Sequence[IdentifiedTimeConstant]) -> list[str]:
 
 
 def _time_constant(each: IdentifiedTimeConstant) -> dict[str, Any]:
-    return {"time_constant": finite(each.time_constant), "limit_cycle": _cycle(each.limit_cycle)}
+    return {"time_constant": each.time_constant, "limit_cycle": _cycle(each.limit_cycle)}
 
 
 def _interval(interval: TimeConstantInterval) -> str:
@@ -135,17 +127,9 @@ def _band(band: FeasibleBand) -> str:
     return f"{low:.9g} to {high:.9g} Hz, with M/D from {ends}"
 
 
-def _cycle(cycle: LimitCycle) -> dict[str, float | bool]:
-    return {
-        "amplitude": cycle.amplitude,
-        "omega": cycle.omega,
-        "frequency": cycle.frequency,
-        "stable": cycle.stable,
-        "residual": cycle.residual,
-        "crossing_angle": cycle.crossing_angle,
-        "near_tangency": cycle.near_tangency,
-        "other_unstable_poles": cycle.other_unstable_poles,
-    }
+def _cycle(cycle: LimitCycle) -> dict[str, Any]:
+    names = ("amplitude", "omega", "frequency", "stable", "residual", "crossing_angle", "near_tangency")
+    return picked(cycle, *names, "other_unstable_poles")
 
 
 def _ratio(value: float) -> str:

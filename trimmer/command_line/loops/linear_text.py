@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
-from trimmer.command_line.json_values import document, finite, pair
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
 from trimmer.displacement import TrimmerBody
 from trimmer.linear.model import InputChannels
@@ -59,37 +59,22 @@ def as_text(summary: LinearSummary) -> str:
 
 
 def as_json(summary: LinearSummary) -> str:
-    """Return the summary as JSON: full precision, SI units, complex numbers as [real, imaginary].
-
-    What is infinite or not defined is null.
-    """
+    """Return the summary as JSON: full precision, SI units."""
+    modes = ("eigenvalue", "omega_natural", "omega_damped", "frequency", "damping_ratio", "shape")
     content = {
         "parameters": asdict(summary.parameters),
         "output": summary.output.label,
         "channels": summary.channels.value,
         "stable": _is_stable(summary),
-        "modes": [
-            {
-                "eigenvalue": pair(mode.eigenvalue),
-                "omega_natural": mode.omega_natural,
-                "omega_damped": mode.omega_damped,
-                "frequency": mode.frequency,
-                "damping_ratio": mode.damping_ratio,
-                "shape": [pair(entry) for entry in mode.shape],
-            }
-            for mode in summary.modes
-        ],
-        "poles": [pair(pole) for pole in summary.factored.poles],
-        "zeros": [pair(zero) for zero in summary.factored.zeros],
-        "static_gain": finite(summary.factored.static_gain),
+        "modes": [picked(mode, *modes) for mode in summary.modes],
+        **picked(summary.factored, "poles", "zeros", "static_gain"),
         "gain_crossings": summary.gain_crossings,
-        "real_axis_crossings": [{"omega": c.omega, "value": c.value} for c in summary.real_axis_crossings],
-        "bandwidth": finite(summary.low_pass.bandwidth) if summary.low_pass else None,
+        "real_axis_crossings": [picked(each, "omega", "value") for each in summary.real_axis_crossings],
+        "bandwidth": summary.low_pass.bandwidth if summary.low_pass else None,
         "bandwidth_crossings": summary.low_pass.crossings if summary.low_pass else None,
-        "peaks": [{"omega": e.omega, "magnitude": finite(e.magnitude)} for e in summary.peaks],
-        "dips": [{"omega": e.omega, "magnitude": e.magnitude} for e in summary.antiresonances],
-        "roll_off": summary.roll_off,
-        "encirclements": summary.encirclements,
+        "peaks": [picked(each, "omega", "magnitude") for each in summary.peaks],
+        "dips": [picked(each, "omega", "magnitude") for each in summary.antiresonances],
+        **picked(summary, "roll_off", "encirclements"),
     }
     return document(content)
 

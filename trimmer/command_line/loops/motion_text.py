@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.json_values import document
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.motion_summary import SHARE, amplitudes, last_times, summary_lines
 from trimmer.loops.components.switched_component import EventKind
 
@@ -32,11 +32,9 @@ def as_json(motion: LoopMotion) -> str:
     content = {
         "duration": motion.duration,
         "outcome": motion.outcome.name.lower(),
-        "success": motion.success,
-        "message": motion.message,
-        "touches": motion.touches,
+        **picked(motion, "success", "message", "touches"),
         "events": [
-            {"time": each.time, "kind": each.kind.value, "component": each.component, "mode": each.mode}
+            {"time": each.time, "kind": each.kind.value, **picked(each, "component", "mode")}
             for each in motion.events
         ],
         "last_amplitudes": _ranges(motion),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.json_values import document, finite, pair
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
 from trimmer.command_line.table import table
 from trimmer.showing.rounding import or_rounding
@@ -48,11 +48,11 @@ def as_json(element: Element, predictions: HarmonicBalance, orbits: PeriodicOrbi
         "element": repr(element),
         "orbits": [_entry(orbit) for orbit in orbits],
         "families": [
-            {"amplitude": each.member.amplitude, "met": each.met, "amplitudes": list(each.amplitudes)}
+            {"amplitude": each.member.amplitude, "met": each.met, "amplitudes": each.amplitudes}
             for each in orbits.families
         ],
         "not_found": [
-            {"amplitude": each.amplitude, "frequency": each.frequency}
+            picked(each, "amplitude", "frequency")
             for each in _without_orbit(predictions.limit_cycles, orbits)
         ],
         "certificate": certificate_as_json(predictions.certificate),
@@ -82,19 +82,11 @@ def _stable(orbit: PeriodicOrbit) -> str:
 
 
 def _entry(orbit: PeriodicOrbit) -> dict[str, object]:
+    names = ("amplitude", "period", "frequency", "stable", "neutral", "one_sided", "multipliers")
     return {
-        "amplitude": orbit.amplitude,
-        "period": orbit.period,
-        "frequency": orbit.frequency,
-        "stable": orbit.stable,
-        "neutral": orbit.neutral,
-        "one_sided": orbit.one_sided,
-        "multipliers": [pair(value) for value in orbit.multipliers.tolist()],
+        **picked(orbit, *names),
         "harmonics": [abs(value) for value in orbit.harmonics.tolist()],
-        "switching_times": orbit.switching_times.tolist(),
-        "residual": orbit.residual,
-        "amplitude_error": finite(orbit.amplitude_error),
-        "frequency_error": finite(orbit.frequency_error),
+        **picked(orbit, "switching_times", "residual", "amplitude_error", "frequency_error"),
     }
 
 

@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.json_values import document, pair
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.units import with_unit
@@ -114,10 +114,7 @@ def branch_json(
         "place": branch.map.place,
         "unit": branch.unit,
         "period_count": branch.periods,
-        "reason": branch.reason.word,
-        "success": branch.success,
-        "message": branch.message,
-        "searched": branch.searched,
+        **picked(branch, "reason", "success", "message", "searched"),
         "parted": None if branch.parted is None else _special(branch.parted),
         "points": [_point(point, harmonics, measures) for point in branch.points],
         "special": [_special(each) for each in branch.special],
@@ -126,32 +123,17 @@ def branch_json(
 
 
 def _special(special: SpecialPoint) -> dict[str, object]:
-    return {
-        "kind": special.kind.word,
-        "value": special.value,
-        "parts": list(special.parts),
-        "note": special.note,
-    }
+    return picked(special, "kind", "value", "parts", "note")
 
 
 def _point(point: FollowedOrbit, harmonics: int | None, measures: Sequence[str]) -> dict[str, object]:
     balance = None if harmonics is None else point.balanced(harmonics)
     return {
-        "value": point.value,
-        "period": point.period,
-        "stable": point.stable,
-        "multipliers": [pair(value) for value in point.multipliers.tolist()],
-        "events_per_period": point.events_per_period,
+        **picked(point, "value", "period", "stable", "multipliers", "events_per_period"),
         "outputs": {
-            name: {
-                "advance": measure.advance,
-                "peak_to_peak": measure.peak_to_peak,
-                "harmonics": measure.harmonics.tolist(),
-            }
+            name: picked(measure, "advance", "peak_to_peak", "harmonics")
             for name, measure in point.outputs.items()
         },
         "measures": {key: point.measure(key) for key in measures},
-        "balance": None
-        if balance is None
-        else {"distance": balance.distance, "converged": balance.converged},
+        "balance": None if balance is None else picked(balance, "distance", "converged"),
     }

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.mechanisms.sample_text import (
     distribution_data,
     index_data,
@@ -50,9 +50,8 @@ def as_json(samples: LimitCycleSamples) -> str:
     data = {
         "count": len(samples.values),
         "impossible": int((~samples.possible).sum()),
-        "plan": samples.settings.plan.word,
-        "seed": samples.settings.seed,
-        "scatters": [{"place": each.place, "unit": each.unit} for each in samples.file.uncertainty.scatters],
+        **picked(samples.settings, "plan", "seed"),
+        "scatters": [picked(each, "place", "unit") for each in samples.file.uncertainty.scatters],
         "stable": share_data(share_of(int(found.exists.sum()), total)),
         "limit_cycles": {
             str(count): share_data(share_of(int((found.count == count).sum()), total))
@@ -63,9 +62,9 @@ def as_json(samples: LimitCycleSamples) -> str:
         "searched_again": int(found.searched_again.sum()),
         "undecided": int(found.undecided.sum()),
         "indices": [
-            {"of": name, "message": each.message, "numbers": [index_data(index) for index in each.indices]}
+            {"of": name, "message": each.message, "numbers": index_data(each)}
             for name, each in samples.indices.items()
         ],
         "message": samples.message,
     }
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+    return document(data)

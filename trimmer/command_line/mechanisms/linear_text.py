@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from trimmer.command_line.json_values import document, finite, pair
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.parser import OptionError
 from trimmer.command_line.table import table
 from trimmer.mechanism.kinds import Kind
@@ -64,24 +64,16 @@ def as_text(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
 
 
 def as_json(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
-    """Return the same as JSON: full precision, SI units, complex numbers as [real, imaginary]."""
+    """Return the same as JSON: full precision, SI units."""
     return document(
         {
-            "coordinates": list(states[0].bodies),
+            "coordinates": states[0].bodies,
             "states": [
                 {
                     "contacts": state.contacts.value,
-                    "open": list(state.open),
-                    "modes": [
-                        {
-                            "frequency": mode.frequency,
-                            "damping_ratio": mode.damping_ratio,
-                            "shape": [pair(entry) for entry in mode.shape.tolist()],
-                        }
-                        for mode in state.modes
-                    ],
-                    "rigid": state.rigid,
-                    "decaying": state.decaying,
+                    "open": state.open,
+                    "modes": [picked(mode, "frequency", "damping_ratio", "shape") for mode in state.modes],
+                    **picked(state, "rigid", "decaying"),
                     "responses": [_response(each) for each in state.transfer],
                     "loops": _loops_json(mechanism, state),
                 }
@@ -94,11 +86,10 @@ def as_json(mechanism: Mechanism, states: Sequence[LinearState]) -> str:
 def _response(function: TransferFunction) -> dict[str, Any]:
     return {
         "input": function.drive,
-        "output": function.output,
-        "at_drive": None if function.at_drive is None else pair(function.at_drive),
-        "frequencies": function.frequency.tolist(),
-        "magnitudes": [finite(each) for each in abs(function.response).tolist()],
-        "phases": [finite(cmath.phase(each)) for each in function.response.tolist()],
+        **picked(function, "output", "at_drive"),
+        "frequencies": function.frequency,
+        "magnitudes": abs(function.response),
+        "phases": [cmath.phase(each) for each in function.response.tolist()],
     }
 
 
@@ -195,19 +186,17 @@ def _loops_json(mechanism: Mechanism, state: LinearState) -> list[dict[str, Any]
     return [
         {
             "controller": name,
-            "sample": found.sample,
-            "stable": found.stable,
-            "marginal": found.marginal,
-            "gain_margin": finite(each.gain.value),
+            **picked(found, "sample", "stable", "marginal"),
+            "gain_margin": each.gain.value,
             "lower_gain_margin": each.lower_gain.value or None,
-            "upper_gain_margin": finite(each.upper_gain.value),
-            "phase_margin": finite(each.phase.value),
-            "modulus_margin": finite(each.modulus.value),
-            "phase_crossing": finite(each.gain.omega / math.tau),
-            "lower_crossing": finite(each.lower_gain.omega / math.tau),
-            "upper_crossing": finite(each.upper_gain.omega / math.tau),
-            "gain_crossing": finite(each.phase.omega / math.tau),
-            "nearest": finite(each.modulus.omega / math.tau),
+            "upper_gain_margin": each.upper_gain.value,
+            "phase_margin": each.phase.value,
+            "modulus_margin": each.modulus.value,
+            "phase_crossing": each.gain.omega / math.tau,
+            "lower_crossing": each.lower_gain.omega / math.tau,
+            "upper_crossing": each.upper_gain.omega / math.tau,
+            "gain_crossing": each.phase.omega / math.tau,
+            "nearest": each.modulus.omega / math.tau,
         }
         for found in loops_of(mechanism, state.open)
         if found is not None

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.command_line.json_values import document
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
 from trimmer.maps.cells import described
 from trimmer.motion.units import with_unit
@@ -135,27 +135,22 @@ def _range(name: str, values: Reals, unit: str) -> tuple[str, ...]:
 
 def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = None) -> str:
     """Return a map as JSON: arrays as lists of rows, full precision, SI units; what is not there is null."""
+    chosen, units = result.chosen, result.chosen_units
     content: dict[str, Any] = {
         "title": result.inputs.subject.title,
-        "places": list(result.places),
-        "values": [values.tolist() for values in result.values],
+        **picked(result, "places", "values"),
         "settings": asdict(result.inputs.settings),
-        "kind": [[kind.word for kind in row] for row in result.kind],
+        "kind": result.kind,
         "period_count": [[count or None for count in row] for row in result.period_count.tolist()],
-        "drive_periods": result.periods.tolist(),
-        "motion_count": result.motion_count.tolist(),
-        "largest_multiplier": _rows(result.largest_multiplier),
-        "lyapunov": _rows(result.lyapunov),
-        "events_per_period": _rows(result.events),
-        "impacts_per_period": _rows(result.impacts),
-        "impact_speed": _rows(result.impact_speed),
-        "outputs": {name: {"peak_to_peak": _rows(each)} for name, each in result.peak_to_peak.items()},
-        "bodies": {name: {"rms_acceleration": _rows(each)} for name, each in result.rms_acceleration.items()},
-        "frictions": {name: {"wear_power": _rows(each)} for name, each in result.wear_power.items()},
-        "measures": {
-            key: {"unit": result.chosen_units[key], "values": _rows(each)}
-            for key, each in result.chosen.items()
-        },
+        "drive_periods": result.periods,
+        **picked(result, "motion_count", "largest_multiplier", "lyapunov"),
+        "events_per_period": result.events,
+        "impacts_per_period": result.impacts,
+        "impact_speed": result.impact_speed,
+        "outputs": {name: {"peak_to_peak": each} for name, each in result.peak_to_peak.items()},
+        "bodies": {name: {"rms_acceleration": each} for name, each in result.rms_acceleration.items()},
+        "frictions": {name: {"wear_power": each} for name, each in result.wear_power.items()},
+        "measures": {key: {"unit": units[key], "values": each} for key, each in chosen.items()},
         "failures": [
             {"row": row, "column": column, "message": message}
             for (row, column), message in result.failures.items()
@@ -170,29 +165,15 @@ def as_json(result: MotionMap, searched: str, special: SpecialCurves | None = No
 def _special(special: SpecialCurves) -> dict[str, Any]:
     return {
         "curves": [_curve(each) for each in special.curves],
-        "meetings": [
-            {
-                "curves": list(each.curves),
-                "values": each.values.tolist(),
-                "ends": each.ends,
-                "distance": each.distance,
-            }
-            for each in special.meetings
-        ],
+        "meetings": [picked(each, "curves", "values", "ends", "distance") for each in special.meetings],
         "searched": special.searched,
     }
 
 
 def _curve(curve: SpecialCurve) -> dict[str, Any]:
     return {
-        "kind": curve.kind.word,
-        "parts": list(curve.parts),
+        **picked(curve, "kind", "parts"),
         "drive_periods": curve.periods,
-        "values": curve.values.tolist(),
-        "residual": curve.residual,
-        "ends": [{"reason": side.reason.word, "message": side.message} for side in curve.ends],
+        **picked(curve, "values", "residual"),
+        "ends": [picked(side, "reason", "message") for side in curve.ends],
     }
-
-
-def _rows(values: Reals) -> list[list[float | None]]:
-    return [[value if np.isfinite(value) else None for value in row] for row in values.tolist()]

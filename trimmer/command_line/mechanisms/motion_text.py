@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from trimmer.command_line.json_values import document
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.mechanisms.respond_text import rest_lines
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
 from trimmer.command_line.table import table
@@ -16,7 +16,16 @@ from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
     from trimmer.response.energy import MechanismEnergy
-    from trimmer.response.motion import MechanismEvent, MechanismMotion
+    from trimmer.response.motion import MechanismMotion
+
+_WORKS = ("pins", "forces", "controllers")
+_LOSSES = {
+    "dampers": "lost in damper",
+    "contacts": "lost in contact",
+    "frictions": "lost in friction",
+    "walls": "lost at wall",
+    "structures": "lost in structure",
+}
 
 
 def as_text(motion: MechanismMotion) -> str:
@@ -46,48 +55,22 @@ def as_json(motion: MechanismMotion) -> str:
 
 def motion_json(motion: MechanismMotion) -> dict[str, Any]:
     """Return a motion as a dictionary that JSON can hold."""
-    energy = motion.energy
     content: dict[str, Any] = {
         "duration": motion.duration,
-        "outcome": motion.outcome.word,
-        "success": motion.success,
-        "message": motion.message,
-        "events": [_event(each) for each in motion.events],
-        "final": {name: list(state) for name, state in motion.final.items()},
+        **picked(motion, "outcome", "success", "message"),
+        "events": [
+            picked(each, "time", "kind", "part", "speed", "rate", "impulse") for each in motion.events
+        ],
+        "final": motion.final,
         "closings": {name: vars(each) for name, each in motion.closings.items()},
         "rest": None if motion.rest is None else rest_json(motion.rest),
         "last_amplitudes": _ranges(motion),
-        "energy": {
-            "kinetic": list(energy.kinetic),
-            "stored": list(energy.stored),
-            "pins": dict(energy.pins),
-            "forces": dict(energy.forces),
-            "controllers": dict(energy.controllers),
-            "dampers": dict(energy.dampers),
-            "contacts": dict(energy.contacts),
-            "frictions": dict(energy.frictions),
-            "walls": dict(energy.walls),
-            "structures": dict(energy.structures),
-            "residual": energy.residual,
-        },
-        "undetermined_frictions": list(motion.undetermined_frictions),
-        "chatter_completed": motion.chatter_completed,
-        "walls_together": motion.walls_together,
+        "energy": picked(motion.energy, "kinetic", "stored", *_WORKS, *_LOSSES, "residual"),
+        **picked(motion, "undetermined_frictions", "chatter_completed", "walls_together"),
     }
     if shares := waveforms_left_out(motion.mechanism):
         content["waveforms_left_out"] = shares
     return content
-
-
-def _event(event: MechanismEvent) -> dict[str, Any]:
-    return {
-        "time": event.time,
-        "kind": event.kind.word,
-        "part": event.part,
-        "speed": event.speed,
-        "rate": event.rate,
-        "impulse": event.impulse,
-    }
 
 
 def _closings(motion: MechanismMotion) -> list[str]:
@@ -115,17 +98,14 @@ def _ranges(motion: MechanismMotion) -> dict[str, float]:
 
 
 def _energy_text(energy: MechanismEnergy) -> list[str]:
-    given = (energy.pins, energy.forces, energy.controllers)
-    works = [(f"work of {name}", value) for works in given for name, value in works.items()]
-    losses = [
-        *((f"lost in damper {name}", value) for name, value in energy.dampers.items()),
-        *((f"lost in contact {name}", value) for name, value in energy.contacts.items()),
-        *((f"lost in friction {name}", value) for name, value in energy.frictions.items()),
-        *((f"lost at wall {name}", value) for name, value in energy.walls.items()),
-        *((f"lost in structure {name}", value) for name, value in energy.structures.items()),
+    told = {**dict.fromkeys(_WORKS, "work of"), **_LOSSES}
+    terms = [
+        (f"{what} {name}", value)
+        for key, what in told.items()
+        for name, value in getattr(energy, key).items()
     ]
     gained = energy.kinetic[1] + energy.stored[1] - energy.kinetic[0] - energy.stored[0]
-    rows = [*works, *losses, ("gained by bodies and springs", gained)]
+    rows = [*terms, ("gained by bodies and springs", gained)]
     closing = f"It closes to {or_rounding(energy.residual, '.1e')} of its largest term."
     if energy.undetermined:
         closing += (

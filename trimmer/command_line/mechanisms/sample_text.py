@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from trimmer.command_line.json_values import finite
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
 from trimmer.design.targets import Measure
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.uncertainty.balance import BalancedSamples
-from trimmer.uncertainty.indices import Index, Indices
+from trimmer.uncertainty.indices import Indices
 from trimmer.uncertainty.samples import Samples
 from trimmer.uncertainty.statistics import Distribution, Quantile, Share, distribution_of, share_of
 from trimmer.uncertainty.study import SampleStudy, name_of
@@ -117,21 +116,16 @@ def as_json(study: SampleStudy) -> str:
     total = len(samples.trials)
     data = {
         "count": len(samples.inputs.values),
-        "impossible": samples.impossible,
-        "failed": samples.failed,
-        "plan": samples.inputs.settings.plan.word,
-        "seed": samples.inputs.settings.seed,
+        **picked(samples, "impossible", "failed"),
+        **picked(samples.inputs.settings, "plan", "seed"),
         "periods": samples.inputs.settings.most_periods,
         "scatters": [
-            {"place": each.place, "unit": each.unit, "assumed": each.assumed}
-            for each in samples.inputs.uncertainty.scatters
+            picked(each, "place", "unit", "assumed") for each in samples.inputs.uncertainty.scatters
         ],
         "yield": share_data(share_of(int(samples.met.sum()), total)) if samples.targets else None,
         "targets": [
             {
-                "key": target.key,
-                "part": target.part,
-                "bound": target.bound,
+                **picked(target, "key", "part", "bound"),
                 **share_data(share_of(sum(trial.meets((target,)) for trial in samples.trials), total)),
             }
             for target in samples.targets
@@ -148,17 +142,13 @@ def as_json(study: SampleStudy) -> str:
             if asked.measure is not Measure.PERIOD
         ],
         "indices": [
-            {
-                "of": quantity.name,
-                "message": indices.message,
-                "numbers": [index_data(each) for each in indices.indices],
-            }
+            {"of": quantity.name, "message": indices.message, "numbers": index_data(indices)}
             for quantity, indices in study.indices.items()
         ],
         "balance": None if study.balanced is None else _balanced(study.balanced),
         "message": samples.message,
     }
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+    return document(data)
 
 
 def share_data(share: Share) -> dict[str, Any]:
@@ -171,35 +161,22 @@ def distribution_data(found: Distribution | None) -> dict[str, Any]:
     if found is None:
         return {"count": 0, "mean": None, "deviation": None, "quantiles": []}
     return {
-        "count": found.count,
-        "mean": found.mean,
-        "deviation": found.deviation,
+        **picked(found, "count", "mean", "deviation"),
         "quantiles": [
-            {
-                "share": each.share,
-                "value": each.value,
-                "interval": [finite(each.lowest), finite(each.highest)],
-            }
+            {**picked(each, "share", "value"), "interval": [each.lowest, each.highest]}
             for each in found.quantiles
         ],
     }
 
 
-def index_data(index: Index) -> dict[str, Any]:
-    """Return an index as data for JSON."""
-    return {
-        "place": index.place,
-        "first": finite(index.first),
-        "total": finite(index.total),
-        "first_error": finite(index.first_error),
-        "total_error": finite(index.total_error),
-    }
+def index_data(indices: Indices) -> list[dict[str, Any]]:
+    """Return indices as data for JSON."""
+    return [picked(each, "place", "first", "total", "first_error", "total_error") for each in indices.indices]
 
 
 def _balanced(balanced: BalancedSamples) -> dict[str, Any]:
     return {
         "harmonics": balanced.harmonics,
-        "samples": list(balanced.numbers),
-        "distances": balanced.distances.tolist(),
-        "converged": balanced.converged.tolist(),
+        "samples": balanced.numbers,
+        **picked(balanced, "distances", "converged"),
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.json_values import document, finite
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.mechanisms.motion_text import motion_json
 from trimmer.command_line.motion_summary import summary_lines
 from trimmer.command_line.table import table
@@ -84,21 +84,13 @@ def as_json(response: StepResponse, targets: Sequence[Target] = ()) -> str:
     """Return the same as JSON, with all that ``trimmer simulate`` tells of the motion; SI units."""
     return document(
         {
-            "reference": response.reference,
-            "controller": response.controller,
-            "output": response.output,
+            **picked(response, "reference", "controller", "output"),
             "step": response.step.size,
             "at": response.step.at,
             **vars(response.measures),
             "hunting": None if response.hunting is None else vars(response.hunting),
             "targets": [
-                {
-                    "key": each.target.key,
-                    "part": each.target.part,
-                    "bound": each.target.bound,
-                    "value": finite(each.value),
-                    "met": each.met,
-                }
+                {**picked(each.target, "key", "part", "bound"), **picked(each, "value", "met")}
                 for each in _judged(response, targets)
             ],
             "ends": response.ending or None,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from trimmer.command_line.json_values import picked
 from trimmer.command_line.signals.recording_text import wrapped
 from trimmer.command_line.table import table
 from trimmer.showing.shown import counted
@@ -46,17 +47,11 @@ def averaged_text(averaged: AveragedSpectrum, unit: str) -> Iterator[str]:
 
 def averaged_json(averaged: AveragedSpectrum) -> dict[str, Any]:
     """Describe an averaged spectrum for JSON: Hz, the unit of the signal."""
+    how = ("window", "segment", "averages", "equivalent_averages", "left_out", "bin_width")
     return {
-        "window": averaged.window.word,
-        "segment": averaged.segment,
-        "averages": averaged.averages,
-        "equivalent_averages": averaged.equivalent_averages,
-        "left_out": averaged.left_out,
-        "bin_width": averaged.bin_width,
-        "noise_bandwidth": averaged.noise_bandwidth,
-        "resolution": averaged.resolution,
+        **picked(averaged, *how, "noise_bandwidth", "resolution"),
         "density_interval": averaged.interval,
         "lines": [vars(line) for line in averaged.lines(_LINES)],
-        "frequencies": averaged.frequency.tolist(),
-        "densities": averaged.density.tolist(),
+        "frequencies": averaged.frequency,
+        "densities": averaged.density,
     }

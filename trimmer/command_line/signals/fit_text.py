@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trimmer.command_line.json_values import document
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
 
@@ -111,31 +111,26 @@ def as_json(shown: ShownFit) -> str:
     """Return the fit as JSON: full precision, SI units."""
     fit, measured = shown.fit, shown.fit.measured
     content = {
-        "file": None if shown.file is None else str(shown.file),
-        "measured": str(shown.measured),
-        "written": None if shown.output is None else str(shown.output),
+        **picked(shown, "file", "measured"),
+        "written": shown.output,
         "outputs": {name: _output_json(shown, name) for name in measured.outputs},
         "frequency": measured.frequency,
         "frequency_found": measured.found,
         "file_frequency": fit.before.frequency,
         "period_count": measured.period_count,
-        "shift": fit.shift,
-        "confidence": fit.confidence,
+        **picked(fit, "shift", "confidence"),
         "numbers": [_number_json(each) for each in fit.numbers],
         "chi_square": fit.judgement.chi_square,
         "degrees_of_freedom": fit.judgement.freedom,
         "reduced_chi_square": fit.judgement.reduced,
-        "probability": fit.judgement.probability,
-        "explained": fit.judgement.explained,
-        "judgement": list(fit.judgement.sentences),
+        **picked(fit.judgement, "probability", "explained"),
+        "judgement": fit.judgement.sentences,
         "excesses": [vars(each) for each in fit.judgement.excesses],
         "stray_lines": [vars(each) for each in measured.strays],
         "weak": [vars(each) for each in fit.weak],
         "starts": {
             "number": fit.searched.starts,
-            "agreeing": fit.searched.agreeing,
-            "elsewhere": list(fit.searched.elsewhere),
-            "lost": fit.searched.lost,
+            **picked(fit.searched, "agreeing", "elsewhere", "lost"),
             "message": fit.agreement,
         },
         "notes": shown.notes,
@@ -155,9 +150,9 @@ def _output_json(shown: ShownFit, name: str) -> dict[str, Any]:
         "lines": [
             {
                 "order": [row, measured.period_count],
-                "measured": [line.real, line.imag],
-                "fitted": [fitted.real, fitted.imag],
-                "deviation": float(deviation),
+                "measured": line,
+                "fitted": fitted,
+                "deviation": deviation,
             }
             for row, (line, fitted, deviation) in enumerate(lines, start=1)
         ],
@@ -166,12 +161,7 @@ def _output_json(shown: ShownFit, name: str) -> dict[str, Any]:
 
 def _number_json(number: FittedNumber) -> dict[str, Any]:
     return {
-        "place": number.place,
-        "unit": number.unit,
-        "before": number.before,
-        "value": number.value,
-        "lower": number.lower,
-        "upper": number.upper,
+        **picked(number, "place", "unit", "before", "value", "lower", "upper"),
         "lowest_tried": number.lowest,
         "highest_tried": number.highest,
     }

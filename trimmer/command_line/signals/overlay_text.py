@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.command_line.json_values import document
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.table import table
 
@@ -57,21 +57,13 @@ def as_json(compared: Compared) -> str:
     """Return the comparison as JSON: full precision, SI units, rad."""
     comparison = compared.comparison
     content = {
-        "file": str(compared.file),
-        "against": None if compared.against is None else str(compared.against),
-        "output": compared.output,
-        "settled": compared.settled,
+        **picked(compared, "file", "against", "output", "settled"),
         "signal": signal_json(comparison.signal),
         **recording_json(compared.chosen),
         "frequency": comparison.frequency,
         "frequency_found": comparison.found,
-        "simulated_frequency": comparison.simulated_frequency,
-        "period_count": comparison.period_count,
-        "shift": comparison.shift,
-        "residual": comparison.residual,
-        "inverted_residual": comparison.inverted_residual,
-        "rest": comparison.rest,
-        "uncertainty": comparison.uncertainty,
+        **picked(comparison, "simulated_frequency", "period_count", "shift", "residual"),
+        **picked(comparison, "inverted_residual", "rest", "uncertainty"),
         "lines": [line_json(comparison, place) for place in range(comparison.measured.size)],
         "notes": _notes(compared),
     }
@@ -80,14 +72,13 @@ def as_json(compared: Compared) -> str:
 
 def line_json(comparison: MotionComparison, place: int) -> dict[str, Any]:
     """Return a line of both motions, by its place, as data for JSON."""
-    difference = float(comparison.decibels[place])
     return {
         "order": [place + 1, comparison.period_count],
-        "frequency": float(comparison.frequencies[place]),
-        "measured": float(abs(comparison.measured[place])),
-        "simulated": float(abs(comparison.simulated[place])),
-        "decibels": difference if math.isfinite(difference) else None,
-        "phase_difference": float(comparison.phase_differences[place]),
+        "frequency": comparison.frequencies[place],
+        "measured": abs(comparison.measured[place]),
+        "simulated": abs(comparison.simulated[place]),
+        "decibels": comparison.decibels[place],
+        "phase_difference": comparison.phase_differences[place],
     }
 
 

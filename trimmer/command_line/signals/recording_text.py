@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
+
+from trimmer.command_line.json_values import picked
 
 if TYPE_CHECKING:
     from trimmer.command_line.signals.signal_options import ChosenRecording
@@ -40,21 +41,12 @@ def notes_of(chosen: ChosenRecording, signal: Signal, doubts: Sequence[str]) -> 
 
 def signal_json(signal: Signal) -> dict[str, Any]:
     """Describe a signal for JSON."""
-    band = signal.trusted
     return {
-        "name": signal.name,
-        "unit": signal.unit,
+        **picked(signal, "name", "unit"),
         "quantity": signal.quantity.name.lower(),
         "samples": signal.values.size,
-        "sample_rate": signal.sample_rate,
-        "start": signal.start,
-        "interpolated": signal.interpolated,
-        "trusted": {
-            "lowest": band.lowest,
-            "highest": band.highest if math.isfinite(band.highest) else None,
-            "lowest_reason": band.lowest_reason,
-            "highest_reason": band.highest_reason,
-        },
+        **picked(signal, "sample_rate", "start", "interpolated"),
+        "trusted": picked(signal.trusted, "lowest", "highest", "lowest_reason", "highest_reason"),
     }
 
 
@@ -70,7 +62,7 @@ def recording_json(chosen: ChosenRecording) -> dict[str, Any]:
         "faults": [
             {
                 "kind": fault.kind,
-                "certainty": fault.certainty.word if isinstance(fault, Clipping) else None,
+                "certainty": fault.certainty if isinstance(fault, Clipping) else None,
                 "message": fault.sentence,
             }
             for fault in chosen.faults

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.command_line.json_values import document, finite
+from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.signals.averaged_text import averaged_json, averaged_text
 from trimmer.command_line.signals.overlay_text import line_json, line_rows
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
@@ -39,6 +39,16 @@ from trimmer.spectra.harmonics import HarmonicFit
 
 LEVELS: Mapping[str, float] = MappingProxyType({"m/s²": 1e-6, "m/s": 1e-9, "m": 1e-12})
 """Reference rms of the level of a vibration, by its unit: ISO 1683:2015."""
+_KINDS: Mapping[type[Origin], str] = MappingProxyType(
+    {
+        Harmonic: "harmonic",
+        DriveFraction: "fraction of the drive",
+        NaturalMode: "natural mode",
+        LimitCycleLine: "limit cycle",
+        OwnMultiple: "multiple of its own frequency",
+        MainsHum: "hum of the mains",
+    }
+)
 _SMALLEST_HARMONIC = 1e-4
 """Harmonics that are a smaller part of the largest are left out of the table; JSON has them all."""
 
@@ -110,10 +120,10 @@ def as_json(shown: ShownSignal) -> str:
     analysis, predictions, wav = shown.analysis, shown.predictions, shown.wav
     spectrum, fit = analysis.spectrum, analysis.harmonics
     content = {
-        "file": str(shown.file),
+        "file": shown.file,
         "signal": signal_json(analysis.signal),
         **recording_json(shown.chosen),
-        "spectrum": {"window": spectrum.window.word, "bin_width": spectrum.bin_width, "mean": spectrum.mean},
+        "spectrum": picked(spectrum, "window", "bin_width", "mean"),
         "harmonics": None if fit is None else _fit(fit),
         "natural_frequencies": predictions.natural_frequencies,
         "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
@@ -215,8 +225,7 @@ def _wav_line(wav: WavFile, analysis: SpectrumAnalysis) -> str:
 
 def _against(comparison: MotionComparison) -> dict[str, Any]:
     return {
-        "period_count": comparison.period_count,
-        "simulated_frequency": comparison.simulated_frequency,
+        **picked(comparison, "period_count", "simulated_frequency"),
         "lines": [line_json(comparison, place) for place in range(comparison.measured.size)],
     }
 
@@ -224,11 +233,9 @@ def _against(comparison: MotionComparison) -> dict[str, Any]:
 def _fit(fit: HarmonicFit) -> dict[str, Any]:
     return {
         "drive": fit.frequency,
-        "frequency": fit.frequency,
-        "amplitudes": fit.amplitudes.tolist(),
-        "phases": np.angle(fit.coefficients).tolist(),
-        "residual": fit.residual,
-        "explained": fit.explained,
+        **picked(fit, "frequency", "amplitudes"),
+        "phases": np.angle(fit.coefficients),
+        **picked(fit, "residual", "explained"),
     }
 
 
@@ -238,7 +245,7 @@ def _peak(classified: ClassifiedPeak, analysis: SpectrumAnalysis) -> dict[str, A
     return {
         **vars(peak),
         "order": None if drive is None else peak.frequency / drive.frequency,
-        "level": None if reference is None else finite(_level(peak.amplitude, reference)),
+        "level": None if reference is None else _level(peak.amplitude, reference),
         "explanation": None if explanation is None else _origin(explanation.origin),
         "ambiguous": classified.ambiguous,
         "candidates": [
@@ -254,19 +261,8 @@ def _peak(classified: ClassifiedPeak, analysis: SpectrumAnalysis) -> dict[str, A
 
 
 def _origin(origin: Origin) -> dict[str, Any]:
-    match origin:
-        case Harmonic():
-            return {"kind": "harmonic", **vars(origin), "odd": origin.odd}
-        case DriveFraction():
-            return {"kind": "fraction of the drive", **vars(origin)}
-        case NaturalMode():
-            return {"kind": "natural mode", **vars(origin)}
-        case LimitCycleLine():
-            return {"kind": "limit cycle", **vars(origin)}
-        case OwnMultiple():
-            return {"kind": "multiple of its own frequency", **vars(origin)}
-        case MainsHum():
-            return {"kind": "hum of the mains", **vars(origin)}
+    odd = {"odd": origin.odd} if isinstance(origin, Harmonic) else {}
+    return {"kind": _KINDS[type(origin)], **vars(origin), **odd}
 
 
 def _match_cells(match: Match | None, otherwise: str) -> tuple[str, str]:
