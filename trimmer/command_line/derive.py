@@ -13,6 +13,7 @@ from trimmer.command_line.file_options import (
     file_to_write,
     show,
 )
+from trimmer.command_line.output_options import add_file_option
 from trimmer.command_line.parser import note
 from trimmer.files import LATEX, MODULE, STANDARD_INPUT, write_atomically
 
@@ -37,11 +38,10 @@ def _configure(parser: ArgumentParser) -> None:
         help="where to write the numeric Python module, - for standard output "
         f"(default: {MODULE_OF_THESIS}, of a mechanism {DIRECTORY / 'NAME.py'})",
     )
-    parser.add_argument(
+    add_file_option(
+        parser,
         "--latex",
-        type=file_to_write,
-        metavar="FILE",
-        help="where to write the derivations as LaTeX "
+        "where to write the derivations as LaTeX "
         f"(default: {LATEX_OF_THESIS}, of a mechanism {DIRECTORY / 'NAME.tex'})",
     )
     add_overwrite_option(parser)

@@ -5,16 +5,10 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_read,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters
 from trimmer.command_line.mechanism_options import add_set_option, chosen_mechanism
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import OptionError, as_option
 from trimmer.command_line.system_options import SOURCES, refuse_loop_options
 
@@ -37,9 +31,9 @@ def _configure(parser: ArgumentParser) -> None:
         "closed; may be repeated (default: all closed, then all open)",
     )
     add_loop_options(parser)
-    add_json_option(parser)
-    add_plot_option(parser, "the Bode plot with natural modes, or of a mechanism responses and mode shapes,")
-    add_overwrite_option(parser)
+    add_output_options(
+        parser, "the Bode plot with natural modes, or of a mechanism responses and mode shapes,"
+    )
 
 
 def _run(arguments: Namespace) -> int:

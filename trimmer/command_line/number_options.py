@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from argparse import ArgumentTypeError
+from argparse import ArgumentParser, ArgumentTypeError
 from collections.abc import Callable
 
 from trimmer.command_line.parser import MOST, of_usual_size
@@ -40,6 +40,27 @@ def finite(unit: str) -> Callable[[str], float]:
         return of_usual_size(value, text)
 
     return number
+
+
+def add_count(
+    parser: ArgumentParser,
+    name: str,
+    meaning: str,
+    usual: int | None = None,
+    *,
+    also: str = "",
+    metavar: str = "N",
+) -> None:
+    """Add an option whose value is a positive whole number; the help ends with its default, if any."""
+    meaning = f"{meaning} (default: {usual})" if usual is not None else meaning
+    names = (name, also) if also else (name,)
+    parser.add_argument(*names, type=positive_whole, default=usual, metavar=metavar, help=meaning)
+
+
+def add_positive(parser: ArgumentParser, name: str, unit: str, meaning: str, *, also: str = "") -> None:
+    """Add an option whose value is a positive number in a unit."""
+    names = (name, also) if also else (name,)
+    parser.add_argument(*names, type=positive(unit), metavar=unit.upper(), help=meaning)
 
 
 def number_in(text: str, unit: str) -> float:

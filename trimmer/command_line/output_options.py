@@ -6,7 +6,7 @@ from argparse import ArgumentError, ArgumentParser, Namespace
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.file_options import file_to_write
+from trimmer.command_line.file_options import add_overwrite_option, file_to_write
 from trimmer.files import write_atomically
 
 if TYPE_CHECKING:
@@ -30,27 +30,24 @@ def add_quiet_option(parser: ArgumentParser) -> None:
 
 
 def add_plot_option(parser: ArgumentParser, what: str) -> None:
-    """Add ``--plot``.
+    """Add ``--plot`` of what is drawn, such as "the branch"."""
+    add_file_option(parser, "--plot", f"draw {what} into an .svg, .png or .pdf file")
 
-    Args:
-        parser: The parser of the command.
-        what: What is drawn, for the help, such as "the branch".
-    """
-    parser.add_argument(
-        "--plot", type=file_to_write, metavar="FILE", help=f"draw {what} into an .svg, .png or .pdf file"
-    )
+
+def add_output_options(parser: ArgumentParser, what: str) -> None:
+    """Add ``--json``, ``--plot`` of what is drawn, and ``--overwrite``."""
+    add_json_option(parser)
+    add_plot_option(parser, what)
+    add_overwrite_option(parser)
+
+
+def add_file_option(parser: ArgumentParser, name: str, meaning: str) -> None:
+    """Add an option that names a file to write."""
+    parser.add_argument(name, type=file_to_write, metavar="FILE", help=meaning)
 
 
 def write_picture(arguments: Namespace, figure: Figure) -> None:
-    """Write the file that ``--plot`` names, as its name ends: SVG, PNG or PDF.
-
-    Args:
-        arguments: The options, with ``--plot``.
-        figure: The picture.
-
-    Raises:
-        TrimmerError: if it cannot be written.
-    """
+    """Write the file that ``--plot`` names, as its name ends: SVG, PNG or PDF."""
     from trimmer.drawing.content import content_of
 
     picture = content_of(figure, arguments.plot.suffix[1:].lower())

@@ -5,15 +5,15 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import file_to_write, keep, show
+from trimmer.command_line.file_options import keep, show
+from trimmer.command_line.output_options import add_file_option
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
+    add_file_option(
+        parser,
         "--output",
-        metavar="FILE",
-        type=file_to_write,
-        help="file to write (default: print it); a file that is there is kept unless it is empty",
+        "file to write (default: print it); a file that is there is kept unless it is empty",
     )
 
 

@@ -6,17 +6,11 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_write,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import unusable
 from trimmer.command_line.loops.motion_options import start_of_loop
 from trimmer.command_line.mechanisms.simulation import check_periods, draw, mechanism_motion
-from trimmer.command_line.output_options import add_plot_option
+from trimmer.command_line.output_options import add_file_option, add_plot_option
 from trimmer.command_line.parser import (
     ENDED_EARLY,
     INTERRUPTED,
@@ -63,15 +57,10 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="HZ",
         help="samples per second in --csv and --wav (default: 20000); the simulation itself needs none",
     )
-    parser.add_argument(
-        "--csv",
-        type=file_to_write,
-        metavar="FILE",
-        help="write time and outputs, or of a loop its output and input and output of the play",
+    add_file_option(
+        parser, "--csv", "write time and outputs, or of a loop its output and input and output of the play"
     )
-    parser.add_argument(
-        "--wav", type=file_to_write, metavar="FILE", help="write the output as sound, into a .wav file"
-    )
+    add_file_option(parser, "--wav", "write the output as sound, into a .wav file")
     add_overwrite_option(parser)
     parser.add_argument("--json", action="store_true", help="print JSON, with every event")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, linear_part
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import OptionError, require_positive
 
 
@@ -24,9 +24,7 @@ def _configure(parser: ArgumentParser) -> None:
         help="how far the frequency may be off, either way, Hz (default: 0); gives M/D as an interval",
     )
     add_loop_options(parser)
-    add_json_option(parser)
-    add_plot_option(parser, "M/D over the frequency, with what was measured,")
-    add_overwrite_option(parser)
+    add_output_options(parser, "M/D over the frequency, with what was measured,")
 
 
 def _run(arguments: Namespace) -> int:

@@ -7,20 +7,14 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_read,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
     chosen_element,
     closed_loop,
 )
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import OptionError, as_option, is_given
 
 if TYPE_CHECKING:
@@ -45,9 +39,7 @@ def _configure(parser: ArgumentParser) -> None:
         metavar=("LOWEST", "HIGHEST"),
         help="angular frequencies to search, rad/s (default: all)",
     )
-    add_json_option(parser)
-    add_plot_option(parser, "G and -1/N with the intersections")
-    add_overwrite_option(parser)
+    add_output_options(parser, "G and -1/N with the intersections")
 
 
 def _run(arguments: Namespace) -> int:

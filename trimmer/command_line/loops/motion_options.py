@@ -14,7 +14,7 @@ from trimmer.command_line.loops.loop_options import (
     chosen_parameters,
     unusable,
 )
-from trimmer.command_line.number_options import positive
+from trimmer.command_line.number_options import add_positive
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.command_line.state_option import chosen_state
 from trimmer.sizes import reason_against_size
@@ -44,13 +44,7 @@ def add_motion_options(
         metavar="DISPLACEMENT=N",
         help="Coulomb friction between two bodies, such as q2-q4=0.5; may be given several times",
     )
-    parser.add_argument(
-        "--drive",
-        "--drive-frequency",
-        type=positive("Hz"),
-        metavar="HZ",
-        help=drive_help,
-    )
+    add_positive(parser, "--drive", "Hz", drive_help, also="--drive-frequency")
     parser.add_argument("--amplitude", type=float, metavar="M", help="amplitude of the drive, m")
 
 

@@ -7,14 +7,14 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
     closed_loop,
     unusable,
 )
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import INTERRUPTED, tell
 from trimmer.command_line.patience import patience
 
@@ -32,9 +32,7 @@ def _configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="look for more stable orbits by simulation from 32 initial states",
     )
-    add_json_option(parser)
-    add_plot_option(parser, "the orbits in the phase plane of the play")
-    add_overwrite_option(parser)
+    add_output_options(parser, "the orbits in the phase plane of the play")
 
 
 def _run(arguments: Namespace) -> int:

@@ -6,16 +6,11 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
 from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
-from trimmer.command_line.number_options import positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, refuse_unused, tell
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
@@ -38,26 +33,14 @@ def _configure(parser: ArgumentParser) -> None:
         "loop without a drive begins with its largest stable limit cycle there",
         "the other end of the interval",
     )
-    parser.add_argument(
+    add_count(
+        parser,
         "--periods",
-        type=positive_whole,
+        "drive periods after which the motion repeats (default: those after which it does)",
         metavar="K",
-        help="drive periods after which the motion repeats (default: those after which it does)",
     )
-    parser.add_argument(
-        "--points",
-        type=positive_whole,
-        default=2000,
-        metavar="N",
-        help="most motions on each branch (default: 2000)",
-    )
-    parser.add_argument(
-        "--wait",
-        type=positive_whole,
-        default=2000,
-        metavar="N",
-        help="drive periods to wait at A until it has settled (default: 2000)",
-    )
+    add_count(parser, "--points", "most motions on each branch", 2000)
+    add_count(parser, "--wait", "drive periods to wait at A until it has settled", 2000)
     parser.add_argument(
         "--switches",
         type=int,
@@ -65,16 +48,13 @@ def _configure(parser: ArgumentParser) -> None:
         default=1,
         help="how many times one after another to go over to a branch that parts (default: 1)",
     )
-    parser.add_argument(
+    add_count(
+        parser,
         "--harmonics",
-        type=positive_whole,
-        metavar="N",
-        help="run multi-harmonic balance beside it with so many harmonics, and say how far off it is",
+        "run multi-harmonic balance beside it with so many harmonics, and say how far off it is",
     )
     add_measure_option(parser)
-    add_json_option(parser)
-    add_plot_option(parser, "the branch")
-    add_overwrite_option(parser)
+    add_output_options(parser, "the branch")
 
 
 def _run(arguments: Namespace) -> int:

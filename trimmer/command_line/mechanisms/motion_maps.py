@@ -7,18 +7,17 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_write,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
 from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
-from trimmer.command_line.number_options import positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count
+from trimmer.command_line.output_options import (
+    add_file_option,
+    add_json_option,
+    add_plot_option,
+    write_picture,
+)
 from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
 from trimmer.command_line.runner_options import (
     add_runner_options,
@@ -52,12 +51,7 @@ def _configure(parser: ArgumentParser) -> None:
     add_measure_option(parser)
     add_json_option(parser)
     add_plot_option(parser, "the map")
-    parser.add_argument(
-        "--output",
-        type=file_to_write,
-        metavar="FILE",
-        help="keep each cell in a file as soon as it is done, to be able to go on",
-    )
+    add_file_option(parser, "--output", "keep each cell in a file as soon as it is done, to be able to go on")
     parser.add_argument("--resume", action="store_true", help="go on with the file of --output")
     add_overwrite_option(parser)
     add_runner_options(parser)
@@ -85,11 +79,10 @@ def _add_search_options(parser: ArgumentParser) -> None:
         action="store_true",
         help="look for more motions by starting each cell from the orbits of the cells around it",
     )
-    parser.add_argument(
+    add_count(
+        parser,
         "--special",
-        type=positive_whole,
-        metavar="N",
-        help="follow folds, period doublings, grazings and their like over both numbers, from the branches "
+        "follow folds, period doublings, grazings and their like over both numbers, from the branches "
         "over the first at N values of the second; they are drawn over the map",
     )
 

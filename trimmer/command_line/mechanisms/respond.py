@@ -6,15 +6,10 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
-from trimmer.command_line.number_options import positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused, tell
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import (
@@ -34,25 +29,16 @@ if TYPE_CHECKING:
 def _configure(parser: ArgumentParser) -> None:
     add_system_options(parser)
     add_start_options(parser)
-    parser.add_argument(
-        "--starts",
-        type=positive_whole,
-        default=1,
-        metavar="N",
-        help="number of starts; those after the first one are random (default: 1)",
-    )
+    add_count(parser, "--starts", "number of starts; those after the first one are random", 1)
     add_seed_option(parser)
-    parser.add_argument(
+    add_count(
+        parser,
         "--periods",
-        "--wait",
-        type=positive_whole,
-        metavar="N",
-        help="drive periods to wait for a motion to settle (default: 1000); without a drive periods of its "
+        "drive periods to wait for a motion to settle (default: 1000); without a drive periods of its "
         "slowest mode (default: 1700, and more where little happens)",
+        also="--wait",
     )
-    add_json_option(parser)
-    add_plot_option(parser, "the motion with contact and stick, phase plane and Poincaré section")
-    add_overwrite_option(parser)
+    add_output_options(parser, "the motion with contact and stick, phase plane and Poincaré section")
 
 
 def _run(arguments: Namespace) -> int:

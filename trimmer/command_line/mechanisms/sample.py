@@ -6,17 +6,11 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_write,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
 from trimmer.command_line.loops.motion_options import chosen_loop
-from trimmer.command_line.number_options import positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count
+from trimmer.command_line.output_options import add_file_option, add_output_options, write_picture
 from trimmer.command_line.parser import (
     INTERRUPTED,
     OptionError,
@@ -53,46 +47,29 @@ def _configure(parser: ArgumentParser) -> None:
         "the thesis moves, and its --parameters FILE has [uncertainty]; such a file here, with --gap and no "
         "--element, has its limit cycles predicted",
     )
-    parser.add_argument(
-        "--count",
-        type=positive_whole,
-        default=COUNT,
-        metavar="N",
-        help=f"samples; of --plan sobol and for --indices the next power of two (default: {COUNT})",
-    )
+    add_count(parser, "--count", "samples; of --plan sobol and for --indices the next power of two", COUNT)
     parser.add_argument(
         "--plan", choices=PLANS, default=PLANS[0], help="how samples are chosen (default: %(default)s)"
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the samples (default: 0)")
-    parser.add_argument(
-        "--periods",
-        type=positive_whole,
-        default=300,
-        metavar="N",
-        help="drive periods to wait for each to settle (default: 300)",
-    )
+    add_count(parser, "--periods", "drive periods to wait for each to settle", 300)
     parser.add_argument(
         "--indices",
         action="store_true",
         help="Sobol indices: which number matters for what; of D numbers that scatter this takes N (D + 2) "
         "samples; needs pip install 'trimmer[sensitivity]'",
     )
-    parser.add_argument(
+    add_count(
+        parser,
         "--balance",
-        type=positive_whole,
+        "harmonic balance too, for M of the samples that repeat, with its distance to the exact orbit",
         metavar="M",
-        help="harmonic balance too, for M of the samples that repeat, with its distance to the exact orbit",
     )
-    parser.add_argument(
-        "--output",
-        type=file_to_write,
-        metavar="FILE",
-        help="keep each sample in a file as soon as it is done, to be able to go on",
+    add_file_option(
+        parser, "--output", "keep each sample in a file as soon as it is done, to be able to go on"
     )
     parser.add_argument("--resume", action="store_true", help="go on with the file of --output")
-    add_json_option(parser)
-    add_plot_option(parser, "how the measures are distributed")
-    add_overwrite_option(parser)
+    add_output_options(parser, "how the measures are distributed")
     add_runner_options(parser)
 
 

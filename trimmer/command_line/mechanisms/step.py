@@ -5,11 +5,11 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanism_options import add_mechanism_options, note_controllers
 from trimmer.command_line.mechanisms.simulation import check_periods
-from trimmer.command_line.number_options import positive
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_positive
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, tell
 from trimmer.command_line.patience import patience
 
@@ -24,15 +24,10 @@ def _configure(parser: ArgumentParser) -> None:
         metavar="NAME",
         help="whose output is measured (default: that of the only one which follows the reference)",
     )
-    parser.add_argument(
-        "--duration",
-        type=positive("s"),
-        metavar="S",
-        help="length of the motion, s (default: until what it settles to is known)",
+    add_positive(
+        parser, "--duration", "s", "length of the motion, s (default: until what it settles to is known)"
     )
-    add_json_option(parser)
-    add_plot_option(parser, "reference, output and control over time, with contact and stick marked,")
-    add_overwrite_option(parser)
+    add_output_options(parser, "reference, output and control over time, with contact and stick marked,")
 
 
 def _run(arguments: Namespace) -> int:

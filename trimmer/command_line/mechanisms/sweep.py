@@ -6,10 +6,10 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
-from trimmer.command_line.number_options import positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import (
@@ -40,28 +40,14 @@ def _configure(parser: ArgumentParser) -> None:
         action="store_true",
         help="go back to A too: where the ways differ, and where each jumps, is told",
     )
-    parser.add_argument(
-        "--steps",
-        type=positive_whole,
-        default=100,
-        metavar="N",
-        help="equal steps from A to B, both of which are among the N + 1 values (default: 100)",
-    )
-    parser.add_argument(
-        "--periods",
-        type=positive_whole,
-        default=200,
-        metavar="N",
-        help="drive periods at each value, of which the second half is measured (default: 200)",
-    )
+    add_count(parser, "--steps", "equal steps from A to B, both of which are among the N + 1 values", 100)
+    add_count(parser, "--periods", "drive periods at each value, of which the second half is measured", 200)
     parser.add_argument(
         "--branch",
         action="store_true",
         help="follow the exact periodic motions from A to B beside it, stable or not, as trimmer follow does",
     )
-    add_json_option(parser)
-    add_plot_option(parser, "peak to peak both ways, and waterfalls over orders of the drive,")
-    add_overwrite_option(parser)
+    add_output_options(parser, "peak to peak both ways, and waterfalls over orders of the drive,")
 
 
 def _run(arguments: Namespace) -> int:

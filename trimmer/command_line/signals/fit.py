@@ -7,18 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_read,
-    file_to_write,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_seed_option, add_set_option, chosen_mechanism
-from trimmer.command_line.number_options import positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count
+from trimmer.command_line.output_options import add_file_option, add_output_options, write_picture
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import (
@@ -78,21 +71,15 @@ def _configure(parser: ArgumentParser) -> None:
         "(default: columns with the names of outputs, or the only column and the only output)",
     )
     add_record_options(parser)
-    parser.add_argument(
+    add_count(
+        parser,
         "--starts",
-        type=positive_whole,
-        default=5,
-        metavar="N",
-        help="number of starts; those after the first one are random, up to twice or half of each number "
-        "(default: 5)",
+        "number of starts; those after the first one are random, up to twice or half of each number",
+        5,
     )
     add_seed_option(parser)
-    parser.add_argument(
-        "--output", type=file_to_write, metavar="FILE", help="write the mechanism with the fitted numbers"
-    )
-    add_json_option(parser)
-    add_plot_option(parser, "measured over fitted waveform and lines, and what is left,")
-    add_overwrite_option(parser)
+    add_file_option(parser, "--output", "write the mechanism with the fitted numbers")
+    add_output_options(parser, "measured over fitted waveform and lines, and what is left,")
 
 
 def _run(arguments: Namespace) -> int:

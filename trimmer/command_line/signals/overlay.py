@@ -6,16 +6,10 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_read,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import OptionError
 from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
@@ -52,9 +46,7 @@ def _configure(parser: ArgumentParser) -> None:
         drive_help="frequency of the drive in the measurement (default: found within 3 %% of the "
         "mechanism's); of a loop, that at which it is driven",
     )
-    add_json_option(parser)
-    add_plot_option(parser, "spectra over each other, and waveforms aligned in time,")
-    add_overwrite_option(parser)
+    add_output_options(parser, "spectra over each other, and waveforms aligned in time,")
 
 
 def _run(arguments: Namespace) -> int:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import file_to_read
-from trimmer.command_line.number_options import finite, positive, positive_whole
+from trimmer.command_line.number_options import add_count, add_positive, finite, positive
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import STANDARD_INPUT
 
@@ -66,12 +66,12 @@ def _add_column_option(parser: ArgumentParser) -> None:
 
 
 def _add_reading_options(parser: ArgumentParser) -> None:
-    parser.add_argument(
+    add_positive(
+        parser,
         "--rate",
-        "--sample-rate",
-        type=positive("Hz"),
-        metavar="HZ",
-        help="samples per second; not needed if a column of time stamps gives it",
+        "Hz",
+        "samples per second; not needed if a column of time stamps gives it",
+        also="--sample-rate",
     )
     parser.add_argument(
         "--time",
@@ -92,12 +92,7 @@ def _add_reading_options(parser: ArgumentParser) -> None:
         default="refuse",
         help="what to do about missing values: refuse, interpolate linearly, take as gaps (default: refuse)",
     )
-    parser.add_argument(
-        "--channel",
-        type=positive_whole,
-        metavar="NUMBER",
-        help="channel of a WAV file; the first has number 1",
-    )
+    add_count(parser, "--channel", "channel of a WAV file; the first has number 1", metavar="NUMBER")
 
 
 def _add_stamp_options(parser: ArgumentParser) -> None:
@@ -160,11 +155,11 @@ def _add_conversion_options(parser: ArgumentParser) -> None:
             metavar="HZ",
             help=f"{meaning} end of that band (default: from length, noise and sample rate of the record)",
         )
-    parser.add_argument(
+    add_positive(
+        parser,
         "--sensor-corner",
-        type=positive("Hz"),
-        metavar="HZ",
-        help="3 dB corner of the sensor's high-pass; the band begins at three times it or above",
+        "Hz",
+        "3 dB corner of the sensor's high-pass; the band begins at three times it or above",
     )
 
 

@@ -12,13 +12,17 @@ from trimmer.command_line.file_options import (
     add_overwrite_option,
     check_targets,
     file_to_read,
-    file_to_write,
     show,
 )
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
-from trimmer.command_line.number_options import positive, positive_whole
-from trimmer.command_line.output_options import add_json_option, add_plot_option, write_picture
+from trimmer.command_line.number_options import add_count, add_positive
+from trimmer.command_line.output_options import (
+    add_file_option,
+    add_json_option,
+    add_plot_option,
+    write_picture,
+)
 from trimmer.command_line.parser import OptionError, as_option, is_given, refuse_unused
 from trimmer.command_line.signals.signal_options import ChosenRecording, add_signal_options, chosen_recording
 from trimmer.files import CSV, STANDARD_INPUT, WAV
@@ -38,18 +42,18 @@ BIT_DEPTHS = (16, 24)
 
 def _configure(parser: ArgumentParser) -> None:
     add_signal_options(parser)
-    parser.add_argument(
+    add_positive(
+        parser,
         "--drive",
-        "--drive-frequency",
-        type=positive("Hz"),
-        metavar="HZ",
-        help="frequency of the drive, Hz, whose harmonics are fitted, and looked for among the peaks",
+        "Hz",
+        "frequency of the drive, Hz, whose harmonics are fitted, and looked for among the peaks",
+        also="--drive-frequency",
     )
-    parser.add_argument(
+    add_positive(
+        parser,
         "--gap",
-        type=positive("m"),
-        metavar="M",
-        help="total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
+        "m",
+        "total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
         "are looked for too",
     )
     parser.add_argument(
@@ -66,33 +70,27 @@ def _configure(parser: ArgumentParser) -> None:
         "in place of the thesis's, and whose motion stands beside; --output names its output",
     )
     add_set_option(parser)
-    parser.add_argument(
+    add_positive(
+        parser,
         "--mains",
-        type=positive("Hz"),
-        metavar="HZ",
-        help="frequency of the mains, Hz, whose hum is looked for among the peaks (default: 50 and 60)",
+        "Hz",
+        "frequency of the mains, Hz, whose hum is looked for among the peaks (default: 50 and 60)",
     )
     parser.add_argument("--window", choices=WINDOWS, default="hann", help="window function (default: hann)")
-    parser.add_argument(
-        "--limit", type=positive_whole, metavar="N", default=20, help="number of peaks (default: 20)"
-    )
-    parser.add_argument(
+    add_count(parser, "--limit", "number of peaks", 20)
+    add_count(
+        parser,
         "--average",
-        type=positive_whole,
-        metavar="N",
-        help="average N spectra of segments that overlap by half too (Welch), of all stretches between gaps",
+        "average N spectra of segments that overlap by half too (Welch), of all stretches between gaps",
     )
     add_loop_options(parser)
     add_json_option(parser)
     add_plot_option(parser, "the spectrum")
-    parser.add_argument(
-        "--wav", type=file_to_write, metavar="FILE", help="write the signal as sound into a .wav file"
-    )
-    parser.add_argument(
+    add_file_option(parser, "--wav", "write the signal as sound into a .wav file")
+    add_file_option(
+        parser,
         "--csv",
-        type=file_to_write,
-        metavar="FILE",
-        help="write the samples that were analysed, after --scale, --resample and --as, into a CSV file",
+        "write the samples that were analysed, after --scale, --resample and --as, into a CSV file",
     )
     parser.add_argument(
         "--bits", type=int, choices=BIT_DEPTHS, default=16, help="bits of a sample in --wav (default: 16)"
