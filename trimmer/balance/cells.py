@@ -28,13 +28,7 @@ class Cells(ArrayRecord):
 
     @classmethod
     def grid(cls, u_breaks: Reals, x_lower: Reals, x_upper: Reals) -> Self:
-        """Combine each interval of u with each interval of x; x varies slowest.
-
-        Args:
-            u_breaks: Limits of the intervals of u, shape (rows + 1,).
-            x_lower: Smallest x of each interval, shape (columns,).
-            x_upper: Largest x, shape (columns,).
-        """
+        """Combine limits of u, (rows + 1,), with intervals of x, (columns,); x varies slowest."""
         columns, rows = x_lower.size, u_breaks.size - 1
         return cls(
             np.tile(u_breaks[:-1], columns),

@@ -58,19 +58,13 @@ class ElementCurve:
         return self.element.expansion(self.amplitude(u), self._omega(x))
 
     def amplitude(self, u: Reals) -> Reals:
-        """Amplitude that belongs to u, in the unit of the element's input; NaN for u < 0, or infinite u.
-
-        It is infinite for u = 0, with NumPy's warning.
-        """
+        """Amplitude of u, in the unit of the element's input; infinite at 0, NaN for u < 0 or infinite."""
         amplitude = self.element.amplitude_scale / np.where(u >= 0, u, np.nan)
         # A step of Newton's method may lead to an amplitude that is too small for a double.
         return np.asarray(np.where(amplitude > 0, amplitude, np.nan))
 
     def edge(self, x: Reals) -> Reals:
-        """Supremum of u at which N exists and changes with u, a number or in the shape of x.
-
-        A solution where N does not change with u any more is one at the edge too.
-        """
+        """Supremum of u at which N exists and changes with u, a number or in the shape of x."""
         if self.depends_on_x:
             return np.minimum(self.element.domain(self._omega(x)), self.element.constant_from)
         return self._edge

@@ -21,16 +21,10 @@ _BESIDE_AXIS_ROOT = 1e-4
 
 
 def factoring_error(system: control.lti.LTI, linear: LinearGain, response: InverseResponse) -> float:
-    """Bound how far 1/G in factors is off, relative, at the frequencies of its roots and between them.
+    """Bound how far 1/G + linear in factors is off, relative, at its roots and between them.
 
-    Args:
-        system: G.
-        linear: What is added to 1/G.
-        response: The sum, from its poles and zeros.
-
-    Returns:
-        The largest error found plus, for a transfer function, what one digit in the last place of each
-        coefficient may change; infinite where it cannot be told.
+    To the largest error found comes, for a transfer function, what one digit in the last place of each
+    coefficient may change. It is infinite where that cannot be told.
     """
     omegas = _telling_frequencies(response)
     if omegas.size == 0:
@@ -77,10 +71,7 @@ def _telling_frequencies(response: InverseResponse) -> Reals:
 
 
 def _side(coefficients: Reals, omegas: Reals) -> tuple[Complexes, Reals, Reals]:
-    """Evaluate a polynomial at j omega, in a unit for each omega, as in ``_inverse``.
-
-    Terms are kept as mantissas and powers of two, so that none overflows.
-    """
+    """Evaluate a polynomial at j omega as mantissas and powers of two, so that no term overflows."""
     rising = np.trim_zeros(np.asarray(coefficients, dtype=float), "f")[::-1]
     powers = np.arange(rising.size)
     mantissas, exponents = np.frexp(rising)

@@ -85,18 +85,8 @@ def feasible_bands(
 ) -> tuple[FeasibleBand, ...]:
     """Find all bands of frequencies at which some M/D gives a limit cycle, in rising order.
 
-    Those of the last few loops are kept, unless something was undecided there.
-
-    Args:
-        G: A rational, proper, continuous-time system with one input and one output.
-        gap: Total clearance, > 0, m.
-        solvable: Says whether some M/D gives a limit cycle at a frequency, Hz.
-
-    Raises:
-        UnsupportedSystemError: if G is not such a system.
-
-    Warns:
-        UndecidedWarning: see ``trimmer.balance.solve.limit_cycles``.
+    Those of the last few loops are kept, unless something was undecided there. ``solvable`` says whether
+    some M/D gives a limit cycle at a frequency, Hz.
     """
     loop = _BandInputs(ComparedSystem.of(G), float(gap), solvable)
     try:

@@ -125,11 +125,7 @@ class InverseResponse:
 
     @classmethod
     def of(cls, factored: ZeroPoleGain) -> Self:
-        """Return 1/G from the zeros, poles and gain of G.
-
-        Raises:
-            UnsupportedSystemError: if its size among its roots is not one of a double.
-        """
+        """Return 1/G from the zeros, poles and gain of G, if its size among its roots is one of a double."""
         magnitudes = np.abs(factored.roots)
         magnitudes = magnitudes[magnitudes > 0]
         reference = float(np.exp(np.log(magnitudes).mean())) if magnitudes.size else 1.0
@@ -223,10 +219,7 @@ class InverseResponse:
             return Enclosure(centre, slope, radius, slope_radius, smallest, largest)
 
     def turning(self, lower: Reals, upper: Reals) -> Turning:
-        """Bound the phase of 1/G on the intervals [lower, upper] of x by Taylor's theorem, as in ``enclose``.
-
-        Both have shape (n,).
-        """
+        """Bound the phase of 1/G on intervals of x, (n,), by Taylor's theorem, as in ``enclose``."""
         half = 0.5 * (upper - lower)
         with np.errstate(all="ignore"):
             rotating = 1j * self._omega(0.5 * (lower + upper))
@@ -304,10 +297,7 @@ class InverseResponse:
         return np.asarray(quotients.prod(axis=0))
 
     def _bend(self, x_lower: Reals, x_upper: Reals) -> Reals:
-        """Upper bound of the second derivative of ln(1/G) between two x.
-
-        The term of a root, omega |root| / distance**2, rises up to omega = |root| and falls beyond it.
-        """
+        """Upper bound of the second derivative of ln(1/G) between two x; terms peak at omega = |root|."""
         sizes, heights, squared_distances = self._root_columns
         worst = np.minimum(np.maximum(sizes, self._omega(x_lower)), self._omega(x_upper))
         return np.asarray((sizes * worst / ((worst - heights) ** 2 + squared_distances)).sum(axis=0))

@@ -89,13 +89,9 @@ _POLISHING = 3
 
 
 def with_feedback(response: InverseResponse, feedback: LinearGain) -> InverseResponse:
-    """Return 1/G plus a linear gain, in the unit of 1/G.
+    """Return 1/G plus a linear gain, in the unit of 1/G: its zeros are the poles of the loop.
 
-    The sum has the zeros of G as its poles; its zeros, the poles of the loop, are those of a polynomial. One
-    that the imaginary axis holds as well, to rounding, is on it.
-
-    Raises:
-        UnsupportedSystemError: if the highest powers of s cancel, so that the loop has no bounded response.
+    Its poles are the zeros of G. A zero that the imaginary axis holds as well, to rounding, is on it.
     """
     zeros, poles = np.poly(response.zeros), np.poly(response.poles)
     gains = np.array([feedback.damping * response.reference, feedback.constant])

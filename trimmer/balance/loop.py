@@ -51,11 +51,7 @@ class LoopEquation:
 
 
 def require_element(element: object) -> Element:
-    """Return the element that was given; a nonlinearity of python-control as one.
-
-    Raises:
-        UnsupportedElementError: if it is none, or a nonlinearity that is not odd.
-    """
+    """Return the element that was given; a nonlinearity of python-control, if it is odd, as one."""
     if isinstance(element, type):
         raise UnsupportedElementError(
             f"element: the class {element.__name__} is not an element: give an instance, such as "
@@ -69,17 +65,7 @@ def require_element(element: object) -> Element:
 
 
 def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
-    """Return the equation of a loop with negative feedback, with the linear part of the element split off.
-
-    Args:
-        G: The linear system, one input and one output.
-        element: The nonlinear element.
-
-    Raises:
-        UnsupportedSystemError: if G is not a system that ``harmonic_balance`` accepts.
-        LinearElementError: if the element is linear.
-        UnsupportedElementError: if it is no element.
-    """
+    """Return the equation of a loop with negative feedback, with the linear part of the element split off."""
     require_element(element)
     response = inverse_response(G)
     linear, rest = parted(element)
@@ -102,11 +88,7 @@ def loop_equation(G: control.lti.LTI, element: Element) -> LoopEquation:
 
 
 def inverse_response(G: control.lti.LTI) -> InverseResponse:
-    """Return 1/G of a proper system; the last few are kept, since sweeps ask for the same one again.
-
-    Raises:
-        UnsupportedSystemError: if it is improper, or not what ``ZeroPoleGain.of`` accepts.
-    """
+    """Return 1/G of a proper system; the last few are kept, since sweeps ask for the same one again."""
     require_siso(G)
     return _inverse_response(ComparedSystem.of(G))
 

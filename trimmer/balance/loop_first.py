@@ -78,13 +78,9 @@ if TYPE_CHECKING:
 def takes_a_loop(function: Callable[Concatenate[ClosedLoop, Rest], Result]) -> OfLoop[Rest, Result]:
     """Let a function of a closed loop also take a system and an element in its place.
 
-    A ``TrimmerLoop`` without drive and without frictions is a closed loop too, and so is a ``Feedback`` of
-    one element without a drive.
-
-    The function it returns raises:
-        WrongTypeError: for a loop that is none of these, a loop beside an element, or a system without one.
-        UnsupportedSystemError: if the system has not one input and one output, or is not continuous in time.
-        UnsupportedElementError: if the element is none.
+    A ``TrimmerLoop`` without drive and frictions is a closed loop too, and so is a ``Feedback`` of one
+    element without a drive. What is none of these is refused by a ``WrongTypeError``,
+    ``UnsupportedSystemError`` or ``UnsupportedElementError``.
     """
     return _taking(function, _closed)
 
@@ -152,12 +148,7 @@ def _wanted(name: str) -> str:
 
 
 def _closed(loop: Loop) -> ClosedLoop:
-    """Return a loop as a closed one.
-
-    Raises:
-        WrongTypeError: if it has a drive, frictions between bodies, or no element.
-        UnsupportedSystemError: if its system has not one input and one output.
-    """
+    """Return a loop as a closed one: without a drive, without frictions between bodies, with an element."""
     if isinstance(loop, ClosedLoop):
         require_siso(loop.system)
         return loop

@@ -43,16 +43,7 @@ class MeasuredInverse:
 
 
 def balance_of_data(loop: MeasuredLoop, omega_range: tuple[float, float] | None) -> HarmonicBalance:
-    """Predict limit cycles between the points of data, never beyond them, and without a certificate.
-
-    Args:
-        loop: Data and element.
-        omega_range: Lowest and highest angular frequency, rad/s; those of the data if not given.
-
-    Raises:
-        FrequencyRangeError: if the range is not within the data.
-        LinearElementError: if N does not depend on the amplitude.
-    """
+    """Predict limit cycles between the points of data, never beyond them, and without a certificate."""
     data, element = loop.system, loop.element
     if parted(element)[1] is None:
         raise LinearElementError(f"{element!r} is linear: nothing sets the amplitude of a limit cycle")

@@ -43,17 +43,7 @@ FALLBACK_REACH = 1e6
 def solve_proportional(
     response: InverseResponse, curve: ElementCurve, omega_range: tuple[float, float] | None
 ) -> SearchedRegion:
-    """Find all solutions where N is proportional to u.
-
-    Args:
-        response: 1/G.
-        curve: N.
-        omega_range: Lowest and highest angular frequency, rad/s; None for all.
-
-    Raises:
-        LinearElementError: if N does not depend on the amplitude.
-        UnsupportedElementError: if N is unbounded and not proportional to u.
-    """
+    """Find all solutions where N is proportional to u, in a range of angular frequencies, rad/s, or all."""
     coefficient = _coefficient(curve)
     lowest, highest, proven = proportional_range(response, coefficient)
     if omega_range is not None:
@@ -121,15 +111,7 @@ def _u(response: InverseResponse, coefficient: complex, x: Reals) -> Reals:
 
 
 def proportional_range(response: InverseResponse, coefficient: complex) -> tuple[float, float, bool]:
-    """Find a range of omega, rad/s, outside of which f is nowhere real and negative.
-
-    Args:
-        response: 1/G.
-        coefficient: c = N/u, in the unit of N.
-
-    Returns:
-        Lowest and highest omega, and whether both are proven.
-    """
+    """Find a range of omega, rad/s, outside of which f is nowhere real and negative, and whether proven."""
     away = response.roots != 0
     roots, exponents = response.roots[away], response.exponents[away]
     low_direction, high_direction = _directions(response, coefficient)

@@ -81,16 +81,10 @@ def turning_range(
 ) -> tuple[float, float] | None:
     """Find a range of omega, rad/s, outside of which the phase of 1/G + linear stays on its side of an axis.
 
-    Args:
-        system: G.
-        response: 1/G in factors, of which a state-space system is multiplied out; else only its scale counts.
-        linear: What is added to 1/G.
-        coefficient: c, not 0, for the range outside of which c/(1/G + linear) does not become real, or if it
-            is real everywhere, does not change its sign. None for that outside of which the parts of
-            1/G + linear keep their signs, both, or the one that rounding of coefficients tells of.
-
-    Returns:
-        Lowest and highest omega; None where rounding of coefficients does not tell them.
+    With a coefficient c it is that outside of which c/(1/G + linear) does not become real, or if it is
+    real everywhere, does not change its sign. Without one, that outside of which both parts of 1/G +
+    linear keep their signs, or the one that rounding of coefficients tells of. None where that rounding
+    does not tell them.
     """
     with np.errstate(all="ignore"):
         numerator, denominator, scale = _polynomials(system, response)
@@ -115,14 +109,10 @@ def turning_range(
 def root_bounds(coefficients: Reals, errors: Reals) -> tuple[float, float] | None:
     """Bound the moduli of the roots, other than 0, of a real polynomial whose coefficients may be off.
 
-    Args:
-        coefficients: Of rising powers, shape (order + 1,).
-        errors: Bounds of their errors. A coefficient that is 0, and cannot be off, is none.
-
-    Returns:
-        Lower and upper bound, 2 max |a_k/a_n|**(1/(n - k)) (Fujiwara, Tôhoku Math. J. 10, 1916: Cauchy's
-        bound in the best unit but for the factor); None if the first or last coefficient may have either
-        sign, or there is none.
+    They are those of rising powers, (order + 1,), with bounds of their errors; one that is 0 and cannot
+    be off is none. The bounds are 2 max |a_k/a_n|**(1/(n - k)) (Fujiwara, Tôhoku Math. J. 10, 1916:
+    Cauchy's bound in the best unit but for the factor). None if the first or last coefficient may have
+    either sign.
     """
     largest = np.abs(coefficients) + errors
     there = np.flatnonzero(largest)

@@ -182,11 +182,7 @@ def _corners(response: GriddedInverse, curve: ElementCurve, cells: _Grid) -> Com
 
 
 def _may_hold(corners: Complexes) -> Flags:
-    """Return whether cells may hold a zero, from F at their corners; none does where N does not exist.
-
-    Args:
-        corners: F at lower u and x, upper u and lower x, lower u and upper x, and upper u and x: (4, ...).
-    """
+    """Return whether cells may hold a zero, from F at the corners, both lower, u, x, both upper: (4, ...)."""
     centre = corners.mean(axis=0)
     near: Flags = np.asarray(np.abs(centre) <= _WIDENED * np.abs(corners - centre).max(axis=0))
     return near & _linear_part_may_vanish(corners, centre) if np.count_nonzero(near) > _MANY_CELLS else near

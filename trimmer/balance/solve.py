@@ -251,11 +251,7 @@ def _solve(
 
 
 def checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
-    """Return a range of angular frequencies, rad/s.
-
-    Raises:
-        FrequencyRangeError: if it is not 0 < lowest < highest < inf.
-    """
+    """Return a range of angular frequencies, rad/s, if it is 0 < lowest < highest < inf."""
     limits = real_values("omega_range", omega_range)
     lowest, highest = limits.tolist() if limits.shape == (2,) else (math.nan, math.nan)
     if not 0 < lowest < highest < math.inf:

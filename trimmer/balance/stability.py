@@ -26,18 +26,11 @@ from trimmer.ties import levels
 
 
 def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
-    """Find all poles of 1 + N G(s) at each of some N.
+    """Find all poles of 1 + N G(s) over ``response.reference`` at each of some N: (n, number of poles).
 
-    G is a chain of sections: 1/(s - pole) without, then (s - zero)/(s - pole) with a zero. The eigenvalues of
-    the chain in a loop are the poles; unlike a polynomial's coefficients its entries are of the size of the
-    roots.
-
-    Args:
-        response: 1/G.
-        gains: N, of shape (n,), in the unit of 1/G.
-
-    Returns:
-        Poles over ``response.reference``, of shape (n, number of poles).
+    G is a chain of sections: 1/(s - pole) without, then (s - zero)/(s - pole) with a zero. The
+    eigenvalues of the chain in a loop are the poles; unlike a polynomial's coefficients its entries are
+    of the size of the roots.
     """
     poles, without = response.poles, response.relative_degree
     first = max(without - 1, 0)
@@ -68,28 +61,16 @@ _NEARLY_REAL = 1e-7
 
 
 def sine_of_crossing(by_amplitude: complex, by_omega: complex) -> float:
-    """Sine of the angle from F_A to F_omega; positive if Loeb's criterion holds.
-
-    Both may be multiplied by a common complex factor, and each by a positive one. NaN if one of them is 0.
-    """
+    """Sine of the angle from F_A to F_omega, positive if Loeb's criterion holds; NaN if one of them is 0."""
     cross = by_amplitude.real * by_omega.imag - by_amplitude.imag * by_omega.real
     size = abs(by_amplitude) * abs(by_omega)
     return cross / size if size else math.nan
 
 
 def other_unstable_poles(loop: LoopEquation, gains: Complexes, amplitudes: Reals, omegas: Reals) -> Places:
-    """Count the unstable poles of the loop at each limit cycle, without the pair of the limit cycle itself.
+    """Count the unstable poles of the loop at each limit cycle, (n,), without its own pair.
 
     They are those of 1 + N G(s), N frozen, with Re s > 0 and Im s > 0, and the real ones of the mean.
-
-    Args:
-        loop: The loop.
-        gains: N at each limit cycle, shape (n,), without its linear part.
-        amplitudes: Amplitude at the element's input, shape (n,).
-        omegas: Angular frequency, rad/s, shape (n,).
-
-    Returns:
-        Number of unstable poles of each, shape (n,).
     """
     poles = closed_loop_poles(loop.response, gains)
     own = np.abs(poles - 1j * omegas[:, None] / loop.response.reference).argmin(axis=1)
@@ -100,11 +81,7 @@ def other_unstable_poles(loop: LoopEquation, gains: Complexes, amplitudes: Reals
 
 
 def _drifting_poles(response: InverseResponse, mean_gains: Reals) -> Places | int:
-    """Count the positive real roots of 1/G(s) + N_mean.
-
-    Where 1/G has no zero or pole on the positive axis it keeps the sign of its gain; there is no root then if
-    N_mean does not have the other sign. Where N_mean is not known (NaN), none are counted.
-    """
+    """Count the positive real roots of 1/G(s) + N_mean; none where N_mean is not known (NaN)."""
     on_axis = np.abs(response.roots.imag) <= _NEARLY_REAL * np.abs(response.roots)
     known = ~np.isnan(mean_gains)
     gains = np.where(known, mean_gains, 0.0)

@@ -40,14 +40,7 @@ class CellTest:
 
 
 def examine(response: InverseGain, curve: ElementCurve, cells: Cells, regions: Cells) -> CellTest:
-    """Test boxes for emptiness, and a wider region around each for at most one solution.
-
-    Args:
-        response: 1/G.
-        curve: N.
-        cells: n boxes.
-        regions: The n regions, each of which contains its box.
-    """
+    """Test n boxes for emptiness, and a wider region around each for at most one solution."""
     u, x = regions.u_centre, regions.x_centre
     enclosure = response.enclose(regions.x_lower, regions.x_upper)
     gain, by_u, gain_by_x = curve.expansion(u, x)
@@ -86,18 +79,10 @@ _CONVERGED = 5e-8
 def solve_in(
     response: InverseGain, curve: ElementCurve, boxes: Cells, u: Reals, x: Reals
 ) -> tuple[Reals, Reals, Flags]:
-    """Solve N + 1/G = 0 by Newton's method from a start in each box.
+    """Solve N + 1/G = 0 by Newton's method from u and x, (n,), in each of n boxes; say which converged.
 
-    Args:
-        response: 1/G.
-        curve: N.
-        boxes: n boxes, each with at most one solution.
-        u: u of the starts, shape (n,).
-        x: x of the starts, shape (n,).
-
-    Returns:
-        u, x, and whether Newton's method converged inside the box, shapes (n,). It stops early for boxes that
-        hold the solution of another one, as the only solution they can hold is then known.
+    It stops early for boxes that hold the solution of another one, as the only solution they can hold is
+    then known.
     """
     for _ in range(_STEPS):
         u_step, x_step = newton_step(response, curve, u, x)

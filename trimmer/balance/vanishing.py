@@ -55,15 +55,9 @@ def poles_on_axis(response: InverseResponse) -> Reals:
 def empty_intervals(
     response: InverseResponse, small: SmallGains, place: float
 ) -> Iterator[EmptyInterval | None]:
-    """Prove that there is no solution next to a pole, below it and above it.
+    """Prove that there is no solution next to a pole on the axis, below it and above it.
 
-    Args:
-        response: 1/G.
-        small: What is known of N.
-        place: One of ``poles_on_axis``.
-
-    Yields:
-        For each of its sides at positive frequencies an interval that ends in the pole; None without a proof.
+    Yields for each side at positive frequencies an interval that ends in the pole; None without a proof.
     """
     sides = (1.0,) if place == 0 else (-1.0, 1.0)
     for side in sides:
@@ -153,10 +147,7 @@ class _Neighbourhood:
         return self.size * distance**self.order * math.exp(-growth)
 
     def _growth(self, distance: float) -> tuple[float, float]:
-        """Bounds of |r|, and of |r| less its part that is linear in the distance, up to a distance.
-
-        The sum of the linear parts may be rounding where they cancel.
-        """
+        """Bounds of |r|, and of |r| less its part that is linear in the distance, up to a distance."""
         reach = np.abs(self.turns) * distance
         remainder = float((reach**2 / (2.0 - 2.0 * reach)).sum() + _ROUNDED_SUM * reach.sum())
         return float(reach.sum()) + remainder, remainder

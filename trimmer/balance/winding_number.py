@@ -61,14 +61,9 @@ class _Pieces(ArrayRecord):
 
 
 def winding_number(loop: LoopEquation, omegas: tuple[float, float]) -> int | None:
-    """Count the turns of N + 1/G along the border of all amplitudes and a range of frequencies.
+    """Count the turns of N + 1/G along the border of all amplitudes and a range of frequencies, rad/s.
 
-    Args:
-        loop: N, which is bounded or proportional to u, and 1/G.
-        omegas: Lowest and highest angular frequency, rad/s.
-
-    Returns:
-        Number of turns; None if a solution, or a zero of G, is too near to the border to count them.
+    N is bounded or proportional to u. None if a solution, or a zero of G, is too near to the border.
     """
     with np.errstate(all="ignore"):
         x_lower, x_upper = math.log(omegas[0]), math.log(omegas[1])

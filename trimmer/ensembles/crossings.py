@@ -49,12 +49,7 @@ class Crossings(NamedTuple):
 
 
 def crossings(responses: Responses, omegas: Reals) -> Crossings:
-    """Find the crossings of N with -1/G.
-
-    Args:
-        responses: Of n trimmers.
-        omegas: Rising frequencies in units of the references, shape (n, points).
-    """
+    """Find the crossings of N with -1/G at rising frequencies in units of the references, (n, points)."""
     grid = grid_at(responses, omegas)
     doubtful = _open_ends(grid)
     rows, parts = np.arange(len(omegas)), []
@@ -132,10 +127,7 @@ def _inserted(omega: Reals, urgency: Reals) -> Reals:
 
 
 def _touches(h: Reals, inside: Flags) -> Flags:
-    """Return where h comes near 0 between points of one sign, so that two solutions may hide there.
-
-    Shape (n, points - 2): the middle ones of three points.
-    """
+    """Return where h comes near 0 and may hide two solutions between points of a sign, (n, points - 2)."""
     sizes = np.abs(h)
     before, here, after = sizes[:, :-2], sizes[:, 1:-1], sizes[:, 2:]
     positive = h > 0

@@ -15,14 +15,7 @@ BEYOND = 20.0
 
 
 def frequencies_near(poles: Complexes) -> Reals:
-    """Return the frequencies at which responses are looked at, in rising order.
-
-    Args:
-        poles: Of each response, in pairs, shape (n, count).
-
-    Returns:
-        Angular frequencies in the unit of the poles, > 0, shape (n, points).
-    """
+    """Return rising angular frequencies, (n, points), near poles in pairs, (n, count), in their unit."""
     sizes = np.abs(poles)
     lowest, highest = np.log(sizes.min(axis=1) / BEYOND), np.log(sizes.max(axis=1) * BEYOND)
     between = np.exp(lowest[:, None] + np.linspace(0.0, 1.0, BETWEEN) * (highest - lowest)[:, None])

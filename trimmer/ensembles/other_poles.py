@@ -15,18 +15,10 @@ ROUNDING = 1e-9
 
 
 def unstable_others(responses: Responses, poles: Complexes, solutions: Solutions) -> tuple[Flags, Flags]:
-    """Say which loops have another unstable pole, and for which that could not be told.
+    """Say which loops have another unstable pole, and for which that could not be told, each (m,).
 
-    The poles are those of 1 + N G(s) with N frozen that swing with positive frequency, and the real ones of
-    the mean (``trimmer.balance.stability``).
-
-    Args:
-        responses: Of the trimmer of each solution, shape (m,).
-        poles: Of G, in units of the references, shape (m, 8).
-        solutions: The limit cycles.
-
-    Returns:
-        Whether there is one, and whether it is unknown, each of shape (m,).
+    The poles are those of 1 + N G(s) with N frozen that swing with positive frequency, and the real ones
+    of the mean (``trimmer.balance.stability``). Those of G are in units of the references, (m, 8).
     """
     top = responses.denominator.astype(complex)
     top[:, 1:] += solutions.gain[:, None] * responses.numerator

@@ -41,12 +41,7 @@ class Solutions(ArrayRecord):
 
 
 def polished(responses: Responses, crossings: Crossings) -> Solutions:
-    """Find the solution within each enclosure.
-
-    Args:
-        responses: Of the trimmers of the enclosures, shape (m,).
-        crossings: The enclosures.
-    """
+    """Find the solution within each of m enclosures."""
     x, u = np.log(0.5 * (crossings.lower + crossings.upper)), crossings.u.copy()
     for _ in range(STEPS):
         inverse, by_x = responses.inverse_and_slope(x)

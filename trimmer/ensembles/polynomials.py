@@ -30,15 +30,7 @@ class Roots(NamedTuple):
 
 
 def on_axis(coefficients: Reals, omegas: Reals) -> Complexes:
-    """Evaluate real polynomials at s = j omega, by real arithmetic alone.
-
-    Args:
-        coefficients: Shape (n, degree + 1).
-        omegas: Shape (n, points).
-
-    Returns:
-        Values, shape (n, points).
-    """
+    """Evaluate real polynomials, (n, degree + 1), at s = j omega, (n, points), by real arithmetic alone."""
     squares = -(omegas**2)
     even = _in_squares(coefficients[:, ::-1][:, ::2], squares)
     odd = _in_squares(coefficients[:, ::-1][:, 1::2], squares)
@@ -69,16 +61,10 @@ def value_and_slope(coefficients: Reals | Complexes, s: Complexes) -> tuple[Comp
 
 
 def roots(coefficients: Reals | Complexes, near: Complexes) -> Roots:
-    """Find all roots of each polynomial from values near them, all at the same time.
+    """Find all roots of polynomials, (n, degree + 1), from different values near them, (n, degree).
 
-    Args:
-        coefficients: Shape (n, degree + 1), real or complex; the first ones are not zero.
-        near: Starting values, all different, shape (n, degree).
-
-    Returns:
-        The roots; those that were not found after ``MOST_STEPS`` are said to be so.
-
-    Source: Aberth, Math. Comp. 27 (1973), 339-344.
+    Those that were not found after ``MOST_STEPS`` are said to be so. Source: Aberth, Math. Comp. 27
+    (1973), 339-344.
     """
     values = near.astype(complex)
     found = np.zeros(values.shape[0], dtype=bool)

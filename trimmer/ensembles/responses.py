@@ -43,13 +43,7 @@ class Responses(ArrayRecord):
 
 
 def responses_of(values: Reals, output: Displacement, channels: InputChannels) -> Responses:
-    """Build the responses from the derived coefficients.
-
-    Args:
-        values: Parameters in the order of ``TrimmerParameters``, shape (n, 13).
-        output: The displacement at the input of the play.
-        channels: How the pin acts.
-    """
+    """Build the responses from derived coefficients, of values in the order of the parameters, (n, 13)."""
     columns = tuple(np.ascontiguousarray(values.T))
     count = len(values)
     denominator = _stacked(linear_trimmer.characteristic_polynomial(*columns), count)

@@ -52,16 +52,7 @@ class Balance:
 
 
 def harmonic_balance_of(mechanism: Mechanism, guess: Complexes, periods: int = 1) -> Balance:
-    """Balance the forces of a mechanism in all harmonics that a guess has.
-
-    Args:
-        mechanism: The mechanism; it has a frequency.
-        guess: Coefficients, m, shape (bodies, harmonics + 1), as those of the result.
-        periods: Drive periods after which the motion repeats.
-
-    Raises:
-        UnsupportedMotionError: see ``require_balanceable``.
-    """
+    """Balance the forces of a driven mechanism in all harmonics of a guess, m, (bodies, harmonics + 1)."""
     equations = _Equations(mechanism, guess.shape[1], periods)
     unknowns = _as_real(guess)
     residual, slope = equations.imbalance(unknowns)
@@ -85,10 +76,8 @@ def harmonic_balance_of(mechanism: Mechanism, guess: Complexes, periods: int = 1
 def require_balanceable(mechanism: Mechanism) -> None:
     """Check that harmonic balance knows the motions of a mechanism: sums of harmonics of a drive.
 
-    Raises:
-        MechanismError: if it has controllers.
-        UnsupportedMotionError: if it has no frequency, a spring leans on a pin that moves on, or nothing
-            holds a body in place.
+    It has no controllers, has a frequency, no spring leans on a pin that moves on, and each body is held
+    in place.
     """
     require_uncontrolled(mechanism.controllers, "harmonic balance")
     if mechanism.frequency is None:

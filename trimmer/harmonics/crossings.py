@@ -15,8 +15,8 @@ MOST_ITERATIONS = 60
 def crossings(signal: PeriodicWaveform, begin: float, end: float) -> Reals:
     """Return the times, s, at which a signal changes its sign between begin and end, in their order.
 
-    The interval is halved until on each piece the bound of the curvature shows that the signal keeps its sign
-    or is monotone; only zeros where it touches and turns to rounding are left out.
+    The interval is halved until the bound of the curvature shows that the signal keeps its sign or is
+    monotone on each piece; only zeros where it touches and turns to rounding are left out.
     """
     edges = np.linspace(begin, end, FIRST_PIECES + 1)
     low, high = edges[:-1], edges[1:]

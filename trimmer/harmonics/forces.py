@@ -48,14 +48,7 @@ class Pieces:
 
 
 def piecewise(signal: PeriodicWaveform, factors: Complexes, constant: float, pieces: Pieces) -> Harmonics:
-    """Integrate Re Σ factors_m c_m exp(i m omega t) - sign constant over pieces.
-
-    Args:
-        signal: The signal with the coefficients c_m.
-        factors: Shape (H + 1,).
-        constant: In the unit of the force.
-        pieces: The pieces.
-    """
+    """Integrate Re Σ factors_m c_m exp(i m omega t) - sign constant over pieces; factors are (H + 1,)."""
     count = len(factors)
     over = _exponentials(signal, pieces, np.ones(len(pieces.sign)))
     signed = _exponentials(signal, pieces, pieces.sign)
@@ -86,14 +79,10 @@ def _exponentials(signal: PeriodicWaveform, pieces: Pieces, weights: Reals) -> C
 def with_moving_ends(
     harmonics: Harmonics, signal: PeriodicWaveform, times: Reals, amounts: Reals, weights: Complexes
 ) -> Harmonics:
-    """Add what changes because the ends of pieces move, where the force jumps.
+    """Add what changes because the ends of pieces move, where the force jumps, at times, s, (jumps,).
 
-    Args:
-        harmonics: Coefficients and derivatives with ends that stay.
-        signal: The signal.
-        times: Moments of jumps, s, (jumps,).
-        amounts: What a rise of the weighted signal by 1 adds to the impulse there, (jumps,).
-        weights: Factors of the signal's coefficients whose zero sets the moments, shape (H + 1,).
+    A rise of the weighted signal by 1 adds amounts, (jumps,), to the impulse; weights, (H + 1,), set the
+    moments.
     """
     turns = np.exp(np.multiply.outer(times, signal.turning))
     added = (2.0 / signal.period) * (turns.conj().T * amounts) @ (0.5 * turns * weights)

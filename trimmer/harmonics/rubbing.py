@@ -13,13 +13,7 @@ from trimmer.harmonics.waveform import PeriodicWaveform
 
 
 def friction_harmonics(distance: PeriodicWaveform, drift: float, force: float) -> Harmonics:
-    """Return the harmonics of force sign(v), as functions of those of the distance whose rate is v.
-
-    Args:
-        distance: Distance of end from start, m.
-        drift: Constant velocity that adds to its rate, m/s.
-        force: N.
-    """
+    """Return the harmonics of force sign(v), N; v, m/s, is a drift and the rate of a distance, m."""
     velocity = PeriodicWaveform(distance.turning * distance.coefficients, distance.omega).shifted(drift)
     period = distance.period
     zeros = crossings(velocity, 0.0, period)

@@ -75,10 +75,7 @@ def _checked(name: str, value: object, unit: str) -> float:
 
 
 def common_omega(drives: Sequence[Drive]) -> tuple[float, tuple[int, ...]] | None:
-    """Return what the angular frequencies, rad/s, of drives are multiples of, and which; None if of nothing.
-
-    Without a drive it is 0.
-    """
+    """Return what the omegas, rad/s, of drives are multiples of, and which; None of nothing, 0 of none."""
     slowest = min((drive.omega for drive in drives), default=0.0)
     for count in range(1, MOST_PERIODS + 1):
         turns = [count * (drive.omega / slowest) for drive in drives]

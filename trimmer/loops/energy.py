@@ -140,17 +140,10 @@ def energy_balance(motion: Motion) -> Energy:
 
 
 def balance_of(motion: LoopMotion) -> EnergyBalance:
-    """Balance the energy of a trimmer over a motion.
+    """Balance the energy of a trimmer over a motion of a ``TrimmerLoop``, exact to rounding.
 
-    The integrals are those of Gauss and Legendre on the exact flow, between events and within steps on which
-    the flow is a polynomial to rounding; so they are exact to rounding too. Masses, dampers and springs are
-    those of the derivation.
-
-    Args:
-        motion: A motion of a ``TrimmerLoop``.
-
-    Raises:
-        UnsupportedMotionError: if it is the motion of another loop.
+    The integrals are those of Gauss and Legendre on the exact flow, between events and within steps on
+    which the flow is a polynomial to rounding. Masses, dampers and springs are those of the derivation.
     """
     loop = motion.loop
     if not isinstance(loop, TrimmerLoop):

@@ -70,15 +70,11 @@ class LoopFlow(Flow):
     def at(
         self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None
     ) -> Instant:
-        """Return the instant at which the loop is in a given state.
+        """Return the instant at which the loop is in a state, (n,), at a phase of the drive, s.
 
-        Args:
-            state: The states, (n,).
-            phase: Time since the start of a period of the drive, s.
-            stretched: Whether loads behind backlashes are where the state says; otherwise they begin at rest
-                in the middle of their gap, or where the pin pushes them.
-            like: An instant of a neighbouring motion, whose statuses hold in this one too; the state is made
-                to fit.
+        Loads behind backlashes are where the state says if it is stretched; else they begin at rest
+        in the middle of their gap, or where the pin pushes them. The statuses are those of a
+        neighbouring instant ``like``, to which the state is made to fit.
         """
         modes, layout = self.modes, self.modes.system.layout
         extended = np.concatenate([state, layout.forcing_at(phase)])

@@ -63,23 +63,12 @@ def implicit_outputs(
 
 
 def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = None) -> Reals:
-    """Solve left @ outputs = right; where conditions repeat each other, take the smallest outputs.
+    """Solve left @ outputs = right, m x m and m x n; where conditions repeat, take the smallest outputs.
 
-    So it is where frictions between three bodies all stick, or where two act between the same bodies: the
-    motion is determined, and how they share the force is not. The smallest outputs may exceed a limit
-    although others do not (``trimmer.loops.frictions.coupled_relays``).
-
-    Args:
-        left: Factors of the m outputs in the conditions, m x m.
-        right: Right sides as rows over the extended state, m x n.
-        names: The components, for the error message.
-        sizes: Sums of the moduli of the terms of ``right``, m x n; what is less than their rounding is zero.
-
-    Returns:
-        The outputs as rows over the extended state, m x n.
-
-    Raises:
-        IllPosedLoopError: if the conditions contradict each other.
+    So it is where frictions between three bodies all stick, or two act between the same bodies: the
+    motion is determined, how they share the force is not, and the smallest may exceed a limit although
+    others do not (``trimmer.loops.frictions.coupled_relays``). What is less than the rounding of
+    ``sizes`` is zero.
     """
     rows = abs(left).max(axis=1, keepdims=True)
     columns = (abs(left) / rows).max(axis=0)
@@ -97,10 +86,7 @@ def least_outputs(left: Reals, right: Reals, names: str, sizes: Reals | None = N
 
 
 def without_rounding(values: Reals, sizes: Reals) -> Reals:
-    """Return values with zeros where they are rounding of terms of these sizes.
-
-    What is held does not move, and a force that is just at its limit does not exceed it, to the last digit.
-    """
+    """Return values with zeros where they are rounding of terms of these sizes."""
     return np.where(abs(values) > NEGLIGIBLE * sizes, values, 0.0)
 
 

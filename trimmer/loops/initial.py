@@ -25,19 +25,7 @@ if TYPE_CHECKING:
 def initial_segment(
     loop: Loop, modes: LoopModes, initial_state: ArrayLike | None, impulse: float, element_output: float
 ) -> tuple[int, Reals]:
-    """Return the number of the mode, and the extended state, shape (n,), at t = 0.
-
-    Args:
-        loop: What moves.
-        modes: Its modes.
-        initial_state: States of ``loop.model``; None for the loop's own start, or zeros.
-        impulse: Strength of an impulse at the input of the linear system, in the unit of that input times s.
-        element_output: Position of a load behind a backlash, m.
-
-    Raises:
-        ValueError: if a value is not real and finite, or if an initial state has the wrong shape or is given
-            for a system without states of its own.
-    """
+    """Return the number of the mode, and the extended state, (n,), at t = 0, after an impulse."""
     started = _plant_state(loop, initial_state, impulse)
     if not math.isfinite(real_number("element_output", element_output)):
         raise ValueError(f"element_output must be finite, not {element_output!r}")
@@ -45,13 +33,7 @@ def initial_segment(
 
 
 def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) -> tuple[int, Reals]:
-    """Return the mode and the extended state that go with states of the plant at t = 0.
-
-    Args:
-        modes: Modes of the loop.
-        plant_state: States of the linear system, of shape (n,).
-        element_output: Output that is wished for, where the input leaves a choice.
-    """
+    """Return mode and extended state of states of the plant, (n,), and an output where one can be chosen."""
     layout = modes.system.layout
     state = np.zeros(layout.size)
     state[: layout.order] = plant_state
@@ -62,15 +44,10 @@ def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) ->
 def resumed(
     modes: LoopModes, extended: Reals, anew: bool = False
 ) -> tuple[tuple[int, ...], Reals, tuple[int, ...]]:
-    """Return the statuses that go with an extended state, and the state as it fits them, (n,).
+    """Return the statuses that go with an extended state, (n,), and the state as it fits them.
 
-    Of the relays and frictions at rest all decide at once whether they are held. Those that are not are told
-    too, by their numbers: their switching functions are zero.
-
-    Args:
-        modes: Modes of the loop.
-        extended: Extended state, (n,).
-        anew: Whether the states of the components are chosen too, as at the start of a motion.
+    Of the relays and frictions at rest all decide at once whether they are held. Those that are not are
+    told too, by their numbers: their switching functions are zero.
     """
     system, state = modes.system, extended.copy()
     statuses = _chosen(modes, state, 0.0 if anew else None)
@@ -81,14 +58,7 @@ def resumed(
 
 
 def _chosen(modes: LoopModes, state: Reals, element_output: float | None) -> tuple[int, ...]:
-    """Return the statuses that go with an extended state, chosen for one component after the other.
-
-    Args:
-        modes: Modes of the loop.
-        state: Extended state, (n,); the states of components are set too, where they are chosen.
-        element_output: Output that is wished for, where the input leaves a choice; None if the states of
-            components stay as they are.
-    """
+    """Return statuses chosen for one component after the other; states stay where no output is asked."""
     system, layout = modes.system, modes.system.layout
     chosen = [0] * system.part_count
     for k, component in enumerate(system.interconnection.components):

@@ -25,20 +25,7 @@ def followed(
     most_steps: int = MOST_STEPS,
     watched: bool = False,
 ) -> Stretch:
-    """Follow the motion of a loop for a time, s.
-
-    Args:
-        modes: The modes of the loop.
-        mode: Number of the one that it begins with.
-        state: Extended state that it begins with, (n,).
-        duration: s.
-        most_events: Largest number of events.
-        most_steps: Largest number of steps.
-        watched: Whether a progress bar shows on a terminal after two seconds.
-
-    Raises:
-        AdvanceInterrupted: on an interrupt (Ctrl-C).
-    """
+    """Follow the motion of a loop from a mode and an extended state, (n,), for a time, s."""
     layout = modes.system.layout
     free = layout.state_count
     begin = Instant(

@@ -104,18 +104,9 @@ def interconnected(
     drive_push: Reals | None = None,
     of_elements: int | None = None,
 ) -> Interconnection:
-    """Put elements between the outputs and the inputs of a linear system.
+    """Put elements between the outputs and the inputs of a linear system, n x n, with its drives.
 
-    Args:
-        A: State matrix, n x n.
-        connections: The elements.
-        drives: What is prescribed.
-        drive_push: What it does to the rates of the states, n x number of drives; nothing if not given.
-        of_elements: How many of the connections, the first ones, are those of elements; all if not given.
-
-    Raises:
-        IllPosedLoopError: if the motion is not determined.
-        UnsupportedMotionError: if a relay would slide along the edge of its dead zone.
+    The first ``of_elements`` connections are those of elements, all if not given.
     """
     each = [(one, component, factor) for one in connections for component, factor in one.parts]
     nothing = (0.0,) * len(drives)
@@ -277,10 +268,7 @@ class Layout:
 
     @property
     def phasors(self) -> Complexes:
-        """What gives sines, cosines and one as real parts of these times exp(i order omega t).
-
-        Array (orders, forcing).
-        """
+        """What gives sines, cosines, one: real parts of it times exp(i order omega t), (orders, forcing)."""
         found = np.zeros((len(self.orders), self.forcing), dtype=complex)
         for number, order in enumerate(self._common[1] if self._common else ()):
             turned = np.exp(1j * self.drives[number].phase) * np.array([-1j, 1.0])

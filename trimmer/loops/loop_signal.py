@@ -35,18 +35,7 @@ READ = {
 
 
 def row_in_modes(loop: Loop, signal: LoopSignal | Displacement | str) -> Callable[[LoopMode], Reals]:
-    """Return what gives the row of a signal in a mode, of shape (n,) over the extended state.
-
-    Args:
-        loop: The loop.
-        signal: One of its signals, or a displacement of a trimmer; of a ``Feedback`` any signal by name.
-
-    Raises:
-        LoopError: if a ``Feedback`` has no signal of this name.
-        UnsupportedMotionError: for a displacement, if the states of the loop's linear system are not those of
-            the trimmer (``pin_model``).
-        WrongTypeError: if it is neither.
-    """
+    """Return what gives the row of a signal, or of a displacement of a trimmer, in a mode, (n,)."""
     own = loop.own_row(signal)
     if own is not None:
         return own

@@ -168,12 +168,7 @@ def _shown(part: object) -> str:
 
 
 def taken_start(loop: Loop) -> Mapping[str, float]:
-    """Return the start of a loop after it was checked.
-
-    Raises:
-        WrongTypeError: if it is no mapping of states to numbers.
-        LoopError: if it names what is no state of the linear system.
-    """
+    """Return the start of a loop after it was checked; it names states of the linear system."""
     require_instance("start", loop.start, Mapping, "a mapping of states to numbers")
     for name in loop.start:
         if name not in (labels := loop.model.state_labels):
@@ -183,11 +178,7 @@ def taken_start(loop: Loop) -> Mapping[str, float]:
 
 
 def require_loop(loop: object) -> None:
-    """Check that a loop was given.
-
-    Raises:
-        WrongTypeError: if it was not.
-    """
+    """Check that a loop was given, or else raise a ``WrongTypeError``."""
     require_instance("loop", loop, Loop, "a loop: a ClosedLoop, OpenLoop, Feedback or TrimmerLoop")
 
 
@@ -205,12 +196,7 @@ class LoopOfOneElement(Loop):
         object.__setattr__(self, "start", taken_start(self))
 
     def interconnection(self) -> Interconnection:
-        """Return the equations, with the input -y of the element, or the drive as its input.
-
-        Raises:
-            UnsupportedMotionError: if the element or the system cannot be simulated.
-            IllPosedLoopError: if the motion is not determined.
-        """
+        """Return the equations, with the input -y of the element, or the drive as its input."""
         pin = connected_around(self.model, self.element, bool(self.driving))
         return interconnected(self.model.A, [pin], self.driving)
 
@@ -273,17 +259,7 @@ class OpenLoop(LoopOfOneElement):
 
 
 def connected_around(model: control.StateSpace, element: Element | None, driven: bool) -> Connection:
-    """Return an element before a linear system: driven, or in negative feedback if there is no drive.
-
-    Args:
-        model: The linear system, one input and one output.
-        element: The element; None for a rigid connection.
-        driven: Whether a drive is the element's input.
-
-    Raises:
-        UnsupportedMotionError: if the element has no motion in time.
-        IllPosedLoopError: if its output acts on its input without delay.
-    """
+    """Return an element, or a rigid connection, before a linear system: driven, or in negative feedback."""
     parts = [(RigidComponent(), 1.0)] if element is None else components_of(element)
     labels = [component.name for component, _ in parts]
     if model.D[0, 0] and not driven:

@@ -66,14 +66,8 @@ class LoopMode(Mode):
 def assemble(system: Interconnection, component_modes: tuple[int, ...], coupled: CoupledRelays) -> LoopMode:
     """Return the mode of an interconnection in which each component is in a given mode.
 
-    Args:
-        system: The interconnection.
-        component_modes: Number of the mode of each component.
-        coupled: Its relays that depend on each other.
-
-    Raises:
-        IllPosedLoopError: if the outputs are not determined by the state, because too few integrators lie
-            between the output of a component and its input.
+    An ``IllPosedLoopError`` says that too few integrators lie between the output of a component and its
+    input.
     """
     layout = Layout.of(system)
     opened = _open(system, layout, component_modes)
@@ -119,10 +113,7 @@ def _at_rest(system: Interconnection, signals: tuple[Signals, ...], held: tuple[
 def _with_those_at_rest(
     system: Interconnection, component_modes: tuple[int, ...], signals: tuple[Signals, ...]
 ) -> tuple[Signals, ...]:
-    """Make the rates zero that follow from switching functions that are held at zero.
-
-    Left to themselves they are rounding of the state; a pin at rest would leave its contact and come back.
-    """
+    """Make the rates zero that follow from switching functions held at zero, which are rounding otherwise."""
     each = zip(system.components, component_modes, signals, strict=True)
     held = np.array(
         [c.switching_function(s) for c, mode, s in each if isinstance(c.output_law(mode), Constrained)]

@@ -304,13 +304,7 @@ class _Listed:
 
 
 def _list(listed: list[_Listed], at_instant: int, change: _Listed) -> None:
-    """Add a change to the list, or merge it with what the same relay did before at the same instant.
-
-    Args:
-        listed: The list.
-        at_instant: Where that instant begins in it.
-        change: What to add.
-    """
+    """Add a change to a list, or merge it with what the same relay did before at the same instant."""
     if change.kind is EventKind.REST:
         return
     for place in range(len(listed) - 1, at_instant - 1, -1):

@@ -86,11 +86,7 @@ def _is_number(value: object) -> bool:
 
 
 def value_at(loop: Loop, place: str) -> float:
-    """Return the number at a place, in its unit.
-
-    Raises:
-        LoopError: if there is none.
-    """
+    """Return the number at a place, in its unit; a ``LoopError`` if there is none."""
     names, _ = _found(loop, place)
     match names:
         case ("frictions", label, *inner):
@@ -113,16 +109,7 @@ def _value(part: Any, names: Place) -> float:
 
 
 def with_value_at(loop: Loop, place: str, value: float | str) -> Loop:
-    """Return the loop with another number at a place.
-
-    Args:
-        loop: The loop, which stays as it is.
-        place: Such as ``element.gap``.
-        value: The number in its unit, or text with a unit, such as ``40 um``.
-
-    Raises:
-        LoopError: if there is no such place, or the number cannot stand there.
-    """
+    """Return the loop with another number at a place, in its unit or with a unit, such as ``40 um``."""
     names, unit = _found(loop, place)
     try:
         number = quantity(value, unit or "1") if isinstance(value, str) else finite_number(place, value)

@@ -17,12 +17,7 @@ if TYPE_CHECKING:
 
 
 def taken_system(system: object) -> control.LTI:
-    """Return a system as one of python-control, whatever form it has; see ``adopted_system``.
-
-    Raises:
-        UnsupportedMotionError: if it is none, or frequency-response data, which tell no motion.
-        UnsupportedSystemError: if its arrays make no system, or it is one of SciPy that is sampled.
-    """
+    """Return a system as one of python-control, whatever form it has; see ``adopted_system``."""
     found = adopted_system(system)
     if isinstance(found, control.FrequencyResponseData):
         raise UnsupportedMotionError(
@@ -39,13 +34,7 @@ def taken_system(system: object) -> control.LTI:
 
 
 def in_state_space(system: control.LTI) -> control.StateSpace:
-    """Return a system in state space, with its names, which is the system itself if it is one.
-
-    Raises:
-        UnsupportedMotionError: if it is sampled or improper, or a transfer function of several inputs or
-            outputs that python-control cannot realize.
-        ValueError: if a coefficient is not finite.
-    """
+    """Return a continuous proper system with finite coefficients in state space, with its names."""
     if system.isdtime(strict=True):
         raise UnsupportedMotionError("the system must be continuous in time, not sampled")
     if isinstance(system, control.StateSpace):
@@ -69,12 +58,7 @@ def in_state_space(system: control.LTI) -> control.StateSpace:
 
 
 def realized(system: control.LTI) -> control.StateSpace:
-    """Return a state-space model with one input and one output; see ``in_state_space``.
-
-    Raises:
-        UnsupportedMotionError: if it has several, too.
-        ValueError: if a coefficient is not finite.
-    """
+    """Return a state-space model with one input and one output; see ``in_state_space``."""
     if not system.isdtime(strict=True) and (system.ninputs, system.noutputs) != (1, 1):
         raise UnsupportedMotionError(
             f"the system must have one input and one output, not {system.ninputs} and {system.noutputs}"

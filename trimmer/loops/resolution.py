@@ -20,12 +20,10 @@ In random loops rounding began to repeat events at one instant with 1.4e-14.
 
 
 def unresolved_segment(modes: LoopModes, log: Log) -> int | None:
-    """Return the first segment of a motion whose pin starts further from zero than 1 / ``FINEST`` gaps.
+    """Return the first segment whose pin starts further than 1 / ``FINEST`` gaps from zero, if any.
 
-    Beyond it the side of a gap would follow from the last bits of the position, and so from the processor.
-
-    Returns:
-        Number of the segment, None if each gap is resolved throughout.
+    Beyond it the side of a gap would follow from the last bits of the position, and so from the
+    processor.
     """
     backlashes = [
         (place, component.gap)

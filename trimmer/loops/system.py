@@ -93,11 +93,7 @@ class LoopSystem:
         return np.zeros(0)
 
     def mode(self, statuses: tuple[int, ...]) -> LoopMode:
-        """Return the mode in which each component is in a given mode, assembled on first use.
-
-        Raises:
-            IllPosedLoopError: see ``assemble``.
-        """
+        """Return the mode in which each component is in a given mode, assembled on first use."""
         if statuses not in self._assembled:
             self._assembled[statuses] = assemble(self.interconnection, statuses, self.coupled)
         return self._assembled[statuses]
@@ -107,10 +103,7 @@ class LoopSystem:
         return abs(mode.flow)
 
     def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
-        """Return what follows an event; None where several relays begin to slide together.
-
-        Those that are held already go on being held; what the change makes them do is an event of theirs.
-        """
+        """Return what follows an event; None where several relays begin to slide together."""
         assert isinstance(mode, LoopMode)
         assert isinstance(function, LoopFunction)
         changes = function.jumped if jumped else function.reached

@@ -133,16 +133,9 @@ class FeedbackBalance(Tabular):
 def feedback_balance(
     loop: Feedback, omega_range: tuple[float, float] | None = None, order: int = ORDER
 ) -> FeedbackBalance:
-    """Balance the odd harmonics of several elements, from starts on a grid of frequency and amplitude.
+    """Balance odd harmonics of several elements, from starts on a grid of frequency and amplitude.
 
-    Args:
-        loop: A ``Feedback`` without drives.
-        omega_range: Lowest and highest angular frequency, rad/s; from the modes of the plant if not given.
-        order: Highest harmonic, odd.
-
-    Raises:
-        ValueError: if the order is not odd and positive.
-        UnsupportedMotionError: if an element has no description in time.
+    The range is in rad/s, from the modes of the plant if not given.
     """
     if whole_number("order", order, 1) % 2 == 0:
         raise ValueError(f"order must be odd, not {order!r}: elements have no even harmonics")

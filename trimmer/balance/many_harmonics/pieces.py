@@ -19,12 +19,7 @@ Piece = tuple[float, float, Callable[[Reals], Reals]]
 
 
 def corner_pieces(component: CornerComponent, given: OddPolynomial) -> list[Piece]:
-    """Return phases from and to, rad, and the output between them, in its unit, from phase 0 to π.
-
-    Args:
-        component: The saturation or dead zone.
-        given: Its input, in its unit.
-    """
+    """Return phases from and to, rad, and the output between them, in its unit, from phase 0 to π."""
 
     def output(phase: Reals) -> Reals:
         place = given(phase)
@@ -37,12 +32,7 @@ def corner_pieces(component: CornerComponent, given: OddPolynomial) -> list[Piec
 
 
 def relay_pieces(component: ThresholdComponent, given: OddPolynomial) -> list[Piece] | None:
-    """Return the pieces of half a period from where the output becomes positive; None if it never does.
-
-    Args:
-        component: The relay.
-        given: Its input, in its unit.
-    """
+    """Return the pieces of half a period from where the output becomes positive; None if it never does."""
     switches = switching_phases(component, given)
     if switches is None:
         return None
@@ -53,10 +43,7 @@ def relay_pieces(component: ThresholdComponent, given: OddPolynomial) -> list[Pi
 
 
 def switching_phases(component: ThresholdComponent, given: OddPolynomial) -> tuple[float, float] | None:
-    """Return where the output becomes positive, and where it does not stay so, rad; None if it never does.
-
-    Where the input passes ``on`` several times before it passes ``off``, the first one counts.
-    """
+    """Return where the output becomes positive, and where it first does not stay so, rad; None if never."""
     phases = np.linspace(0.0, 2.0 * math.pi, POINTS)
     lowest = float(phases[np.argmin(given(phases))])
     # From there on the input first rises through a limit that is above it.

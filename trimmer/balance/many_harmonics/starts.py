@@ -75,14 +75,7 @@ def starts(
     places: tuple[list[int], list[int]],
     omega_range: tuple[float, float],
 ) -> list[Start]:
-    """Return where to begin, the nearest to a balance first.
-
-    Args:
-        plant: The plant.
-        elements: The elements.
-        places: Numbers of the outputs that they take, and of the inputs that they feed.
-        omega_range: Lowest and highest angular frequency, rad/s.
-    """
+    """Return where to begin, the nearest to a balance first, in a range of angular frequencies, rad/s."""
     omegas = np.geomspace(*omega_range, OMEGAS)
     G = responses(plant, *places, omegas)[:, None]
     found = []

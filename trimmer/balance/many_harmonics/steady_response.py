@@ -45,20 +45,10 @@ class Flight:
 def steady_response(
     element: Element, given: OddPolynomial, omega: float, of_velocity: bool = False
 ) -> Complexes | None:
-    """Return the complex amplitudes of the output at the harmonics of the input, in the unit of the output.
+    """Return complex amplitudes of the output at the harmonics of the input; None without steady output.
 
-    They have the shape of the input's coefficients; None if there is no steady output.
-
-    The output of a backlash is the one with two contacts in a period.
-
-    Args:
-        element: Any element with a description in time.
-        given: The input, in its unit.
-        omega: Angular frequency, rad/s.
-        of_velocity: Whether the input of frictions is a velocity; else it is a displacement.
-
-    Raises:
-        UnsupportedMotionError: if the element has no motion in time.
+    They have the shape of the input's coefficients. The output of a backlash is the one with two contacts
+    in a period. The input of frictions is a velocity or a displacement.
     """
     total = np.zeros(len(given.coefficients), dtype=complex)
     for component, factor in components_of(element, of_velocity):
@@ -70,13 +60,7 @@ def steady_response(
 
 
 def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) -> Flight | None:
-    """Return the flight of a load from the upper side to the lower one; None if there is no such flight.
-
-    Args:
-        component: The backlash.
-        given: Its input, m.
-        omega: Angular frequency, rad/s.
-    """
+    """Return the flight of a load from the upper side to the lower one; None if there is no such flight."""
     gamma, half_gap = omega * component.time_constant, 0.5 * component.gap
 
     def force(phase: Reals) -> Reals:
@@ -103,12 +87,7 @@ def flight_of(component: BacklashComponent, given: OddPolynomial, omega: float) 
 
 
 def switch_of(component: RelayComponent, given: OddPolynomial) -> float | None:
-    """Return the phase at which the output of a relay becomes negative, rad; None if it never does.
-
-    Args:
-        component: The relay.
-        given: Its input, in its unit.
-    """
+    """Return the phase at which the output of a relay becomes negative, rad; None if it never does."""
     derivative = int(component.of_rate)
     return falls_through_zero(lambda phase: given(phase, derivative), *_period_around(given))
 

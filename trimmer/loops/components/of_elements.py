@@ -71,17 +71,7 @@ class ViscousComponent(Component):
 
 
 def components_of(element: Element, of_velocity: bool = False) -> list[tuple[Component, float]]:
-    """Return the components of an element in the order of its terms, each with the factor of its output.
-
-    A component has the units of its term; the factors of nested scaled elements are multiplied.
-
-    Args:
-        element: The element.
-        of_velocity: Whether the input of frictions is a velocity; else it is a displacement.
-
-    Raises:
-        UnsupportedMotionError: if the element has no motion in time, as one that is frozen at a frequency.
-    """
+    """Return the components of an element, in the units of its terms, and the factors of their outputs."""
     match element:
         case SumOfElements():
             return [part for term in element.terms for part in components_of(term, of_velocity)]

@@ -110,10 +110,7 @@ class RelayComponent(Component):
         )
 
     def slip(self, forwards: bool) -> tuple[Transition, Transition]:
-        """Return what follows where the holding output reaches a limit, and where it is beyond it at once.
-
-        At a located slip the rate of s is zero too, unless the output drops.
-        """
+        """Return what follows where the holding output reaches a limit, and where it is beyond it at once."""
         target = PLUS if forwards else MINUS
         known = 1 if self.drops else 2
         return Transition(EventKind.SLIP, target, (), (known,)), Transition(EventKind.SLIP, target, (), (1,))

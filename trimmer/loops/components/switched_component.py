@@ -168,10 +168,7 @@ class Component(ABC):
         return 0
 
     def mirrored(self, mode: int) -> int:
-        """Return the mode in place of ``mode`` when input, states and output change their signs.
-
-        Orbits that are their own mirror image after half a period are found with it.
-        """
+        """Return the mode in place of ``mode`` when input, states and output change their signs."""
         return mode
 
     @property
@@ -192,22 +189,13 @@ class Component(ABC):
         return signals.input
 
     def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
-        """Return the event functions of a mode.
-
-        Args:
-            mode: Number of the mode.
-            signals: The rows of the component in it.
-            attracting: Whether a constrained output could hold the switching function at zero.
-        """
+        """Return the event functions of a mode; attracting if a constrained output could hold it."""
         return ()
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Return the mode and the own states, shape (state_count,), to start from.
+        """Return the mode and the own states, (state_count,), for a requested output.
 
-        Args:
-            input_value: Input at t = 0.
-            switching_value: Switching function, or its first derivative that is not zero.
-            output: Requested output, which the input may rule out.
+        The switching function, or its first derivative that is not zero, may rule that output out.
         """
         return 0, np.zeros(self.state_count)
 

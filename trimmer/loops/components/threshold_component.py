@@ -95,11 +95,7 @@ class ThresholdComponent(Component):
         return EventFunction(row, reached, jumped, continuous=1)
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
-        """Start with the output that is asked for, where the input leaves a choice.
-
-        Asked for nothing, the relay starts silent if it has a dead zone, and else with the sign of the input;
-        at rest at zero, with the positive output.
-        """
+        """Start with the output that is asked for, or silent, or with the sign of the input."""
         may = {
             POSITIVE: input_value > self.off or input_value >= self.on,
             NEGATIVE: input_value < -self.off or input_value <= -self.on,

@@ -54,23 +54,11 @@ def complementary_mode(
 ) -> tuple[int, ...] | None:
     """Return the modes of all components in which relays go on whose switching functions are zero.
 
-    What breaks away has its kinetic force from then on, and all is decided again: it may be held after all,
-    where others that broke away with it push it back.
-
-    First the rates of the switching functions decide, by the complementarity problem of
-    ``trimmer.hybrid.dry_friction``. Where they are zero and what is held is at a limit of all, the
-    next derivatives do, as often as needed.
-
-    Args:
-        system: The loop.
-        statuses: The present modes; the other components keep theirs.
-        state: Extended state.
-        relays: Those whose switching functions are zero, by their numbers among the components; the output of
-            each must work against the rate of its switching function.
-        broken: Those of them that are beyond what they can hold; they have their kinetic force.
-
-    Returns:
-        The modes, or None if the outputs have no symmetric influence, as those of bodies have.
+    What breaks away has its kinetic force from then on, and all is decided again: it may be held after
+    all, where others that broke away with it push it back. First the rates of the switching functions
+    decide, by the complementarity problem of ``trimmer.hybrid.dry_friction``. Where they are zero and
+    what is held is at a limit of all, the next derivatives do, as often as needed. None if the outputs
+    have no symmetric influence, as those of bodies have.
     """
     chosen = tuple(PLUS if k in relays else status for k, status in enumerate(statuses))
     at_rest = _at_rest(system, chosen, relays, broken)
@@ -143,10 +131,7 @@ def _distribute(
 def _bounds_of_rates(
     system: LoopSystem, at_rest: _AtRest, held: Places, state: Reals, derivative: int, chosen: tuple[int, ...]
 ) -> tuple[Reals, Reals] | None:
-    """Return where a derivative of the forces may go; None if they are inside all facets, or there are none.
-
-    A facet is touched if its distance and all its derivatives before this one are zero.
-    """
+    """Return where a derivative of the forces may go; None if inside all facets, or without any."""
     if not held.size:
         return None
     vectors = elementary_vectors(at_rest.directions[held])

@@ -63,10 +63,10 @@ class CoupledRelays:
         return tuple(closed)
 
     def facets(self, component_modes: tuple[int, ...]) -> Iterator[tuple[Reals, float]]:
-        """Yield a vector y and a bound for each facet of what the held members can hold.
+        """Yield vectors y and bounds, of both signs: held members can hold while y · outputs <= bound.
 
-        They can hold while y · outputs <= bound, with the outputs of all members; and where that ends, those
-        with y > 0 go on to a positive output, those with y < 0 to a negative one. Each comes with both signs.
+        Where that ends, those with y > 0 go on to a positive output, those with y < 0 to a negative
+        one.
         """
         held = tuple(np.flatnonzero(self.held(component_modes)).tolist())
         for vector in self._facets[held] if held else ():
@@ -119,11 +119,7 @@ def _dependent(relays: list[int], directions: list[Reals]) -> tuple[tuple[int, .
 
 
 def symmetrizing_scales(influence: Reals) -> Reals | None:
-    """Return s > 0 for which influence / s, column by column, is symmetric, up to rounding; None if none is.
-
-    Args:
-        influence: (m, m), finite, its diagonal of one sign.
-    """
+    """Return s > 0 for which an influence, (m, m), over s by column is symmetric; None if none is."""
     scales, unknown = np.ones(len(influence)), set(range(len(influence)))
     if not unknown:
         return scales

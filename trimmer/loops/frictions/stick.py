@@ -21,12 +21,9 @@ DEPENDENT = 1e-10
 def projection(held: Reals, pushes: Reals) -> Reals:
     """Return the matrix, n x n, that moves a state along forces to where functions of it are zero.
 
-    For frictions this is the projection in the metric of the masses. Bodies that are held together get the
-    same velocity, and those held to the ground none, without rounding.
-
-    Args:
-        held: The functions as rows over the state, m x n; they may depend on each other.
-        pushes: What the force that holds each does to the state, n x m.
+    Functions are m x n and may depend on each other, what the forces do is n x m. For frictions this is
+    the projection in the metric of the masses, without rounding in the velocities of what is held
+    together.
     """
     influence = held @ pushes
     sizes = np.sqrt(abs(influence.diagonal()))
