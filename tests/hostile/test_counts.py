@@ -11,7 +11,8 @@ from tests.hostile.commands import called
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLURAL = re.compile(
-    r"\b1 (starts|motions|orbits|periods|trials|cells|samples|numbers|values|points|spectra|states|rounds)\b"
+    r"(?<![\d.])1 "  # not the end of a larger number, such as that of samples per second
+    r"(starts|motions|orbits|periods|trials|cells|samples|numbers|values|points|spectra|states|rounds)\b"
 )
 
 
