@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Play, Stop
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop
 
 
 def trimmer(

@@ -14,8 +14,7 @@ from tests.mechanisms.parts import Contact, ContactMode, Curved, DryFriction, Ri
 from tests.mechanisms.rows import Rows
 from tests.mechanisms.sticking import Sticking, stick_together
 from tests.mechanisms.waves import constant
-from trimmer.mechanism import Mechanism, Structure
-from trimmer.mechanism.parts import Link
+from trimmer.mechanism import Link, Mechanism, Structure
 
 ROUNDING = 1e-14
 

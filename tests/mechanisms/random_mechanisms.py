@@ -13,23 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import (
-    COUPLINGS,
-    GROUND,
-    Body,
-    ContactLaw,
-    Force,
-    Friction,
-    Link,
-    Output,
-    Pin,
-    Play,
-    Point,
-    Stop,
-    Wall,
-)
-from trimmer.mechanism.structures.structure import Structure
+from trimmer.mechanism import Body, Friction, Link, Mechanism, Output, Pin, Play, Point, Stop, Structure, Wall
+from trimmer.mechanism.parts import COUPLINGS, GROUND, ContactLaw, Force
 
 LAWS = tuple(ContactLaw)
 

@@ -17,8 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from tests.mechanisms.waves import constant, waves_in
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Force, Pin
+from trimmer import ContactLaw, Force, Mechanism, Pin
 
 
 @dataclass

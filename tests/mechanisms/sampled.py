@@ -16,9 +16,7 @@ import numpy as np
 
 from tests.mechanisms.brute_force import BruteForce, BruteMotion, changes, start_state
 from tests.mechanisms.dynamics import System
-from trimmer import Mechanism
-from trimmer.mechanism import Cascade, Force, OutputKind, Pid, TransferController
-from trimmer.mechanism.controls.controllers import Controller
+from trimmer.mechanism import Cascade, Controller, Force, Mechanism, OutputKind, Pid, TransferController
 
 Given = Callable[[float], tuple[float, float]]
 """Reference and its rate at a time, right limits."""

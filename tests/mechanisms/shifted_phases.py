@@ -10,18 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from tests.mechanisms.random_mechanisms import random_mechanism
-from trimmer import (
-    FollowedBranch,
-    FollowSettings,
-    Mechanism,
-    MotionKind,
-    Response,
-    follow,
-    forced_orbit,
-    respond,
-)
+from trimmer import FollowedBranch, FollowSettings, Mechanism, follow, forced_orbit, respond
 from trimmer.contact.flow import MechanismFlow
-from trimmer.response import MechanismOrbit
+from trimmer.response import MechanismOrbit, MotionKind, Response
 
 PERIODS = 300
 """Drive periods to wait."""

@@ -6,8 +6,7 @@ import math
 from collections.abc import Callable
 
 from tests.mechanisms import cases
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Play, Stop
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop
 
 LAWS = tuple(ContactLaw)
 Maker = Callable[[], Mechanism]

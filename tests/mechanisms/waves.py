@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Force, Pin
+from trimmer import Force, Mechanism, Pin
 
 
 def constant(part: Pin | Force) -> float:

@@ -4,11 +4,10 @@ from itertools import permutations
 
 from hypothesis import strategies as st
 
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop
+from trimmer.mechanism import GROUND, ModalModel, Point, Structure
 from trimmer.mechanism.kinds import Kind, kinds_of
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Pin, Play, Point, Stop
 from trimmer.mechanism.structures.ends import coordinates_in, points_in
-from trimmer.mechanism.structures.structure import ModalModel, Structure
 
 POSITIVE = st.floats(0.1, 10.0)
 OR_ZERO = st.one_of(st.just(0.0), POSITIVE)

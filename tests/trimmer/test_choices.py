@@ -12,21 +12,12 @@ import pytest
 
 from report.pages.formats import Format, Paper
 from report.rendering.request import Request
+from trimmer import CoulombFriction, Signal, TrimmerParameters, pin_model, summarise, transfer_function
 from trimmer.choices import Choice, ChoiceError
-from trimmer.displacement import Displacement, DisplacementError, TrimmerBody
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
-from trimmer.linear.summary import summarise
-from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
-from trimmer.parameters import TrimmerParameters
-from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
-from trimmer.signals.missing import MissingValues
-from trimmer.signals.read import read_signal
-from trimmer.signals.signal import Signal
-from trimmer.signals.wav import BitDepth, write_wav
-from trimmer.spectra.analysis import analyse_signal
-from trimmer.spectra.spectrum import amplitude_spectrum
-from trimmer.spectra.window import Window
+from trimmer.loops import BodyFriction, TrimmerLoop
+from trimmer.signals import BitDepth, CsvLayout, DecimalSign, Delimiter, MissingValues, read_signal, write_wav
+from trimmer.spectra import Window, amplitude_spectrum, analyse_signal
+from trimmer.thesis import Displacement, DisplacementError, InputChannels, TrimmerBody, linear_model
 
 P = TrimmerParameters.thesis()
 SINE = np.sin(2 * np.pi * 110 * np.arange(8000) / 8000)

@@ -18,20 +18,12 @@ from report.judging.changes import read_claims
 from tests.damage import damaged, damaged_data
 from tests.quick import examples
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer import (
-    Mechanism,
-    TrimmerError,
-    TrimmerParameters,
-    coexisting_motions,
-    motion_map,
-    read_signal,
-)
+from trimmer import Mechanism, TrimmerError, TrimmerParameters, coexisting_motions, motion_map, read_signal
 from trimmer.command_line.main import main
-from trimmer.design.design_file import read_design_file
-from trimmer.runners.runner import SerialRunner
-from trimmer.signals.reading_wav import read_wav
-from trimmer.uncertainty.limit_cycle_samples import read_parameter_sample_file
-from trimmer.uncertainty.sample_file import read_sample_file
+from trimmer.design import read_design_file
+from trimmer.runners import SerialRunner
+from trimmer.signals import read_wav
+from trimmer.uncertainty import read_parameter_sample_file, read_sample_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TWIN = (EXAMPLES / "thesis-play.toml").read_bytes()

@@ -9,18 +9,13 @@ import pytest
 
 from tests.trimmer.design.made import OSCILLATOR, oscillator
 from tests.trimmer.runners.cells import double, zero
-from trimmer import SerialRunner, follow, respond
-from trimmer.branches.branch import BranchEnd
-from trimmer.branches.settings import FollowSettings
+from trimmer import FollowSettings, SerialRunner, follow, respond
+from trimmer.branches import BranchEnd
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.design import Stage
-from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design import DesignFile, DesignOutcome, DesignSettings, Stage, Study
+from trimmer.design.design_file import design_file_of_text
 from trimmer.design.motions import FEWEST, periods_within
-from trimmer.design.settings import DesignSettings
-from trimmer.design.study import Study
-from trimmer.design.verdict import DesignOutcome
-from trimmer.runners import ProcessRunner
-from trimmer.runners.runner import Runner
+from trimmer.runners import ProcessRunner, Runner
 from trimmer.runners.timed import TimedRunner
 
 PAST = Deadline(0.0, 1.0)

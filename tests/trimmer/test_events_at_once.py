@@ -8,19 +8,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    Mechanism,
-    TrimmerLoop,
-    TrimmerParameters,
-    forced_orbit,
-    respond,
-    simulate,
-)
+from trimmer import Body, Drive, Force, Friction, Link, Mechanism, Play, Stop, forced_orbit, respond, simulate
 from trimmer.branches.period_maps.driven_map import DrivenMap
-from trimmer.loops import BodyFriction
-from trimmer.mechanism import Body, Force, Friction, Link, Play, Stop
+from trimmer.elements import CoulombFriction
+from trimmer.thesis import BodyFriction, TrimmerLoop, TrimmerParameters
 
 HALVES = TrimmerParameters(
     **{"m1": 1.0, "m2": 1.0, "m3": 1.0, "m4": 1.0},

@@ -8,28 +8,20 @@ import control
 import pytest
 
 from trimmer import (
-    ClosedLoop,
     CoulombFriction,
-    Drive,
     FrictionBacklash,
-    OpenLoop,
-    OrbitSearch,
     Relay,
-    TrimmerLoop,
     TrimmerParameters,
-    UndecidedWarning,
-    WrongTypeError,
     harmonic_balance,
     harmonic_leakage,
     limit_cycles,
     multi_harmonic_balance,
     periodic_orbits,
-    pin_model,
 )
-from trimmer.errors import UnsupportedElementError
-from trimmer.linear import UnsupportedSystemError
-from trimmer.loops import BodyFriction
-from trimmer.orbits import Simulations
+from trimmer.errors import UndecidedWarning, UnsupportedElementError, WrongTypeError
+from trimmer.linear import UnsupportedSystemError, pin_model
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, OpenLoop, TrimmerLoop
+from trimmer.orbits import OrbitSearch, Simulations
 
 THESIS = TrimmerParameters.thesis()
 SYSTEM, PLAY = pin_model(THESIS), FrictionBacklash(4e-5)

@@ -14,9 +14,8 @@ from tests.quick import quick
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer import ClosedLoop, Mechanism, Relay, SerialRunner, basin, motion_map, periodic_orbits, respond
 from trimmer.command_line.main import main
+from trimmer.design import DesignSettings, NumberRole, VariedNumber
 from trimmer.design.motions import motions_from_starts, with_neighbours
-from trimmer.design.settings import DesignSettings
-from trimmer.design.varied_places import NumberRole, VariedNumber
 from trimmer.mechanism import Body, Output, Pin, Play
 
 OMEGA = 7.5

@@ -12,34 +12,22 @@ import pytest
 
 from tests.public_names import public_names
 from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    OpenLoop,
-    Relay,
     Signal,
-    TrimmerLoop,
-    TrimmerParameters,
     ViscousBacklash,
     ViscousFriction,
     analyse_signal,
-    energy_balance,
     forced_orbit,
     harmonic_balance,
     identify_time_constant,
     limit_cycles,
     multi_harmonic_balance,
     periodic_orbits,
-    pin_model,
     simulate,
     summarise,
-    transfer_function,
 )
-from trimmer.elements import Element
-from trimmer.loops import BodyFriction
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash, Relay
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, OpenLoop, TrimmerLoop, energy_balance
+from trimmer.thesis import Displacement, TrimmerBody, TrimmerParameters, pin_model, transfer_function
 
 THESIS = TrimmerParameters.thesis()
 PLAY = FrictionBacklash(4e-5)

@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trimmer import examples
+from trimmer import MechanismError, examples
 from trimmer.choices import Choice, ChoiceError
-from trimmer.errors import MechanismError
-from trimmer.parameters import parameter_table
 from trimmer.progress import is_silenced, silenced
+from trimmer.thesis import parameter_table
 from trimmer.toml_files import is_mechanism_file, is_parameter_file, parsed, read_text
 
 

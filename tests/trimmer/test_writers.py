@@ -14,15 +14,11 @@ import pytest
 
 from tests.public_names import public_names
 from tests.trimmer.maps.machines import linear_oscillator
-from trimmer import Signal, TrimmerError, motion_map, write_signal
+from trimmer import SerialRunner, Signal, TrimmerError, motion_map, sample, write_signal
 from trimmer.command_line.main import main
 from trimmer.files import write_atomically
-from trimmer.runners.runner import SerialRunner
 from trimmer.signals import write_wav
-from trimmer.uncertainty.sample_file import read_sample_file
-from trimmer.uncertainty.sample_inputs import SampleSettings
-from trimmer.uncertainty.sample_records import Keeping
-from trimmer.uncertainty.samples import sample
+from trimmer.uncertainty import Keeping, SampleSettings, read_sample_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")

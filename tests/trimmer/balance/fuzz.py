@@ -14,10 +14,8 @@ import numpy as np
 
 from tests.trimmer.balance.independent import Found, gain, limit_cycles_by_brute_force
 from tests.trimmer.balance.wide_loops import WideLoop
-from trimmer import ClosedLoop, harmonic_balance
+from trimmer import ClosedLoop, HarmonicBalance, LimitCycle, TrimmerError, harmonic_balance
 from trimmer.arrays import Reals
-from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
-from trimmer.errors import TrimmerError
 
 SAME = 1e-4
 """Difference in ln omega, and a tenth of that in ln A, within which two solutions are one."""

@@ -15,12 +15,9 @@ import numpy as np
 from scipy.optimize import brentq, root
 
 from tests.trimmer.balance.wide_loops import Kind, KnownRoots, WideLoop
-from trimmer import CoulombFriction, DeadZone, FrictionBacklash, Relay, Saturation, ViscousFriction
+from trimmer import CoulombFriction, DeadZone, FrictionBacklash, Preload, Relay, Saturation, ViscousFriction
 from trimmer.arrays import Complexes, Reals
-from trimmer.elements.element import Element
-from trimmer.elements.preload import Preload
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.elements import Element, ScaledElement, SumOfElements
 
 PROPORTIONAL = {Kind.RELAY, Kind.FRICTION, Kind.RELAY_AND_FRICTION, Kind.DAMPED_FRICTION, Kind.PRELOAD}
 ALONG_AXIS = 6000

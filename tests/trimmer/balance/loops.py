@@ -8,12 +8,10 @@ import control
 import numpy as np
 from scipy.linalg import expm
 
+from trimmer import FrictionBacklash, TrimmerParameters, pin_model, response_at
 from trimmer.arrays import Complexes
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.element import Element
-from trimmer.linear.frequency_response import response_at
-from trimmer.linear.model import InputChannels, pin_model
-from trimmer.parameters import TrimmerParameters
+from trimmer.elements import Element
+from trimmer.linear import InputChannels
 
 GAP = 4e-5
 FRICTION = FrictionBacklash(GAP)

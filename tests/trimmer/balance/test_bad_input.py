@@ -9,14 +9,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, THIRD_ORDER, s
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer import FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash, ViscousFriction, limit_cycles
 from trimmer.errors import FrequencyRangeError, LinearElementError, UnsupportedElementError
-from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear import UnsupportedSystemError
 
 
 @pytest.mark.parametrize(

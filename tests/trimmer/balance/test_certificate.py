@@ -12,13 +12,8 @@ import pytest
 
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP, s
 from tests.trimmer.elements.oracle import ExactBacklash
-from trimmer.balance.solve import harmonic_balance, limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.relay import Relay
-from trimmer.errors import UndecidedWarning
+from trimmer import UndecidedWarning, harmonic_balance, limit_cycles
+from trimmer.elements import CoulombFriction, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
 
 
 def test_a_continuum_is_reported_and_not_enumerated() -> None:

@@ -10,14 +10,9 @@ from hypothesis import strategies as st
 
 from tests.quick import quick
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP
-from trimmer.balance.identification import identify_time_constant
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.errors import WrongTypeError
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.model import pin_model
-from trimmer.parameters import TrimmerParameters
+from trimmer import FrictionBacklash, ViscousBacklash, WrongTypeError, identify_time_constant, limit_cycles
+from trimmer.linear import UnsupportedSystemError, pin_model
+from trimmer.thesis import TrimmerParameters
 
 
 @pytest.mark.parametrize("time_constant", quick([0.0, 3e-5, 1e-3, 0.1, math.inf], 2, 4))

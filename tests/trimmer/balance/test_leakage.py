@@ -5,12 +5,7 @@ import math
 import pytest
 
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP, THIRD_ORDER
-from trimmer.balance.leakage import harmonic_leakage
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.relay import Relay
-from trimmer.errors import WrongTypeError
-from trimmer.linear.frequency_response import response_at
+from trimmer import Relay, ViscousBacklash, WrongTypeError, harmonic_leakage, limit_cycles, response_at
 
 
 def test_leakage_of_a_relay_is_that_of_its_square_wave() -> None:

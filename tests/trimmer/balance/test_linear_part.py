@@ -9,11 +9,8 @@ import pytest
 from tests.quick import quick
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_part import LinearGain, parted, with_feedback
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.element import Element
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
-from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.elements import Element, FrictionBacklash, Relay, ViscousFriction
+from trimmer.linear import UnsupportedSystemError
 
 OMEGA = np.geomspace(0.01, 100.0, 40)
 

@@ -13,19 +13,14 @@ import pytest
 from trimmer import (
     ClosedLoop,
     Drive,
-    FrictionBacklash,
     OpenLoop,
-    Relay,
-    Saturation,
     TrimmerError,
     UndecidedWarning,
-    ViscousBacklash,
-    ViscousFriction,
     harmonic_balance,
     harmonic_leakage,
     limit_cycles,
 )
-from trimmer.elements.element import Element
+from trimmer.elements import Element, FrictionBacklash, Relay, Saturation, ViscousBacklash, ViscousFriction
 from trimmer.linear import MeasuredResponse, measured_response
 
 PLANT = control.tf([4.0], [1.0, 2.0, 1.0, 0.0])

@@ -14,11 +14,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.proportional import FALLBACK_REACH, proportional_range, solve_proportional
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
+from trimmer.elements import CoulombFriction, Element, Relay, ViscousFriction
 from trimmer.elements.expansion import Expansion
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
 from trimmer.errors import LinearElementError, UnsupportedElementError
 
 FACTOR = 4.0 / math.pi

@@ -8,20 +8,10 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import (
-    CoulombFriction,
-    Feedback,
-    FrictionBacklash,
-    Relay,
-    Saturation,
-    WrongTypeError,
-    harmonic_balance,
-    limit_cycles,
-    periodic_orbits,
-)
-from trimmer.balance import FeedbackBalance
+from trimmer import Feedback, FrictionBacklash, Relay, Saturation, WrongTypeError, periodic_orbits
+from trimmer.balance import FeedbackBalance, harmonic_balance, limit_cycles
 from trimmer.balance.many_harmonics.feedback import feedback_balance
-from trimmer.elements.element import Element
+from trimmer.elements import CoulombFriction, Element
 
 # A positioner: amplifier, motor with friction, and a sensor with a lag, before which its gear may have play.
 RATES = {"amplifier": [0, 4.0, 0], "rub": [0, -1.0, 0], "gear": [0, 0, 5.0]}

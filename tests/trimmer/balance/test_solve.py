@@ -21,14 +21,8 @@ from tests.trimmer.balance.loops import (
     solutions_on_grid,
 )
 from tests.trimmer.trimmers import exact_response, stable_systems
-from trimmer.balance.limit_cycle import Certificate, LimitCycle
-from trimmer.balance.solve import harmonic_balance, limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.relay import Relay
-from trimmer.linear.frequency_response import response_at
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash, response_at
+from trimmer.balance import Certificate, LimitCycle, harmonic_balance, limit_cycles
 
 
 @pytest.mark.parametrize("guess", [(1.897, 3478.0), (0.1203, 4609.0)])

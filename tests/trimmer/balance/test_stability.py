@@ -8,10 +8,8 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, s, simulate_play
-from trimmer import InertiaBacklash, LimitCycle, PeriodicOrbit, Relay, StaticElement, periodic_orbits
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.element import Element
+from trimmer import LimitCycle, PeriodicOrbit, limit_cycles, periodic_orbits
+from trimmer.elements import Element, FrictionBacklash, InertiaBacklash, Relay, StaticElement
 
 UNSTABLE, STABLE = limit_cycles(THESIS_LOOP, FRICTION)
 

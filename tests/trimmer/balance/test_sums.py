@@ -13,14 +13,8 @@ from hypothesis import strategies as st
 
 from tests.trimmer.balance.loops import GAP, THESIS_LOOP, THIRD_ORDER, resolved_by_grid, s, solutions_on_grid
 from tests.trimmer.trimmers import exact_response, stable_systems
-from trimmer.balance.solve import harmonic_balance, limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer import CoulombFriction, Relay, ViscousBacklash, ViscousFriction, harmonic_balance, limit_cycles
+from trimmer.elements import Element, FrictionBacklash, InertiaBacklash
 
 
 @pytest.mark.parametrize("damping", [1e-9, 0.3, 70.0])

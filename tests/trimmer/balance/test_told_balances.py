@@ -9,17 +9,8 @@ import numpy as np
 import pytest
 
 from tests.trimmer.balance.loops import THIRD_ORDER, s
-from trimmer import (
-    FrictionBacklash,
-    HarmonicBalance,
-    LimitCycle,
-    Relay,
-    ViscousBacklash,
-    ViscousFriction,
-    harmonic_balance,
-)
-from trimmer.balance import Certificate, UndecidedRegion
-from trimmer.elements import Element
+from trimmer.balance import Certificate, HarmonicBalance, LimitCycle, UndecidedRegion, harmonic_balance
+from trimmer.elements import Element, FrictionBacklash, Relay, ViscousBacklash, ViscousFriction
 
 REGION = UndecidedRegion((1.0, 2.0), (3.0, 4.0))
 CERTIFICATE = Certificate("by hand", (1.0, 9.0), True, 12, (), 0.0, 1, 1, False)

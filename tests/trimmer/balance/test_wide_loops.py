@@ -13,8 +13,7 @@ import pytest
 from tests.quick import quick
 from tests.trimmer.balance.fuzz import Outcome, judged
 from tests.trimmer.balance.wide_loops import Kind, wide_loop
-from trimmer import ClosedLoop, CoulombFriction, Relay, harmonic_balance, limit_cycles
-from trimmer.errors import UndecidedWarning
+from trimmer import ClosedLoop, CoulombFriction, Relay, UndecidedWarning, harmonic_balance, limit_cycles
 
 
 def crossings(system: control.TransferFunction) -> list[tuple[float, float]]:

@@ -10,16 +10,10 @@ from hypothesis import strategies as st
 
 from tests.trimmer.balance.loops import FRICTION, LOOP_WITH_BOTH_CHANNELS, THESIS_LOOP, THIRD_ORDER, s
 from tests.trimmer.trimmers import stable_systems
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_balance
 from trimmer.balance.loop import loop_equation
-from trimmer.balance.solve import harmonic_balance
 from trimmer.balance.winding_number import winding_number
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.elements import Element, Relay, ViscousFriction
 
 ELEMENTS = (
     FrictionBacklash(1.0),

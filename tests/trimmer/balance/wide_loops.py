@@ -14,19 +14,9 @@ from enum import Enum, auto
 import control
 import numpy as np
 
-from trimmer import (
-    CoulombFriction,
-    DeadZone,
-    FrictionBacklash,
-    InertiaBacklash,
-    Preload,
-    Relay,
-    Saturation,
-    ViscousBacklash,
-    ViscousFriction,
-)
+from trimmer import InertiaBacklash, Preload, Relay, Saturation, ViscousBacklash, ViscousFriction
 from trimmer.arrays import Complexes, Reals
-from trimmer.elements.element import Element
+from trimmer.elements import CoulombFriction, DeadZone, Element, FrictionBacklash
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ import math
 import numpy as np
 import scipy.optimize
 
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Pin, Stop
+from trimmer import Body, ContactLaw, Force, Mechanism, Pin, Stop
 
 RESTITUTION = 0.75
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from functools import cache
 
-from trimmer import FollowedBranch, FollowSettings, Mechanism, SpecialKind, follow
-from trimmer.mechanism.parts import Body, Force, Link, Play
+from trimmer import Body, FollowedBranch, FollowSettings, Force, Link, Mechanism, Play, SpecialKind, follow
 
 TURN = 2.0 * math.pi
 ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.02)

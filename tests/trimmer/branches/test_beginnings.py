@@ -14,11 +14,10 @@ import pytest
 from tests.trimmer.branches.bouncing_ball import ball, thrown
 from tests.trimmer.branches.maps import Cubic, Failing, Logistic, Ring
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer import ContactLaw, FollowSettings, Mechanism, WrongTypeError, follow
-from trimmer.branches.branch import BranchEnd
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop, follow
+from trimmer.branches import BranchEnd, FollowSettings
 from trimmer.branches.continuation import continuation
-from trimmer.errors import MechanismError, UnsupportedMotionError
-from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.errors import MechanismError, UnsupportedMotionError, WrongTypeError
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 QUIET = FollowSettings(switches=0, quiet=True)

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.servos import STICTION
-from trimmer.branches.branch import BranchEnd
+from trimmer import Mechanism, follow
+from trimmer.branches import BranchEnd
 from trimmer.branches.endless_period import endless_period
-from trimmer.branches.follow import follow
-from trimmer.mechanism.mechanism import Mechanism
 
 
 def test_laws_whose_end_is_known() -> None:

@@ -18,9 +18,8 @@ from tests.trimmer.branches.published import (
     in_a_dead_zone,
     oscillator_with_a_stop,
 )
-from trimmer import FollowedBranch, FollowSettings, Mechanism, SpecialKind, follow, forced_orbit
-from trimmer.branches.branch import BranchEnd
-from trimmer.mechanism.parts import Body, Force, Link, Play
+from trimmer import Body, FollowSettings, Force, Link, Mechanism, Play, SpecialKind, follow, forced_orbit
+from trimmer.branches import BranchEnd, FollowedBranch
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 COARSE = FollowSettings(switches=0, quiet=True, largest_step=0.2)

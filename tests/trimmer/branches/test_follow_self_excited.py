@@ -12,22 +12,16 @@ from scipy.optimize import brentq
 from tests.mechanisms.brute_force import BruteForce, extend, settle
 from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
-from trimmer.balance.solve import limit_cycles
-from trimmer.branches.branch import BranchEnd
-from trimmer.branches.follow import follow
-from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.loci.follow_special import follow_special
-from trimmer.branches.settings import FollowSettings
-from trimmer.branches.special import SpecialKind
+from trimmer import Body, FollowedBranch, FollowSettings, SpecialKind, follow, follow_special, limit_cycles
+from trimmer.branches import BranchEnd
 from trimmer.elements import CoulombFriction, FrictionBacklash
 from trimmer.errors import UnsupportedMotionError
 from trimmer.linear import InputChannels, pin_model
 from trimmer.loops import BodyFriction, TrimmerLoop
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, Friction, Link, Output, Pin
+from trimmer.mechanism import Friction, Link, Mechanism, Output, Pin
 from trimmer.orbits.periodic_orbits import periodic_orbits
-from trimmer.parameters import TrimmerParameters
 from trimmer.response.respond import respond
+from trimmer.thesis import TrimmerParameters
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SPEED = "pins.belt.velocity"

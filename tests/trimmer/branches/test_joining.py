@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.branches.maps import Cubic, Logistic
-from trimmer import FollowedBranch, FollowSettings, Mechanism, SpecialKind, follow
-from trimmer.branches.branch import BranchEnd
+from trimmer import Body, FollowedBranch, FollowSettings, Force, Link, Mechanism, Play, SpecialKind, follow
+from trimmer.branches import BranchEnd
 from trimmer.branches.continuation import continuation
-from trimmer.mechanism.parts import Body, Force, Link, Play
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.05)

@@ -17,11 +17,10 @@ from tests.trimmer.branches.maps import (
     Torn,
     Twice,
 )
-from trimmer.branches.branch import Branch, BranchEnd
+from trimmer.branches import BranchEnd, FollowSettings, SpecialKind
+from trimmer.branches.branch import Branch
 from trimmer.branches.continuation import continuation
 from trimmer.branches.period_maps.period_map import Phase
-from trimmer.branches.settings import FollowSettings
-from trimmer.branches.special import SpecialKind
 
 COARSE = FollowSettings(largest_step=0.05)
 CASCADE = (3.0, 1.0 + 6.0**0.5, 3.544090359551, 3.564407266095, 3.568759419544)

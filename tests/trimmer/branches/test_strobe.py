@@ -12,9 +12,8 @@ from tests.mechanisms.shifted_phases import differences_of_branches, shifted, st
 from tests.quick import quick
 from tests.trimmer.branches.bouncing_ball import ball, damping, fold, resting, thrown
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer import FollowSettings, Mechanism, SpecialKind, follow, follow_special, forced_orbit
+from trimmer import ContactLaw, FollowSettings, Mechanism, SpecialKind, follow, follow_special, forced_orbit
 from trimmer.branches import LocusRanges, LocusSettings
-from trimmer.mechanism.parts import ContactLaw
 
 QUIET, LOCUS = FollowSettings(quiet=True, largest_step=0.05), LocusSettings(quiet=True)
 ALONE = FollowSettings(quiet=True, switches=0, largest_step=0.1)

@@ -11,8 +11,7 @@ import pytest
 
 from tests.trimmer import results
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer import FollowSettings, Mechanism, SpecialKind, follow
-from trimmer.mechanism.parts import Force
+from trimmer import FollowSettings, Force, Mechanism, SpecialKind, follow
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 FEW = FollowSettings(most_points=2, quiet=True)

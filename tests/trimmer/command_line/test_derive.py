@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from trimmer.command_line.main import main
-from trimmer.mechanism.linear.matrices import linear_matrices
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, linear_matrices
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 BELT = EXAMPLES / "block-on-belt.toml"

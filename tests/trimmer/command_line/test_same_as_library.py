@@ -13,12 +13,8 @@ from tests.trimmer.command_line.inputs import AMPLITUDES, DRIVE, write_inputs
 from trimmer.command_line.main import main
 from trimmer.command_line.signals import signal_options, spectrum
 from trimmer.progress import progress_bar, silenced
-from trimmer.signals.csv_layout import DecimalSign, Delimiter
-from trimmer.signals.missing import MissingValues
-from trimmer.signals.quantity import MotionQuantity
-from trimmer.signals.sampling import Gaps
-from trimmer.signals.wav import BitDepth
-from trimmer.spectra.window import Window
+from trimmer.signals import BitDepth, DecimalSign, Delimiter, Gaps, MissingValues, MotionQuantity
+from trimmer.spectra import Window
 
 LOOP = ["--element", "friction", "--gap", "4e-5", "--channels", "displacement", "--json"]
 

@@ -17,18 +17,7 @@ from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.mechanisms.tricky_mechanisms import TRICKY
 from tests.quick import examples, quick
 from tests.trimmer.contact.exact import exact_motion
-from trimmer.mechanism import (
-    Body,
-    ContactLaw,
-    Force,
-    Friction,
-    Link,
-    Mechanism,
-    Output,
-    Pin,
-    Play,
-    Stop,
-)
+from trimmer.mechanism import Body, ContactLaw, Force, Friction, Link, Mechanism, Output, Pin, Play, Stop
 
 # The longest error that is taken for the brute force's own, in periods and in usual sizes of states.
 LARGEST = 1e-8

@@ -10,17 +10,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.trimmer.servos import SERVO
-from trimmer import Mechanism, simulate
+from trimmer import Body, Friction, Link, Mechanism, Output, Play, simulate
 from trimmer.mechanism import (
-    Body,
     Cascade,
     Controller,
-    Friction,
-    Link,
-    Output,
     OutputKind,
     Pid,
-    Play,
     ProfileReference,
     RampReference,
     Reference,

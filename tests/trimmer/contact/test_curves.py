@@ -11,8 +11,7 @@ from scipy.integrate import solve_ivp
 from tests.mechanisms.random_mechanisms import curved, random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
-from trimmer import Mechanism, forced_orbit, respond, simulate
-from trimmer.mechanism import Body, Force, Friction, Link, Output
+from trimmer import Body, Force, Friction, Link, Mechanism, Output, forced_orbit, respond, simulate
 
 HARDENING = """
 frequency = 0.25

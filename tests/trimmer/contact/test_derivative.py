@@ -10,8 +10,7 @@ from scipy.linalg import expm
 
 from tests.mechanisms.cases import trimmer
 from tests.trimmer.contact.exact import derivative
-from trimmer import ContactLaw, Mechanism, forced_orbit, simulate
-from trimmer.mechanism import Body, Force, Friction, Link, Pin, Stop
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Stop, forced_orbit, simulate
 
 BETWEEN = ("ground", "body")
 FLIGHT, CONTACT = 0.5 / 0.7, 0.05

@@ -12,9 +12,8 @@ from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.equations_of_motion import accelerations
 from derivations.symbols import t
 from tests.quick import quick
-from trimmer import simulate
+from trimmer import ContactLaw, Mechanism, Stop, simulate
 from trimmer.in_symbols.mechanism import symbolic_mechanism
-from trimmer.mechanism import ContactLaw, Mechanism, Stop
 
 PLAY = Path(__file__).parents[3] / "examples" / "thesis-play.toml"
 STEP = 1e-8

@@ -11,18 +11,9 @@ import pytest
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
-from trimmer import (
-    Mechanism,
-    MechanismError,
-    MotionKind,
-    OrbitNotFoundError,
-    follow,
-    forced_orbit,
-    motion_map,
-    respond,
-    simulate,
-)
-from trimmer.mechanism import Body, Force, Link, Output, Pin, Stop
+from trimmer import MotionKind, OrbitNotFoundError, follow, forced_orbit, motion_map, respond, simulate
+from trimmer.errors import MechanismError
+from trimmer.mechanism import Body, Force, Link, Mechanism, Output, Pin, Stop
 
 PASSES = control.tf([1.0], [0.2, 6.0, 2000.0])
 

@@ -14,8 +14,7 @@ import pytest
 
 from tests.mechanisms.brute_force import EventKind
 from tests.trimmer.contact.exact import ExactMotion, exact_motion
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Stop
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Stop
 
 GROUND_TO_BODY = ("ground", "body")
 

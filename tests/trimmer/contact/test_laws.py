@@ -16,8 +16,7 @@ from tests.mechanisms.comparison import difference
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import all_with, random_mechanism
 from tests.trimmer.contact.exact import ExactMotion, exact_motion
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Link, Play
+from trimmer import ContactLaw, Link, Mechanism, Play
 
 # Periods, short enough that rounding does not grow to a difference in chaotic motions.
 PERIODS = 1.5

@@ -9,9 +9,8 @@ from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.differences import monodromy, once_around
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import random_mechanism
-from trimmer import Mechanism, forced_orbit, simulate
-from trimmer.mechanism import Body, Force, Friction, Link
-from trimmer.response.orbit import MechanismOrbit
+from trimmer import Body, Force, Friction, Link, Mechanism, forced_orbit, simulate
+from trimmer.response import MechanismOrbit
 
 # Seeds of mechanisms that settle, and the drive periods after which they repeat.
 QUICK = {98: 1}

@@ -14,8 +14,7 @@ from tests.mechanisms.outputs import output_row
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_curves import with_curves
-from trimmer import Mechanism, respond, simulate
-from trimmer.mechanism import Output
+from trimmer import Mechanism, Output, respond, simulate
 from trimmer.motion.measures import Measures
 
 WITH_FORCE = ("links", "plays", "stops", "frictions")

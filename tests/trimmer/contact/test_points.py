@@ -14,18 +14,7 @@ from tests.mechanisms.random_mechanisms import levered, random_mechanism, turned
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
 from trimmer import Mechanism, forced_orbit, respond, simulate
-from trimmer.mechanism import (
-    Body,
-    Force,
-    Friction,
-    Link,
-    Output,
-    Pin,
-    Play,
-    Point,
-    Stop,
-    linear_matrices,
-)
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Point, Stop, linear_matrices
 
 LEVER = """
 frequency = 40.0

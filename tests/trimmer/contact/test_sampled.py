@@ -11,24 +11,11 @@ from scipy.linalg import expm
 
 from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
 from tests.quick import quick
-from trimmer import Mechanism, MechanismError, OrbitNotFoundError, follow, forced_orbit, respond, simulate
-from trimmer.branches.settings import FollowSettings
+from trimmer import Body, FollowSettings, Force, Link, Mechanism, follow, forced_orbit, respond, simulate
 from trimmer.contact.flow import MechanismFlow
-from trimmer.mechanism import (
-    Body,
-    Cascade,
-    Force,
-    Link,
-    Output,
-    Pid,
-    Play,
-    StepReference,
-    TransferController,
-    Wall,
-)
-from trimmer.mechanism.controls.controllers import Controller
-from trimmer.response.response import MotionKind
-from trimmer.response.step import step_response
+from trimmer.errors import MechanismError, OrbitNotFoundError
+from trimmer.mechanism import Cascade, Controller, Output, Pid, Play, StepReference, TransferController, Wall
+from trimmer.response import MotionKind, step_response
 
 INERTIA = np.array([2e-4, 5e-4])
 STIFF, DAMPED, DRAG = 80.0, 0.02, 0.001

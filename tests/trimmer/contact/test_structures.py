@@ -15,25 +15,11 @@ from tests.mechanisms.energy import energy
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
-from trimmer import forced_orbit, simulate
+from trimmer import Body, Force, Friction, Link, Mechanism, forced_orbit, simulate
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.frame import frame_of
 from trimmer.hybrid.propagation import MANY_STEPS
-from trimmer.mechanism import (
-    Body,
-    Force,
-    Friction,
-    LinearMatrices,
-    Link,
-    Mechanism,
-    ModalModel,
-    Output,
-    Pin,
-    Point,
-    Stop,
-    Structure,
-    linear_matrices,
-)
+from trimmer.mechanism import LinearMatrices, ModalModel, Output, Pin, Point, Stop, Structure, linear_matrices
 
 CHAIN = Mechanism(
     {"a": Body(1.0), "b": Body(0.4), "c": Body(2.0)},

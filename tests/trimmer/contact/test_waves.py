@@ -13,9 +13,8 @@ import pytest
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
-from trimmer import Mechanism, MechanismError, respond, simulate
+from trimmer import Body, Force, Friction, Link, Mechanism, MechanismError, Output, Pin, respond, simulate
 from trimmer.command_line.main import main
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin
 from trimmer.mechanism.waves import left_out, waves_of
 
 SAMPLES = tuple((1e-3 * np.random.default_rng(27).normal(size=33)).tolist())

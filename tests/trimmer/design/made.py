@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from trimmer import Mechanism, MotionKind
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.motion_signals import MotionSignals
+from trimmer.design import FoundMotion, MotionSignals
 from trimmer.motion.measures import OutputMeasures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 

@@ -7,15 +7,10 @@ import math
 import pytest
 
 from tests.trimmer.servos import STICTION
-from trimmer import MechanismError, SerialRunner
+from trimmer import MechanismError, MotionKind, SerialRunner
+from trimmer.design import DesignOutcome, DesignSettings, Measure, MeasureOfPart, NumberRole, Study
 from trimmer.design.design_file import DesignFile, design_file_of_text
-from trimmer.design.settings import DesignSettings
-from trimmer.design.study import Study
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
-from trimmer.design.varied_places import NumberRole
-from trimmer.design.verdict import DesignOutcome
-from trimmer.response.response import MotionKind
+from trimmer.design.trial import TrialWork, all_measures
 from trimmer.uncertainty.sample_file import sample_file_of_text
 
 AXIS = """

@@ -10,14 +10,10 @@ import pytest
 
 from tests.trimmer.design.made import contact, motion, oscillator, output
 from tests.trimmer.design.test_axis import AXIS, overshoot
-from trimmer import Mechanism, SerialRunner
-from trimmer.design.comparison import ChangedNumber, MeasureDifference, compared
+from trimmer import ContactLaw, Link, Mechanism, SerialRunner, Stop
+from trimmer.design import FoundMotion, Measure, MeasureDifference, MeasureOfPart, Study, compared
+from trimmer.design.comparison import ChangedNumber
 from trimmer.design.design_file import design_file_of_text
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.study import Study
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart
-from trimmer.mechanism import ContactLaw, Link, Stop
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")
 

@@ -8,15 +8,13 @@ import numpy as np
 import pytest
 
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
-from trimmer import Mechanism, MotionKind, SerialRunner, forced_orbit
+from trimmer import Friction, Mechanism, MotionKind, SerialRunner, Stop, forced_orbit
 from trimmer.deadline import NEVER
+from trimmer.design import DesignSettings, Measure, MeasureOfPart, Target
 from trimmer.design.motions import motions_from_starts
 from trimmer.design.remedy_search import remedies
 from trimmer.design.sensitivity import sensitivities
-from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, TrialWork
-from trimmer.mechanism import Friction, Stop
+from trimmer.design.trial import TrialWork
 from trimmer.runners.timed import TimedRunner
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")

@@ -7,11 +7,9 @@ import pytest
 import scipy.linalg
 
 from trimmer import TrimmerParameters, modes
-from trimmer.design.design_file import DesignFile
-from trimmer.design.found_motion import FoundMotion
+from trimmer.design import DesignFile, FoundMotion
 from trimmer.design.linear import linear_states
-from trimmer.mechanism import linear_matrices
-from trimmer.mechanism.linear.outputs import Contacts
+from trimmer.mechanism import Contacts, linear_matrices
 
 
 def test_the_linear_trimmer_has_the_modes_of_its_other_model(linear_file: DesignFile) -> None:

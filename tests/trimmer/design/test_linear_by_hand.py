@@ -7,10 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from trimmer import Mechanism
 from trimmer.design.linear import driving, linear_states
-from trimmer.mechanism.linear.outputs import Contacts
-from trimmer.mechanism.parts import ContactLaw
+from trimmer.mechanism import ContactLaw, Contacts, Mechanism
 
 THREE = Mechanism.from_toml_text("""
     frequency = 7.0

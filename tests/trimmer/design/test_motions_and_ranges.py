@@ -5,15 +5,14 @@ from __future__ import annotations
 import pytest
 
 from trimmer import SerialRunner
-from trimmer.design.design_file import DesignFile, design_file_of_text
-from trimmer.design.found_motion import FoundMotion
+from trimmer.design import DesignFile, DesignOutcome, DesignSettings, FoundMotion, LineKind, Motions
+from trimmer.design.design_file import design_file_of_text
 from trimmer.design.linear import linear_states
-from trimmer.design.motions import Motions, motions_from_starts
+from trimmer.design.motions import motions_from_starts
 from trimmer.design.plausible import questions
 from trimmer.design.ranges import study_ranges
-from trimmer.design.settings import DesignSettings
-from trimmer.design.spectrum import LineKind, spectra
-from trimmer.design.verdict import DesignOutcome, verdict_on
+from trimmer.design.spectrum import spectra
+from trimmer.design.verdict import verdict_on
 from trimmer.examples import example_text
 
 QUICK = DesignSettings(starts=2, range_points=9, cell_periods=200)

@@ -10,15 +10,13 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.design.made import motion, oscillator, output
-from trimmer import Mechanism, MotionKind, SerialRunner
+from trimmer import Mechanism, MotionKind, SerialRunner, WrongTypeError
 from trimmer.deadline import NEVER
-from trimmer.design.design import Stage
-from trimmer.design.design_file import DesignFile, OpenRange, read_design_file
+from trimmer.design import DesignFile, FoundMotion, Motions, OpenRange, Remedies, Stage, read_design_file
 from trimmer.design.forecast import AMPLE, EFFORT
-from trimmer.design.found_motion import FoundMotion
 from trimmer.design.keeping import Keeper
-from trimmer.design.motions import Motions, motions_from_starts, with_neighbours
-from trimmer.design.remedies import Mend, Remedies
+from trimmer.design.motions import motions_from_starts, with_neighbours
+from trimmer.design.remedies import Mend
 from trimmer.design.remedy_search import ALIKE, remedies
 from trimmer.design.sensitivity import Elasticity, Sensitivities, Sensitivity, designable, sensitivities
 from trimmer.design.settings import DesignSettings
@@ -28,7 +26,6 @@ from trimmer.design.surroundings import SPEEDS, Beside, conditions_of
 from trimmer.design.targets import Measure, Target
 from trimmer.design.trial import MeasureOfPart
 from trimmer.design.varied_places import NumberRole, VariedNumber, varied_places
-from trimmer.errors import WrongTypeError
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 from trimmer.runners.timed import TimedRunner
 from trimmer.uncertainty import Scatter, Uncertainty, Uniform

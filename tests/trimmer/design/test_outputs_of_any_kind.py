@@ -7,10 +7,8 @@ import pytest
 
 from tests.trimmer.design.made import OSCILLATOR
 from trimmer import MechanismError, SerialRunner
+from trimmer.design import DesignOutcome, DesignSettings, Study
 from trimmer.design.design_file import design_file_of_text
-from trimmer.design.settings import DesignSettings
-from trimmer.design.study import Study
-from trimmer.design.verdict import DesignOutcome
 
 OTHERS = """
 speed = { velocity = { block = 1 } }

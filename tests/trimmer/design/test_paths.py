@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
-from trimmer.branches.branch import BranchEnd
-from trimmer.branches.special import SpecialKind
-from trimmer.design.paths import PathSide, SpecialOnPath, path_through
-from trimmer.design.varied_places import NumberRole, VariedNumber
+from trimmer.branches import BranchEnd, SpecialKind
+from trimmer.design import NumberRole, PathSide, SpecialOnPath, VariedNumber
+from trimmer.design.paths import path_through
 
 
 def special(kind: SpecialKind, value: float) -> SpecialOnPath:

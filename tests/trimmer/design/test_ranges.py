@@ -12,11 +12,9 @@ from scipy.stats import qmc
 
 from tests.trimmer.design.made import oscillator
 from trimmer import MotionKind
-from trimmer.design.design_file import OpenRange
-from trimmer.design.ranges import RangeStudy, study_ranges
-from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, Trial, TrialWork
+from trimmer.design import DesignSettings, Measure, MeasureOfPart, OpenRange, RangeStudy, Target, Trial
+from trimmer.design.ranges import study_ranges
+from trimmer.design.trial import TrialWork
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")
 TARGET = Target("stroke_at_least", Measure.STROKE, "block", 3.0)

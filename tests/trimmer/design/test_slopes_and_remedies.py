@@ -7,13 +7,9 @@ import dataclasses
 import numpy as np
 
 from trimmer import FollowSettings, forced_orbit
-from trimmer.design.design_file import DesignFile
-from trimmer.design.found_motion import FoundMotion
+from trimmer.design import DesignFile, DesignSettings, FoundMotion, Measure, MeasureOfPart, NumberRole
 from trimmer.design.paths import path_through
-from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart
-from trimmer.design.varied_places import NumberRole, varied_places
+from trimmer.design.varied_places import varied_places
 
 STROKE = MeasureOfPart(Measure.STROKE, "stroke")
 QUICK = DesignSettings(starts=2, cell_periods=200)

@@ -6,14 +6,10 @@ import math
 
 import pytest
 
-from trimmer import MechanismError, SerialRunner, simulate
-from trimmer.design.design_file import DesignFile, design_file_of_text
-from trimmer.design.settings import DesignSettings
-from trimmer.design.study import Study
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
-from trimmer.design.verdict import DesignOutcome, Sureness
-from trimmer.response.response import MotionKind
+from trimmer import MechanismError, MotionKind, SerialRunner, simulate
+from trimmer.design import DesignFile, DesignOutcome, DesignSettings, Measure, MeasureOfPart, Study, Sureness
+from trimmer.design.design_file import design_file_of_text
+from trimmer.design.trial import TrialWork, all_measures
 
 MACHINE = """
 [bodies]

@@ -8,11 +8,10 @@ from dataclasses import replace
 import pytest
 
 from tests.trimmer.design.made import oscillator, oscillator_amplitude
-from trimmer import Mechanism, MotionKind
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
+from trimmer import Friction, Mechanism, MotionKind
+from trimmer.design import Measure, MeasureOfPart, Target
+from trimmer.design.trial import TrialWork, all_measures
 from trimmer.examples import example_text
-from trimmer.mechanism import Friction
 
 STROKE, PERIOD = MeasureOfPart(Measure.STROKE, "block"), MeasureOfPart(Measure.PERIOD, "")
 

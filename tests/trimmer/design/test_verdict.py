@@ -9,11 +9,8 @@ import pytest
 
 from tests.trimmer.design.made import motion, output
 from trimmer import MotionKind
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.motions import Motions
-from trimmer.design.ranges import RangeStudy
-from trimmer.design.targets import Measure, Target
-from trimmer.design.verdict import DesignOutcome, JudgedTarget, Sureness, verdict_on
+from trimmer.design import DesignOutcome, FoundMotion, JudgedTarget, Measure, Motions, RangeStudy, Target
+from trimmer.design.verdict import Sureness, verdict_on
 
 STROKE = Target("stroke_at_least", Measure.STROKE, "stroke", 2.5e-3)
 SPEED = Target("impact_speed_at_most", Measure.IMPACT_SPEED, "bridge", 0.25)

@@ -24,6 +24,7 @@ from matplotlib.patches import PathPatch
 import trimmer
 from tests.trimmer import results
 from tests.trimmer.maps.machines import impact_oscillator
+from trimmer import SerialRunner, sample
 from trimmer.drawing.frequency_response import summary_figure
 from trimmer.drawing.locus import balance_figure
 from trimmer.drawing.mechanisms.branch import branch_figure
@@ -31,10 +32,8 @@ from trimmer.drawing.mechanisms.response import motion_figure, response_figure
 from trimmer.drawing.mechanisms.scatter import sample_figure
 from trimmer.drawing.signals.comparison import comparison_figure
 from trimmer.drawing.signals.fit import fit_figure
-from trimmer.runners.runner import SerialRunner
+from trimmer.uncertainty import Samples, SampleSettings
 from trimmer.uncertainty.sample_file import sample_file_of_text
-from trimmer.uncertainty.sample_inputs import SampleSettings
-from trimmer.uncertainty.samples import Samples, sample
 
 KEPT = Path(__file__).with_suffix(".txt")
 FEW = 8

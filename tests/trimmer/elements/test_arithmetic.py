@@ -5,16 +5,8 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.control_element import ControlElement
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element_at_frequency import ElementAtFrequency
-from trimmer.elements.relay import Relay
-from trimmer.elements.saturation import Saturation
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer import CoulombFriction, FrictionBacklash, Relay, Saturation, ViscousBacklash, ViscousFriction
+from trimmer.elements import ControlElement, ElementAtFrequency, ScaledElement, SumOfElements
 from trimmer.errors import WrongTypeError
 
 BACKLASH = ViscousBacklash(2.0, 0.1)

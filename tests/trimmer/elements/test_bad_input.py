@@ -6,18 +6,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.dead_zone import DeadZone
-from trimmer.elements.element import Element
-from trimmer.elements.element_at_frequency import ElementAtFrequency
-from trimmer.elements.preload import Preload
-from trimmer.elements.relay import Relay
-from trimmer.elements.saturation import Saturation
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer import CoulombFriction, DeadZone, FrictionBacklash, InertiaBacklash, Preload, ViscousBacklash
+from trimmer.elements import Element, ElementAtFrequency, Relay, Saturation, ScaledElement, SumOfElements
 from trimmer.elements.viscous_friction import ViscousFriction
 
 ELEMENTS: tuple[Element, ...] = (

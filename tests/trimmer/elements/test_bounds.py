@@ -7,19 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from trimmer import (
-    CoulombFriction,
-    DeadZone,
-    FrictionBacklash,
-    InertiaBacklash,
-    Preload,
-    Relay,
-    Saturation,
-    StaticElement,
-    ViscousBacklash,
-    ViscousFriction,
-)
-from trimmer.elements import Element, SumOfElements
+from trimmer import DeadZone, Preload, Relay, Saturation, StaticElement, ViscousBacklash, ViscousFriction
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash, SumOfElements
 
 BACKLASH = ViscousBacklash(4e-5, 2e-3)
 LOOP, REST = Relay(3.0, hysteresis=1e-5), Relay(0.2, 1e-5, 4e-5)

@@ -9,20 +9,9 @@ import numpy as np
 import pytest
 
 from tests.quick import quick
-from trimmer import (
-    ClosedLoop,
-    DeadZone,
-    FrictionBacklash,
-    OpenLoop,
-    Preload,
-    Relay,
-    Saturation,
-    WrongTypeError,
-    harmonic_balance,
-    harmonic_leakage,
-)
-from trimmer.elements import ControlElement, Element, ScaledElement, SumOfElements
-from trimmer.errors import UnsupportedElementError
+from trimmer import ClosedLoop, DeadZone, FrictionBacklash, OpenLoop, harmonic_balance, harmonic_leakage
+from trimmer.elements import ControlElement, Element, Preload, Relay, Saturation, ScaledElement, SumOfElements
+from trimmer.errors import UnsupportedElementError, WrongTypeError
 
 PLANT = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 PAIRS = (

@@ -5,16 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.dead_zone import DeadZone
-from trimmer.elements.element import Element
-from trimmer.elements.preload import Preload
-from trimmer.elements.relay import Relay
-from trimmer.elements.saturation import Saturation
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer import CoulombFriction, DeadZone, FrictionBacklash, InertiaBacklash, Preload, ViscousBacklash
+from trimmer.elements import Element, Relay, Saturation, ViscousFriction
 
 ELEMENTS: tuple[Element, ...] = (
     FrictionBacklash(2.0),

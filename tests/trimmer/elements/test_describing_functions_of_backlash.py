@@ -10,10 +10,8 @@ from hypothesis import strategies as st
 
 from tests.quick import quick
 from tests.trimmer.elements.oracle import DIGITS, ExactBacklash, largest_ratio
+from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash
 from trimmer.elements.backlashes.backlash import Backlash
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 
 HARMONICS = (1, 3, 7)
 GAMMAS = (0.0, 1e-8, 1e-3, 0.3, 1.0, 3.0, 1e3, 1e8, math.inf)

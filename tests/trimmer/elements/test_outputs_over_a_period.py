@@ -8,10 +8,7 @@ import control
 import numpy as np
 import pytest
 
-from trimmer.elements.control_element import ControlElement
-from trimmer.elements.own_element import OwnElement, StaticElement
-from trimmer.elements.relay import Relay
-from trimmer.elements.saturation import Saturation
+from trimmer.elements import ControlElement, OwnElement, Relay, Saturation, StaticElement
 from trimmer.errors import UnsupportedElementError, WrongTypeError
 
 PLAY, LOOP = control.friction_backlash_nonlinearity(0.4), control.relay_hysteresis_nonlinearity(2.0, 0.3)

@@ -8,24 +8,9 @@ import pytest
 import scipy.special
 
 from tests.quick import quick
-from trimmer import (
-    ClosedLoop,
-    DeadZone,
-    OwnElement,
-    Preload,
-    Relay,
-    Saturation,
-    StaticElement,
-    UndecidedWarning,
-    UnsupportedMotionError,
-    ViscousBacklash,
-    WrongTypeError,
-    harmonic_balance,
-    limit_cycles,
-    simulate,
-)
-from trimmer.elements import Element
-from trimmer.errors import UnsupportedElementError
+from trimmer import ClosedLoop, ViscousBacklash, WrongTypeError, harmonic_balance, limit_cycles, simulate
+from trimmer.elements import DeadZone, Element, OwnElement, Preload, Relay, Saturation, StaticElement
+from trimmer.errors import UndecidedWarning, UnsupportedElementError, UnsupportedMotionError
 
 PLANT = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 

@@ -7,9 +7,7 @@ import matplotlib
 import numpy as np
 import pytest
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.relay import Relay
+from trimmer import FrictionBacklash, Relay, ViscousBacklash
 
 # 6/(s + 1)^3 is stable with the gain 1, and its Nyquist curve meets -1/N of backlash twice.
 PLANT = control.tf([6], [1, 3, 3, 1])

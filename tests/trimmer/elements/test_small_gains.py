@@ -5,10 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.relay import Relay
+from trimmer import FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
 from trimmer.elements.small_gains import BACKLASH_LARGEST, COASTING, GENTLEST, LEAST, STEEPEST
 
 

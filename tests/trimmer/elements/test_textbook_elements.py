@@ -13,8 +13,7 @@ from hypothesis import strategies as st
 from mpmath import mpc, mpf
 
 from tests.quick import quick
-from trimmer import DeadZone, Preload, Relay, Saturation
-from trimmer.elements import Element
+from trimmer.elements import DeadZone, Element, Preload, Relay, Saturation
 
 POINTS = [
     (1.0 + 2.0**-40, 1),

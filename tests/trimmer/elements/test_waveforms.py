@@ -5,13 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
-from trimmer.elements.relay import Relay
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
+from trimmer.elements import Element, ViscousFriction
 
 GAP = 4e-5
 OMEGA = 4000.0

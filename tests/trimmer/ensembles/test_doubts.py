@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from trimmer import TrimmerParameters
-from trimmer.displacement import Displacement
 from trimmer.ensembles.crossings import Crossings, crossings
 from trimmer.ensembles.frequencies import frequencies_near
 from trimmer.ensembles.grid import FrequencyGrid
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.responses import Responses, responses_of
-from trimmer.linear.model import InputChannels
+from trimmer.thesis import Displacement, InputChannels, TrimmerParameters
 
 THESIS = np.array([TrimmerParameters.thesis().values()])
 

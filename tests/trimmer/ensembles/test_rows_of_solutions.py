@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from trimmer.ensembles.limit_cycles import (
-    sampled_limit_cycles,
-)
-from trimmer.parameters import ParameterError, TrimmerParameters
+from trimmer.ensembles import sampled_limit_cycles
+from trimmer.thesis import ParameterError, TrimmerParameters
 
 
 def test_numbers_and_rows_mix_and_keep_their_places() -> None:

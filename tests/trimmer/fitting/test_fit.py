@@ -10,11 +10,10 @@ import pytest
 from scipy.stats import binom
 
 from tests.trimmer.fitting.made import exact, record, trimmer
-from trimmer import Mechanism, Signal
+from trimmer import Friction, Mechanism, Output, Signal, WrongTypeError
 from trimmer import fit as fit_numbers
-from trimmer.errors import FitError, WrongTypeError
+from trimmer.errors import FitError
 from trimmer.fitting import Fit, FitSettings
-from trimmer.mechanism import Friction, Output
 from trimmer.signals import SignalError
 
 GAP, DAMPING, FORCE = "plays.bridge.gap", "plays.bridge.damping", "frictions.blade.force"

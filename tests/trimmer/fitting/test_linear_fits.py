@@ -11,11 +11,10 @@ from scipy.optimize import brentq, least_squares
 from scipy.stats import f
 
 from tests.quick import quick
-from trimmer import Mechanism, Signal
+from trimmer import Body, Force, Link, Mechanism, Output, Signal
 from trimmer import fit as fit_numbers
 from trimmer.errors import FitError
 from trimmer.fitting import Fit, FitSettings
-from trimmer.mechanism import Body, Force, Link, Output
 
 DRIVE, RATE, COUNT, BEGIN = 20.0, 1000.0, 2000, 0.00723
 FORCES = {1: 50.0, 2: 30.0}

@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer import Signal
 from trimmer.fitting.doubted_drive import doubts_of
 from trimmer.fitting.measured import MeasuredLines, measure_lines
 from trimmer.fitting.unknowns import Unknown
 from trimmer.fitting.weak import weak_directions
-from trimmer.signals import SignalError
+from trimmer.signals import Signal, SignalError
 
 RATE, COUNT, DRIVE = 2000.0, 2000, 50.0
 TIMES = np.arange(COUNT) / RATE

@@ -11,11 +11,9 @@ import pytest
 
 from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.dynamics import System
-from trimmer import forced_orbit
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop, forced_orbit
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import harmonic_balance_of
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Body, ContactLaw, Force, Friction, Link, Pin, Play, Stop
 
 OMEGA = 8.0
 

@@ -10,15 +10,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Stop, UnsupportedMotionError
 from trimmer.arrays import Places, Reals
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.system import MechanismSystem
-from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.advance import Ending, advance
 from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, Mode
 from trimmer.hybrid.tables import Modes
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, ContactLaw, Force, Friction, Link, Stop, Wall
+from trimmer.mechanism import GROUND, Wall
 from trimmer.motion.course import Course
 
 FREQUENCY = 50.0

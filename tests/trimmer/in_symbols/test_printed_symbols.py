@@ -4,10 +4,9 @@ import re
 
 import pytest
 
-from trimmer.errors import MechanismError
+from trimmer import Body, Force, Friction, Link, Mechanism, MechanismError, Pin, Play, Stop
 from trimmer.in_symbols.printed_symbols import plain_name, printed_symbols
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism import GROUND
 
 
 def one_body(**sections):

@@ -22,9 +22,8 @@ from trimmer.contact.machine import machine_of
 from trimmer.generated import linear_trimmer
 from trimmer.in_symbols.mechanism import symbolic_mechanism
 from trimmer.in_symbols.printed_symbols import printed_symbols
-from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Link, Output, Pin, Play
+from trimmer.mechanism import GROUND, Body, Link, Mechanism, Output, Pin, Play, linear_matrices
+from trimmer.mechanism.linear.matrices import displacement_rows
 
 FILES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 # What a controller acts with is a given force there; tests of controllers hold the laws behind it.

@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 
 from tests.quick import quick
 from tests.trimmer.trimmers import exact_response, stable_systems, trimmers
-from trimmer.linear.crossings import RealAxisCrossing, gain_crossings, real_axis_crossings
-from trimmer.linear.model import InputChannels, pin_model, transfer_function
-from trimmer.parameters import TrimmerParameters
+from trimmer import TrimmerParameters, pin_model, transfer_function
+from trimmer.linear import InputChannels, RealAxisCrossing, gain_crossings, real_axis_crossings
 
 THESIS = TrimmerParameters.thesis()
 BUILDERS = [pin_model, transfer_function]

@@ -10,9 +10,8 @@ import pytest
 from hypothesis import given, settings
 
 from tests.trimmer.trimmers import exact_response, stable_systems
-from trimmer.linear.extrema import Extremum, antiresonances, resonance_peaks
-from trimmer.linear.model import InputChannels, pin_model, transfer_function
-from trimmer.parameters import TrimmerParameters
+from trimmer import TrimmerParameters, pin_model, resonance_peaks, transfer_function
+from trimmer.linear import Extremum, InputChannels, antiresonances
 
 THESIS = TrimmerParameters.thesis()
 

@@ -4,15 +4,13 @@ import control
 import numpy as np
 import pytest
 
+from trimmer import TrimmerParameters, linear_model, pin_model, resonance_peaks, response_at
+from trimmer.linear import asymptotic_roll_off, bandwidth, filtering_ratio, local_slope, steady_state
 from trimmer.linear.crossings import gain_crossings, real_axis_crossings
-from trimmer.linear.extrema import antiresonances, resonance_peaks
-from trimmer.linear.frequency_response import UnsupportedSystemError, response_at
-from trimmer.linear.in_time import steady_state
-from trimmer.linear.low_pass import asymptotic_roll_off, bandwidth, filtering_ratio, local_slope
-from trimmer.linear.model import linear_model, pin_model
+from trimmer.linear.extrema import antiresonances
+from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.nyquist import encirclements
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
-from trimmer.parameters import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 UNSUPPORTED = {

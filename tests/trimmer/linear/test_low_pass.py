@@ -10,16 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import exact_response, stable_systems
+from trimmer.linear import asymptotic_roll_off, bandwidth, bandwidth_crossings, filtering_ratio, local_slope
 from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.low_pass import (
-    asymptotic_roll_off,
-    bandwidth,
-    bandwidth_crossings,
-    filtering_ratio,
-    local_slope,
-)
-from trimmer.linear.model import InputChannels, pin_model
-from trimmer.parameters import TrimmerParameters
+from trimmer.thesis import InputChannels, TrimmerParameters, pin_model
 
 THESIS = TrimmerParameters.thesis()
 AS_IN_THE_THESIS = pin_model(THESIS, channels=InputChannels.DISPLACEMENT_ONLY)

@@ -13,18 +13,10 @@ from hypothesis import strategies as st
 
 from tests.quick import quick
 from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, exact_response, trimmers
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, TrimmerBody
-from trimmer.errors import WrongTypeError
+from trimmer import TrimmerParameters, WrongTypeError, linear_model, pin_model, transfer_function
 from trimmer.generated import linear_trimmer
-from trimmer.linear.model import (
-    INPUTS,
-    STATES,
-    InputChannels,
-    linear_model,
-    pin_model,
-    transfer_function,
-)
-from trimmer.parameters import ParameterError, TrimmerParameters
+from trimmer.linear.model import INPUTS, STATES
+from trimmer.thesis import CUTTER_RELATIVE_TO_GUARD, Displacement, InputChannels, ParameterError, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 OUTPUTS = (*map(Displacement, TrimmerBody), *(Displacement(*pair) for pair in permutations(TrimmerBody, 2)))

@@ -9,11 +9,9 @@ import pytest
 from hypothesis import given, settings
 
 from tests.trimmer.trimmers import trimmers
-from trimmer.errors import WrongTypeError
+from trimmer import TrimmerParameters, WrongTypeError, linear_model, modes
 from trimmer.generated import linear_trimmer
-from trimmer.linear.model import linear_model
-from trimmer.linear.modes import modes, undamped_modes
-from trimmer.parameters import TrimmerParameters
+from trimmer.linear import undamped_modes
 
 THESIS = TrimmerParameters.thesis()
 

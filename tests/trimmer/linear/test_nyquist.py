@@ -11,12 +11,9 @@ from hypothesis import strategies as st
 
 from tests.quick import quick
 from tests.trimmer.trimmers import stable_systems
-from trimmer.displacement import Displacement, TrimmerBody
-from trimmer.linear.crossings import real_axis_crossings
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.model import InputChannels, pin_model, transfer_function
-from trimmer.linear.nyquist import PointOnLocusError, encirclements
-from trimmer.parameters import TrimmerParameters
+from trimmer import TrimmerParameters, pin_model, transfer_function
+from trimmer.linear import PointOnLocusError, UnsupportedSystemError, encirclements, real_axis_crossings
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 CUTTER = Displacement(TrimmerBody.CUTTER)

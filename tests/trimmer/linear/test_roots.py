@@ -8,10 +8,8 @@ import control
 import numpy as np
 import pytest
 
-from trimmer.linear.crossings import gain_crossings, real_axis_crossings
-from trimmer.linear.extrema import antiresonances, resonance_peaks
+from trimmer.linear import ZeroPoleGain, antiresonances, gain_crossings, real_axis_crossings, resonance_peaks
 from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 
 def test_a_slow_pole_is_no_rounding() -> None:

@@ -7,16 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import trimmers
-from trimmer.displacement import Displacement, TrimmerBody
+from trimmer import TrimmerParameters, modes, pin_model, resonance_peaks, summarise
+from trimmer.linear import UnsupportedSystemError, asymptotic_roll_off, bandwidth, bandwidth_crossings
 from trimmer.linear.crossings import gain_crossings, real_axis_crossings
-from trimmer.linear.extrema import antiresonances, resonance_peaks
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.low_pass import asymptotic_roll_off, bandwidth, bandwidth_crossings
-from trimmer.linear.model import InputChannels, pin_model
-from trimmer.linear.modes import modes
+from trimmer.linear.extrema import antiresonances
 from trimmer.linear.nyquist import encirclements
-from trimmer.linear.summary import summarise
-from trimmer.parameters import TrimmerParameters
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 

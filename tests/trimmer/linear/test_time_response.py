@@ -8,12 +8,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.quick import quick
-from trimmer.displacement import Displacement, TrimmerBody
 from trimmer.generated import linear_trimmer
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.in_time import steady_state, time_response
-from trimmer.linear.model import InputChannels, linear_model, pin_model, transfer_function
-from trimmer.parameters import TrimmerParameters
+from trimmer.linear import UnsupportedSystemError, pin_model, steady_state, time_response, transfer_function
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters, linear_model
 
 THESIS = TrimmerParameters.thesis()
 OMEGA, AMPLITUDE = 200 * math.pi, 0.0015  # the pin of figure 5.1 of the thesis

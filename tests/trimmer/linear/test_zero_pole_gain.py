@@ -7,11 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import stable_systems, trimmers
-from trimmer.displacement import Displacement, TrimmerBody
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.model import InputChannels, pin_model, transfer_function
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
-from trimmer.parameters import TrimmerParameters
+from trimmer.linear import InputChannels, UnsupportedSystemError, ZeroPoleGain, pin_model, transfer_function
+from trimmer.thesis import Displacement, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 

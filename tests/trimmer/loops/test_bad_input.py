@@ -7,21 +7,9 @@ import math
 import control
 import pytest
 
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    OpenLoop,
-    Relay,
-    TrimmerLoop,
-    TrimmerParameters,
-    UnsupportedMotionError,
-    ViscousBacklash,
-    simulate,
-)
-from trimmer.elements.element import Element
-from trimmer.errors import IllPosedLoopError
+from trimmer import ClosedLoop, Drive, OpenLoop, TrimmerLoop, TrimmerParameters, ViscousBacklash, simulate
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, Relay
+from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
 
 THESIS = TrimmerParameters.thesis()
 LOOP = TrimmerLoop(THESIS, FrictionBacklash(4e-5))

@@ -11,22 +11,16 @@ import pytest
 
 from tests.quick import quick
 from trimmer import (
-    ClosedLoop,
     CoulombFriction,
-    Drive,
     FrictionBacklash,
     InertiaBacklash,
-    TrimmerLoop,
-    TrimmerParameters,
     UnsupportedMotionError,
     ViscousBacklash,
     ViscousFriction,
-    energy_balance,
     simulate,
 )
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, EnergyBalance
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, EnergyBalance, TrimmerLoop, energy_balance
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 SOFT = replace(THESIS, k1=4e4, k5=3e5, m2=0.004, c2=0.2)

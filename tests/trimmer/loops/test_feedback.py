@@ -23,7 +23,6 @@ from trimmer import (
     Drive,
     Feedback,
     FrictionBacklash,
-    Mechanism,
     OrbitSearch,
     Preload,
     Relay,
@@ -37,7 +36,7 @@ from trimmer import (
 )
 from trimmer.errors import LoopError, OrbitNotFoundWarning, TrimmerError
 from trimmer.loops.description import loop_as_data
-from trimmer.mechanism import Body, Force, Friction, Link
+from trimmer.mechanism import Body, Force, Friction, Link, Mechanism
 
 A = np.diag([1.0, 0.0, 1.0, 0.0], 1)
 A[1, 2], A[3, 3], A[4, 2] = 0.0, -8.0, -20.0

@@ -13,19 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import trimmers
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    Motion,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    ViscousFriction,
-    simulate,
-)
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, Outcome
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import CoulombFriction, Motion, TrimmerParameters, ViscousBacklash, ViscousFriction, simulate
+from trimmer.loops import BodyFriction, Drive, Outcome, TrimmerLoop
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 GAP, AMPLITUDE, OMEGA, FORCE, IMPULSE = 2e-4, 1.5e-3, 2 * math.pi * 110, 2.0, 1e-6

@@ -9,25 +9,11 @@ import numpy as np
 import pytest
 import tqdm
 
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    OpenLoop,
-    Relay,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    ViscousFriction,
-    simulate,
-)
-from trimmer.elements import Element
+from trimmer import Relay, TrimmerLoop, TrimmerParameters, ViscousBacklash, ViscousFriction, simulate
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash
 from trimmer.errors import IllPosedLoopError
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, Outcome, SimulationInterrupted
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, OpenLoop, Outcome, SimulationInterrupted
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 SYSTEM = control.ss([[0.0, 1.0], [-4.0, -0.5]], [[3.0], [7.0]], [[0.6, 0.0]], 0)

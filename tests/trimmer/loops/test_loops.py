@@ -10,22 +10,9 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.loops.reference.peers import Course, Plant, pieces, play, switch
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    DeadZone,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    OpenLoop,
-    Relay,
-    Saturation,
-    ViscousBacklash,
-    ViscousFriction,
-    simulate,
-)
-from trimmer.elements.element import Element
-from trimmer.loops import Outcome
+from trimmer import InertiaBacklash, Relay, Saturation, ViscousBacklash, ViscousFriction, simulate
+from trimmer.elements import CoulombFriction, DeadZone, Element, FrictionBacklash
+from trimmer.loops import ClosedLoop, Drive, OpenLoop, Outcome
 
 DRIVE = (1.3, 1.1, 0.4)
 GAP, LEVEL = 1.0, 0.7

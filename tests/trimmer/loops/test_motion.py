@@ -10,22 +10,10 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    Motion,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    simulate,
-)
-from trimmer.elements.element import Element
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, EventKind
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Motion, ViscousBacklash, simulate
+from trimmer.elements import Element
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, EventKind, TrimmerLoop
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 GAP = 2e-4

@@ -9,23 +9,10 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    Motion,
-    OpenLoop,
-    Relay,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    simulate,
-)
-from trimmer.elements.element import Element
-from trimmer.loops import BodyFriction, EventKind, Outcome
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Motion, Relay, simulate
+from trimmer.elements import Element, ViscousBacklash
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, EventKind, OpenLoop, Outcome, TrimmerLoop
+from trimmer.thesis import Displacement, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110

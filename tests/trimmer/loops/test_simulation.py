@@ -13,18 +13,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    OpenLoop,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    simulate,
-)
+from trimmer import CoulombFriction, FrictionBacklash, TrimmerParameters, ViscousBacklash, simulate
 from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, EventKind, LoopMotion
+from trimmer.loops import BodyFriction, Drive, EventKind, LoopMotion, OpenLoop, TrimmerLoop
 
 TABLE = Path(__file__).with_name("reference") / "exact_times.csv"
 """The first instants of each motion: sums of exponentials in 30 digits of mpmath, whose zeros are enclosed.

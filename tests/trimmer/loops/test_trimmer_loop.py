@@ -10,18 +10,8 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.loops.reference.peer_trimmer import Course, Friction, PeerTrimmer
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    ViscousFriction,
-    simulate,
-)
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import CoulombFriction, Drive, TrimmerLoop, ViscousBacklash, ViscousFriction, simulate
+from trimmer.thesis import BodyFriction, Displacement, InputChannels, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 DRIVE = (1.5e-3, 2 * math.pi * 110)

@@ -7,10 +7,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.trimmer.maps.machines import impact_oscillator
+from trimmer import SerialRunner, basin
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MapError, MechanismError, WrongTypeError
-from trimmer.maps.basin import basin
-from trimmer.runners.runner import SerialRunner
 
 SERIAL = SerialRunner()
 SLICE = {"mass.displacement": np.linspace(-25, 12, 5), "mass.velocity": np.linspace(-100, 100, 5)}

@@ -14,13 +14,11 @@ from pathlib import Path
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from trimmer import Mechanism, MotionKind, SerialRunner, motion_map
 from trimmer.errors import MapFileError
 from trimmer.files import FileWriteError
-from trimmer.maps.motion_map import MapInterruptedError, motion_map
-from trimmer.mechanism import Mechanism
-from trimmer.response.response import MotionKind
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import SerialRunner
+from trimmer.maps.motion_map import MapInterruptedError
+from trimmer.runners import ProcessRunner
 
 PLACES = {"frequency": [1.0, 1.05, 1.1], "stops.wall.gap": [8.0, 10.0]}
 SERIAL = SerialRunner()

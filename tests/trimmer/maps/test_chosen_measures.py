@@ -9,8 +9,7 @@ from typing import Any
 import pytest
 
 from tests.trimmer.response.mechanisms import example, twin
-from trimmer import SerialRunner, follow, motion_map, respond
-from trimmer.branches.settings import FollowSettings
+from trimmer import FollowSettings, SerialRunner, follow, motion_map, respond
 from trimmer.choices import ChoiceError
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.measures import Measures

@@ -6,11 +6,8 @@ import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer.errors import WrongTypeError
-from trimmer.maps.coexistence import coexisting_motions
-from trimmer.maps.motion_map import motion_map
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import SerialRunner
+from trimmer import SerialRunner, WrongTypeError, coexisting_motions, motion_map
+from trimmer.runners import ProcessRunner
 
 SERIAL = SerialRunner()
 OMEGA = np.linspace(6.5, 9.0, 26)

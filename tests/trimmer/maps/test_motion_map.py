@@ -12,16 +12,13 @@ from matplotlib.figure import Figure
 
 from tests.quick import quick
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
+from trimmer import Mechanism, MotionKind, Pin, Play, SerialRunner, Stop, TrimmerError, motion_map, respond
 from trimmer.contact.flow import MechanismFlow
-from trimmer.errors import MapError, MechanismError, TrimmerError
+from trimmer.errors import MapError, MechanismError
 from trimmer.maps.cells import CellWork, start_scales
 from trimmer.maps.inputs import Settings, checked_inputs
-from trimmer.maps.motion_map import MapInterruptedError, motion_map
-from trimmer.mechanism import Mechanism, Pin, Play, Stop
-from trimmer.response.respond import respond
-from trimmer.response.response import MotionKind
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import SerialRunner
+from trimmer.maps.motion_map import MapInterruptedError
+from trimmer.runners import ProcessRunner
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
 PLACES = {

@@ -5,12 +5,9 @@ from pathlib import Path
 import pytest
 
 from tests.trimmer.maps.machines import linear_oscillator
+from trimmer import Mechanism, MotionKind, SerialRunner, motion_map
 from trimmer.contact.flow import MechanismFlow
-from trimmer.maps.motion_map import motion_map
 from trimmer.maps.settle import settle
-from trimmer.mechanism import Mechanism
-from trimmer.response.response import MotionKind
-from trimmer.runners.runner import SerialRunner
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
 

@@ -9,13 +9,12 @@ import numpy as np
 import pytest
 
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer import MotionMap, SpecialKind, motion_map, special_curves
+from trimmer import MotionMap, SerialRunner, SpecialKind, motion_map, special_curves
 from trimmer.branches import Locus, LocusEnd, SpecialPoint
 from trimmer.errors import MapError, WrongTypeError
 from trimmer.maps import SpecialCurve, SpecialCurves
 from trimmer.maps.meetings import meetings
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import SerialRunner
+from trimmer.runners import ProcessRunner
 
 PLACES = ("frequency", "stops.wall.gap")
 SPANS = np.array([10.0, 4e-5])

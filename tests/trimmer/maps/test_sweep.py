@@ -10,22 +10,10 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example
-from trimmer import (
-    Body,
-    Drive,
-    Feedback,
-    Force,
-    Link,
-    Mechanism,
-    Output,
-    Saturation,
-    Stop,
-    TrimmerError,
-    respond,
-    simulate,
-)
+from trimmer import Drive, Force, Link, Mechanism, Output, Saturation, Stop, TrimmerError, respond, simulate
+from trimmer.loops import Feedback
 from trimmer.maps import sweep
-from trimmer.mechanism import Wall
+from trimmer.mechanism import Body, Wall
 
 LINEAR = Mechanism(
     frequency=3.0,

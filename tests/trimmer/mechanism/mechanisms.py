@@ -4,19 +4,8 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from trimmer.mechanism import (
-    Body,
-    ContactLaw,
-    Force,
-    Friction,
-    Link,
-    Mechanism,
-    Output,
-    Pin,
-    Play,
-    Point,
-    Stop,
-)
+from trimmer import Body
+from trimmer.mechanism import ContactLaw, Force, Friction, Link, Mechanism, Output, Pin, Play, Point, Stop
 
 NAMES = st.text(min_size=1, max_size=6).filter(
     lambda name: name.isprintable() and name == name.strip() and name != "ground"

@@ -8,12 +8,9 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import Mechanism, MechanismError
+from trimmer import Body, Link, Mechanism, MechanismError, Output
 from trimmer.mechanism import (
-    Body,
     Cascade,
-    Link,
-    Output,
     OutputKind,
     Pid,
     ProfileReference,

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trimmer import Mechanism, MechanismError
-from trimmer.mechanism import Body, Force, Link, Pin
+from trimmer import Body, Force, Link, Mechanism, MechanismError, Pin
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.quantities import DISPLACEMENT, QUANTITIES, NumberField
 from trimmer.mechanism.reading import read_mechanism

@@ -9,8 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.mechanism.mechanisms import NAMES, mechanisms
-from trimmer import Mechanism, MechanismError
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
+from trimmer import Body, Force, Friction, Link, Mechanism, MechanismError, Output, Pin, Play, Stop
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.places import assignment
 

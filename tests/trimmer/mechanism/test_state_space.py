@@ -9,22 +9,9 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from trimmer import (
-    Body,
-    Force,
-    Friction,
-    Link,
-    Mechanism,
-    MechanismError,
-    Output,
-    Pin,
-    Play,
-    Stop,
-    TrimmerError,
-    simulate,
-)
+from trimmer import Friction, Link, Mechanism, MechanismError, Output, Pin, Play, Stop, TrimmerError, simulate
 from trimmer.design.linear import all_drives, linear_state, linear_states
-from trimmer.mechanism import OutputKind, linear_matrices
+from trimmer.mechanism import Body, Force, OutputKind, linear_matrices
 
 MACHINE = Mechanism(
     frequency=7.0,

@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given, settings
 
 from tests.trimmer.mechanism.mechanisms import mechanisms
-from trimmer import Mechanism, TrimmerParameters
+from trimmer import Body, Link, Mechanism, Pin, Stop, TrimmerParameters
 from trimmer.files import FileWriteError, write_atomically
-from trimmer.mechanism import Body, Link, Pin, Stop
 
 THESIS = TrimmerParameters.thesis().to_mechanism(1.5e-3, 110.0)
 

@@ -14,8 +14,7 @@ import numba
 import numpy as np
 from scipy.linalg import expm
 
-from trimmer import FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
-from trimmer.elements import Element
+from trimmer.elements import Element, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
 
 GROWN = 1e9
 STEADY = 2e-4

@@ -7,17 +7,9 @@ import numpy as np
 import pytest
 
 from tests.quick import quick
-from trimmer import (
-    ClosedLoop,
-    FrictionBacklash,
-    InertiaBacklash,
-    PeriodicOrbit,
-    ViscousBacklash,
-    periodic_orbits,
-    simulate,
-)
-from trimmer.elements.element import Element
-from trimmer.loops import EventKind
+from trimmer import InertiaBacklash, PeriodicOrbit, ViscousBacklash, periodic_orbits, simulate
+from trimmer.elements import Element, FrictionBacklash
+from trimmer.loops import ClosedLoop, EventKind
 
 THIRD_ORDER = control.ss(control.tf([0.91, 1.8], [1, 1.14, 0.136]))
 SECOND_ORDER = control.ss(control.tf([1, 2.2], [1, 0.516, 1]))

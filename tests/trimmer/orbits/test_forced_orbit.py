@@ -8,26 +8,10 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.orbits.random_loops import mixed_states
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    OpenLoop,
-    OrbitNotFoundError,
-    Saturation,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    forced_orbit,
-    pin_model,
-    simulate,
-)
-from trimmer.elements import Element
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import OrbitNotFoundError, TrimmerParameters, ViscousBacklash, forced_orbit, pin_model, simulate
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash, Saturation
+from trimmer.loops import BodyFriction, ClosedLoop, Drive, OpenLoop, TrimmerLoop
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
 DRIVE = Drive(0.0015, 2 * np.pi * 109.845)
 CUTTER_ON_GUARD = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)

@@ -16,20 +16,16 @@ from trimmer import (
     DeadZone,
     FrictionBacklash,
     InertiaBacklash,
-    OrbitSearch,
-    PeriodicOrbit,
     Preload,
     Relay,
     Saturation,
-    TrimmerParameters,
     ViscousBacklash,
     periodic_orbits,
-    pin_model,
     simulate,
 )
-from trimmer.linear import InputChannels
 from trimmer.loops import LoopSignal
-from trimmer.orbits import PeriodicOrbits, Simulations
+from trimmer.orbits import OrbitSearch, PeriodicOrbit, PeriodicOrbits, Simulations
+from trimmer.thesis import InputChannels, TrimmerParameters, pin_model
 
 SERVO = control.ss(control.tf([3.0], [1.0, 1.0, 0.0]))
 WITH_INTEGRATOR = control.ss(control.tf([1.0], [1.0, 2.0, 1.0, 0.0]))

@@ -8,22 +8,16 @@ import pytest
 
 from tests.quick import quick
 from trimmer import (
-    CoulombFriction,
-    FrictionBacklash,
-    InertiaBacklash,
     OrbitNotFoundError,
-    Relay,
-    TrimmerParameters,
     ViscousBacklash,
     ViscousFriction,
     WrongTypeError,
     limit_cycles,
     multi_harmonic_balance,
     periodic_orbits,
-    pin_model,
 )
-from trimmer.elements import Element
-from trimmer.linear import InputChannels
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash, Relay
+from trimmer.thesis import InputChannels, TrimmerParameters, pin_model
 
 PLANT = control.tf([1.0], [1.0, 3.0, 2.0, 0.0])
 TRIMMER = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)

@@ -8,27 +8,11 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    OpenLoop,
-    TrimmerLoop,
-    TrimmerParameters,
-    UnsupportedMotionError,
-    ViscousBacklash,
-    WrongTypeError,
-    forced_orbit,
-    linear_model,
-    periodic_orbits,
-    pin_model,
-    simulate,
-)
-from trimmer.elements import Element
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, LoopSignal
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import UnsupportedMotionError, forced_orbit, linear_model, periodic_orbits, pin_model, simulate
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash, ViscousBacklash
+from trimmer.errors import WrongTypeError
+from trimmer.loops import BodyFriction, Drive, LoopSignal, OpenLoop, TrimmerLoop
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 DRIVE = Drive(1.5e-3, frequency=110.0, phase=0.3)

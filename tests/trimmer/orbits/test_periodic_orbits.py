@@ -12,23 +12,11 @@ import pytest
 import scipy.linalg
 import scipy.optimize
 
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    FrictionBacklash,
-    InertiaBacklash,
-    PeriodicOrbit,
-    Relay,
-    TrimmerParameters,
-    ViscousBacklash,
-    periodic_orbits,
-    pin_model,
-    simulate,
-)
-from trimmer.elements.element import Element
+from trimmer import ClosedLoop, Relay, TrimmerParameters, ViscousBacklash, periodic_orbits, simulate
+from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash
 from trimmer.errors import OrbitNotFoundWarning
-from trimmer.linear import InputChannels
-from trimmer.orbits import PeriodicOrbits
+from trimmer.linear import InputChannels, pin_model
+from trimmer.orbits import PeriodicOrbit, PeriodicOrbits
 
 THIRD_ORDER = [
     control.tf([1], [1, 2, 1, 0]),

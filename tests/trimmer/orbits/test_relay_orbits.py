@@ -8,18 +8,8 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import (
-    CoulombFriction,
-    DeadZone,
-    FrictionBacklash,
-    OrbitSearch,
-    Preload,
-    Relay,
-    Saturation,
-    ViscousFriction,
-    periodic_orbits,
-)
-from trimmer.elements import Element
+from trimmer import OrbitSearch, Preload, Relay, Saturation, ViscousFriction, periodic_orbits
+from trimmer.elements import CoulombFriction, DeadZone, Element, FrictionBacklash
 
 NEVER = OrbitSearch("never")
 GAIN, RATE, LEVEL, THRESHOLD = 4.0, 0.7, 1.5, 0.9

@@ -17,12 +17,11 @@ from trimmer import (
     Relay,
     Saturation,
     TrimmerParameters,
-    WrongTypeError,
     periodic_orbits,
     pin_model,
 )
 from trimmer.choices import ChoiceError
-from trimmer.errors import OrbitNotFoundWarning
+from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
 from trimmer.orbits import OrbitSearched, OrbitSearchInterrupted, RelaySearch, Simulations, SimulationSearch
 
 QUIET = control.ss(control.tf([1], [1, 1, 1]))

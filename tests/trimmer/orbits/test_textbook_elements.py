@@ -9,22 +9,10 @@ import scipy.integrate
 import scipy.linalg
 import scipy.optimize
 
-from trimmer import (
-    ClosedLoop,
-    DeadZone,
-    Drive,
-    OpenLoop,
-    Preload,
-    Relay,
-    Saturation,
-    UnsupportedMotionError,
-    harmonic_balance,
-    multi_harmonic_balance,
-    periodic_orbits,
-    simulate,
-)
-from trimmer.elements import Element, ScaledElement
-from trimmer.loops.motion import Outcome
+from trimmer import harmonic_balance, multi_harmonic_balance, periodic_orbits, simulate
+from trimmer.elements import DeadZone, Element, Preload, Relay, Saturation, ScaledElement
+from trimmer.errors import UnsupportedMotionError
+from trimmer.loops import ClosedLoop, Drive, OpenLoop, Outcome
 
 THIRD_ORDER = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 WITH_INTEGRATOR = control.tf([10.0], [1.0, 2.0, 1.0, 0.0])

@@ -7,8 +7,7 @@ import pytest
 
 from tests.mechanisms.comparison import trusted
 from tests.mechanisms.random_mechanisms import random_mechanism
-from trimmer import Mechanism, simulate
-from trimmer.mechanism import Body, Force, Friction
+from trimmer import Body, Force, Friction, Mechanism, simulate
 
 ON_TOP = {
     "floor": Friction(("ground", "lower"), 0.8, 0.9),

@@ -10,8 +10,7 @@ import pytest
 from tests.mechanisms.shifted_phases import differences, shifted, state_at
 from tests.quick import quick
 from tests.trimmer.branches.bouncing_ball import ball, thrown
-from trimmer import forced_orbit
-from trimmer.mechanism.parts import ContactLaw
+from trimmer import ContactLaw, forced_orbit
 
 BESIDE = (0.0, 1e-14, -1e-14, 1e-9, -1e-9, 1e-5, -1e-5)
 """Times from an event to t = 0, s."""

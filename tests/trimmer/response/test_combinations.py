@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example
-from trimmer import MotionKind, respond
+from trimmer import MotionKind, peaks, respond
 from trimmer.command_line.mechanisms.respond_text import as_text
 from trimmer.response.combinations import sums_of
 from trimmer.response.response_json import response_json
-from trimmer.spectra.peaks import peaks
-from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra import amplitude_spectrum
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 DRIVE, OWN, SECONDS = 50.0, 50.0 * GOLDEN, 4.0

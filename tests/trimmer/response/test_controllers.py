@@ -6,17 +6,8 @@ import control
 import numpy as np
 import pytest
 
-from trimmer import (
-    Mechanism,
-    MotionKind,
-    SerialRunner,
-    UnsupportedMotionError,
-    follow,
-    motion_map,
-    respond,
-    sample,
-    simulate,
-)
+from trimmer import Mechanism, MotionKind, SerialRunner, follow, motion_map, respond, sample, simulate
+from trimmer.errors import UnsupportedMotionError
 from trimmer.uncertainty import SampleSettings, Scatter, Uncertainty, Uniform
 
 ONE = """\

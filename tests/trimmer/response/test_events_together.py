@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
-from trimmer import Mechanism, respond, simulate
-from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer import Body, Force, Friction, Link, Mechanism, Pin, Play, Stop, respond, simulate
 
 Part = Callable[[str], object]
 

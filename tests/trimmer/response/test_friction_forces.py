@@ -11,9 +11,8 @@ import pytest
 from scipy.optimize import minimize
 
 from tests.quick import quick
-from trimmer import Mechanism, respond, simulate
+from trimmer import Mechanism, Output, respond, simulate
 from trimmer.command_line.main import main
-from trimmer.mechanism import Output
 
 PUSHED = """
 frequency = 1.0

@@ -12,14 +12,10 @@ from functools import cache
 import numpy as np
 import pytest
 
-from trimmer.maps.motion_map import motion_map
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer import Mechanism, MotionKind, SerialRunner, motion_map, respond, simulate
 from trimmer.response.flows import flow_of
-from trimmer.response.respond import respond
-from trimmer.response.response import MotionKind, SettledMotion
+from trimmer.response.response import SettledMotion
 from trimmer.response.response_json import response_json
-from trimmer.response.simulate import simulate
-from trimmer.runners.runner import SerialRunner
 
 SERVO = """
 [bodies]

@@ -9,16 +9,8 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example, twin
-from trimmer import (
-    ContactLaw,
-    Mechanism,
-    MechanismError,
-    OrbitNotFoundError,
-    UnsupportedMotionError,
-    forced_orbit,
-    simulate,
-)
-from trimmer.mechanism import Body, Force, Link, Output, Pin, Play, linear_matrices
+from trimmer import MechanismError, OrbitNotFoundError, UnsupportedMotionError, forced_orbit, simulate
+from trimmer.mechanism import Body, ContactLaw, Force, Link, Mechanism, Output, Pin, Play, linear_matrices
 
 LAWS = {ContactLaw.RELAXING: 2.933334121400e-3, ContactLaw.TRUNCATED: 2.933334121515e-3}
 """Peak to peak of the stroke, m: definition of the mechanism, computed twice by different means."""

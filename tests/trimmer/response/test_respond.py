@@ -9,14 +9,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import twin
-from trimmer import (
-    Mechanism,
-    MotionKind,
-    UnsupportedMotionError,
-    WrongTypeError,
-    respond,
-    simulate,
-)
+from trimmer import Mechanism, MotionKind, UnsupportedMotionError, WrongTypeError, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.response.response_json import response_json
 

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.test_solved import OMEGA, oscillator
-from trimmer import Mechanism, MotionKind, respond
-from trimmer.mechanism import Force
+from trimmer import Force, Mechanism, MotionKind, respond
 
 CONSTANT = 0.2
 SINES = {1: (0.5, 0.3), 3: (8.0, 1.2), 25: (3.0, -0.4)}

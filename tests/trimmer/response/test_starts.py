@@ -7,17 +7,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import twin
-from trimmer import (
-    Mechanism,
-    MechanismError,
-    MotionKind,
-    OrbitNotFoundError,
-    WrongTypeError,
-    forced_orbit,
-    respond,
-    simulate,
-)
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Stop
+from trimmer import MotionKind, OrbitNotFoundError, WrongTypeError, forced_orbit, respond, simulate
+from trimmer.errors import MechanismError
+from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Stop
 from trimmer.response.response_json import response_json
 
 OMEGA = 7.5

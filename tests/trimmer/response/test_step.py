@@ -7,9 +7,8 @@ from dataclasses import asdict
 import pytest
 
 from tests.trimmer.servos import SAMPLED, SERVO, STICTION
-from trimmer import Mechanism, MotionKind
-from trimmer.errors import MechanismError
-from trimmer.response.step import step_response
+from trimmer import Mechanism, MechanismError, MotionKind
+from trimmer.response import step_response
 
 WINDUP = """
 [bodies]

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example
-from trimmer import Mechanism, MotionKind, Response, respond, simulate
-from trimmer.mechanism import Body, Force, Link, Output, Stop
+from trimmer import Body, Force, Link, Mechanism, MotionKind, Output, Response, Stop, respond, simulate
 from trimmer.response.response_json import response_json
 from trimmer.response.window import joined, watch
 

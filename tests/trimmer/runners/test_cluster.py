@@ -14,13 +14,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from trimmer import Mechanism, SerialRunner, motion_map
 from trimmer.command_line.main import main
 from trimmer.errors import WorkerError
-from trimmer.maps.motion_map import motion_map
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.runners import ClusterRunner
 from trimmer.runners.chunks import AHEAD
-from trimmer.runners.cluster import ClusterRunner
-from trimmer.runners.runner import SerialRunner
 
 if TYPE_CHECKING:
     from distributed import LocalCluster

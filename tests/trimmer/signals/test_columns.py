@@ -3,8 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer.signals.csv_layout import CsvLayout, DecimalSign
-from trimmer.signals.read import read_signal
+from trimmer.signals import CsvLayout, DecimalSign, read_signal
 
 THREE = "time [s],pin [m],pin,q2-q4 [m]\n0.0,1,2,3\n0.1,1,2,4\n"
 

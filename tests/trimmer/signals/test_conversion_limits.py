@@ -11,9 +11,8 @@ from scipy.integrate import quad
 from scipy.special import i0
 
 from trimmer import Signal, convert
-from trimmer.signals import Band
+from trimmer.signals import Band, SignalError
 from trimmer.signals.noise_floor import powers
-from trimmer.signals.signal import SignalError
 
 RATE, COUNT = 1000.0, 4000
 TIMES = 0.3 + np.arange(COUNT) / RATE

@@ -6,15 +6,10 @@ import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson
 
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.loops.drive import Drive
-from trimmer.loops.trimmer_loop import TrimmerLoop
-from trimmer.parameters import TrimmerParameters
-from trimmer.response.simulate import simulate
-from trimmer.signals.convert import Conversion, convert
-from trimmer.signals.quantity import STANDARD_GRAVITY, MotionQuantity
-from trimmer.signals.signal import Signal, SignalError
-from trimmer.spectra.harmonics import fit_harmonics
+from trimmer import Drive, FrictionBacklash, Signal, TrimmerLoop, TrimmerParameters, convert, simulate
+from trimmer.signals import Conversion, MotionQuantity, SignalError
+from trimmer.signals.quantity import STANDARD_GRAVITY
+from trimmer.spectra import fit_harmonics
 
 RATE = 10_000.0
 TIMES = 0.3 + np.arange(20_000) / RATE

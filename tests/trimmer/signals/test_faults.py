@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from trimmer import Signal, faults
 from trimmer.signals.fault import Clipping, Dropout, FaultCertainty, FewSteps
-from trimmer.signals.faults import faults
-from trimmer.signals.signal import Signal
 
 RATE = 5000.0
 TIMES = np.arange(5000) / RATE

@@ -8,8 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from trimmer import Signal, faults
-from trimmer.errors import WrongTypeError
+from trimmer import Signal, WrongTypeError, faults
 from trimmer.signals.fault import Clipping, Dropout, Fault, FaultCertainty, FewSteps, Offset
 
 RATE = 500.0

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer.signals.missing import MissingValues
-from trimmer.signals.read import read_signal
+from trimmer.signals import MissingValues, read_signal
 
 
 @pytest.mark.parametrize("marker", ["", " ", "nan", "NaN", "N/A", "-", "null"])

@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer.signals.csv_layout import CsvLayout, DecimalSign, Delimiter
-from trimmer.signals.read import read_signal
+from trimmer.signals import CsvLayout, DecimalSign, Delimiter, read_signal
 
 TWO = [0.25, -1500.0]
 

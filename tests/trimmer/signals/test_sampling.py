@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer.signals.read import read_recording, read_signal
-from trimmer.signals.sampling import Gaps, Sampling, TimeStamps
+from trimmer.signals import Gaps, Sampling, TimeStamps, read_recording, read_signal
 from trimmer.signals.time_stamps import spacing_of
 
 RESAMPLE = Sampling(TimeStamps.RESAMPLE, Gaps.SPLIT)

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer import read_recording, read_signal
-from trimmer.signals import Sampling
+from trimmer.signals import Sampling, read_recording, read_signal
 
 SPLIT = Sampling(gaps="split")
 RESAMPLE = Sampling("resample", "split")

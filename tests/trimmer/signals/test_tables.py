@@ -7,8 +7,7 @@ import math
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer import read_signal
-from trimmer.signals.csv_layout import CsvLayout
+from trimmer.signals import CsvLayout, read_signal
 
 FIRST = {"column": 1, "sample_rate": 1.0}
 

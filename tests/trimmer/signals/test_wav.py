@@ -11,11 +11,10 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.io import wavfile
 
+from trimmer import peaks
 from trimmer.files import FileWriteError
-from trimmer.signals.signal import SignalError
-from trimmer.signals.wav import BitDepth, write_wav
-from trimmer.spectra.peaks import peaks
-from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.signals import BitDepth, SignalError, write_wav
+from trimmer.spectra import amplitude_spectrum
 
 
 def samples_of(path: Path) -> tuple[int, np.ndarray, BitDepth]:

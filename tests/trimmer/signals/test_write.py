@@ -9,9 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from trimmer.files import FileWriteError
-from trimmer.signals.read import read_signal
-from trimmer.signals.signal import Signal, SignalError
-from trimmer.signals.write import write_signal
+from trimmer.signals import Signal, SignalError, read_signal, write_signal
 
 VALUES = arrays(np.float64, st.integers(2, 40), elements=st.floats(-1e300, 1e300))
 

@@ -10,14 +10,8 @@ import numpy as np
 import pytest
 
 from trimmer.errors import SignalWarning, WrongTypeError
-from trimmer.signals.band import Band
-from trimmer.signals.read import read_signal
-from trimmer.signals.signal import Signal, SignalError
-from trimmer.signals.write import write_signal
-from trimmer.spectra.analysis import analyse_signal
-from trimmer.spectra.classification import Harmonic, LimitCycleLine, NaturalMode
-from trimmer.spectra.harmonics import fit_harmonics
-from trimmer.spectra.window import Window
+from trimmer.signals import Band, Signal, SignalError, read_signal, write_signal
+from trimmer.spectra import Harmonic, LimitCycleLine, NaturalMode, Window, analyse_signal, fit_harmonics
 
 RATE, DRIVE = 20_000.0, 109.845
 MODES, CYCLES = (222.35, 354.84, 549.59, 1139.5), (733.6,)

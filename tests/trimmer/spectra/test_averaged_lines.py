@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from trimmer import Signal
-from trimmer.signals import Band
-from trimmer.signals.signal import SignalError
+from trimmer.signals import Band, Signal, SignalError
 from trimmer.spectra import AveragedSpectrum, Window, averaged_spectrum
 from trimmer.spectra.averaged import line_interval
 

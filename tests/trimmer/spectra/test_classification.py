@@ -6,17 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trimmer.signals.signal import SignalError
-from trimmer.spectra.classification import (
-    ClassifiedPeak,
-    DriveFraction,
-    Harmonic,
-    LimitCycleLine,
-    NaturalMode,
-    Tolerance,
-    classify,
-)
-from trimmer.spectra.peaks import Peak
+from trimmer.signals import SignalError
+from trimmer.spectra import DriveFraction, Harmonic, LimitCycleLine, NaturalMode, Peak, Tolerance, classify
+from trimmer.spectra.classification import ClassifiedPeak
 
 MODES = (222.35, 354.84, 549.59, 1139.5)
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from trimmer.errors import WrongTypeError
-from trimmer.signals import Band
-from trimmer.signals.signal import Signal, SignalError
+from trimmer.signals import Band, Signal, SignalError
 from trimmer.spectra.comparison import SimulatedLines, compare_motions, found_frequency
 
 RATE = 5000.0

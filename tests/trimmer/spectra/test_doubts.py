@@ -11,12 +11,10 @@ import numpy as np
 import pytest
 
 from tests.complaints import complaints
+from trimmer import analyse_signal
 from trimmer.command_line.main import main
 from trimmer.errors import SignalWarning
-from trimmer.signals import Band
-from trimmer.signals.signal import Signal
-from trimmer.signals.write import write_signal
-from trimmer.spectra.analysis import analyse_signal
+from trimmer.signals import Band, Signal, write_signal
 from trimmer.spectra.doubts import aliasing_doubt
 
 RATE = 5000.0

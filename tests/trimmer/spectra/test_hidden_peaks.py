@@ -7,9 +7,8 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.spectra.test_peaks import SAMPLES, sines
-from trimmer.spectra.peaks import peaks
-from trimmer.spectra.spectrum import amplitude_spectrum
-from trimmer.spectra.window import Window
+from trimmer import peaks
+from trimmer.spectra import Window, amplitude_spectrum
 
 LEVELS = (20, 40, 60, 80)
 """How far the small line is below the large one, dB."""

@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer import Signal
-from trimmer.spectra import analyse_signal
-from trimmer.spectra.classification import MainsHum, OwnMultiple
-from trimmer.spectra.own_lines import repetition, with_own_lines
-from trimmer.spectra.peaks import Peak
+from trimmer import Signal, analyse_signal
+from trimmer.spectra import MainsHum, OwnMultiple, Peak, with_own_lines
+from trimmer.spectra.own_lines import repetition
 
 RATE = 2000.0
 

@@ -8,11 +8,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.quick import quick
-from trimmer.errors import WrongTypeError
-from trimmer.signals.signal import SignalError
-from trimmer.spectra.peaks import MOST_PEAKS, peaks
-from trimmer.spectra.spectrum import amplitude_spectrum
-from trimmer.spectra.window import Window
+from trimmer import WrongTypeError, peaks
+from trimmer.signals import SignalError
+from trimmer.spectra import Window, amplitude_spectrum
+from trimmer.spectra.peaks import MOST_PEAKS
 
 TAPERED = [window for window in Window if window is not Window.RECTANGULAR]
 SAMPLES = 1000

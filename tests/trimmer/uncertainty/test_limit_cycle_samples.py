@@ -8,15 +8,10 @@ import numpy as np
 import pytest
 
 from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
-from trimmer.ensembles.limit_cycles import SampledLimitCycles
+from trimmer.ensembles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
-from trimmer.parameters import ParameterError
-from trimmer.uncertainty.limit_cycle_samples import (
-    LimitCycleSamples,
-    read_parameter_sample_file,
-    sample_limit_cycles,
-)
-from trimmer.uncertainty.points import Plan
+from trimmer.thesis import ParameterError
+from trimmer.uncertainty import LimitCycleSamples, Plan, read_parameter_sample_file, sample_limit_cycles
 from trimmer.uncertainty.sample_inputs import SampleSettings
 
 GAP = 4e-5

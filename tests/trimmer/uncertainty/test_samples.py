@@ -10,20 +10,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from trimmer import MotionKind, respond
+from trimmer import MotionKind, SerialRunner, respond, sample
 from trimmer.command_line.mechanisms.sample_text import as_json
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart, Trial
+from trimmer.design import Measure, MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import SerialRunner
-from trimmer.uncertainty.points import Plan
-from trimmer.uncertainty.sample_file import SampleFile, sample_file_of_text
-from trimmer.uncertainty.sample_inputs import SampleSettings
-from trimmer.uncertainty.sample_records import Keeping
-from trimmer.uncertainty.samples import Samples, sample
-from trimmer.uncertainty.study import SampleStudy, study_samples
+from trimmer.runners import ProcessRunner
+from trimmer.uncertainty import Keeping, Plan, SampleFile, Samples, SampleSettings, SampleStudy, study_samples
+from trimmer.uncertainty.sample_file import sample_file_of_text
 
 TEXT = """
 frequency = 0.2

@@ -15,18 +15,9 @@ from matplotlib.figure import Figure
 from tests.trimmer import results
 from tests.trimmer.branches.published import ALONE, TURN, dead_zone, oscillator_with_a_stop
 from tests.trimmer.maps.machines import linear_oscillator
-from trimmer import (
-    FollowedBranch,
-    FollowSettings,
-    Mechanism,
-    SpecialKind,
-    WrongTypeError,
-    follow,
-    follow_special,
-)
-from trimmer.branches import Locus, LocusEnd, LocusRanges, LocusSettings, SpecialPoint
-from trimmer.errors import MechanismError, UnsupportedMotionError
-from trimmer.mechanism.parts import Force, Stop
+from trimmer import FollowedBranch, FollowSettings, Force, Mechanism, SpecialKind, Stop, follow
+from trimmer.branches import Locus, LocusEnd, LocusRanges, LocusSettings, SpecialPoint, follow_special
+from trimmer.errors import MechanismError, UnsupportedMotionError, WrongTypeError
 
 EXAMPLES = Path(__file__).parents[4] / "examples"
 QUIET = LocusSettings(quiet=True)

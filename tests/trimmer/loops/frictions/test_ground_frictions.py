@@ -6,18 +6,9 @@ import numpy as np
 import pytest
 
 from tests.quick import quick
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    TrimmerLoop,
-    TrimmerParameters,
-    ViscousBacklash,
-    energy_balance,
-    simulate,
-)
-from trimmer.loops import BodyFriction, Outcome
+from trimmer import FrictionBacklash, InertiaBacklash, TrimmerParameters, ViscousBacklash, simulate
+from trimmer.elements import CoulombFriction
+from trimmer.loops import BodyFriction, Drive, Outcome, TrimmerLoop, energy_balance
 
 THESIS = TrimmerParameters.thesis()
 FORCES = ((-2, 2), (-1, 1), (-3, 0.5))

@@ -11,21 +11,10 @@ import pytest
 
 from tests.quick import quick
 from tests.trimmer.loops.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
-from trimmer import (
-    CoulombFriction,
-    Drive,
-    FrictionBacklash,
-    InertiaBacklash,
-    Motion,
-    TrimmerLoop,
-    TrimmerParameters,
-    energy_balance,
-    simulate,
-)
-from trimmer.elements.element import Element
-from trimmer.linear import InputChannels
-from trimmer.loops import BodyFriction, EventKind, Outcome
-from trimmer.thesis import Displacement, TrimmerBody
+from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Motion, energy_balance, simulate
+from trimmer.elements import Element
+from trimmer.loops import BodyFriction, Drive, EventKind, Outcome, TrimmerLoop
+from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
 AMPLITUDE, OMEGA = 1.5e-3, 2 * math.pi * 110
