@@ -31,27 +31,13 @@ def shown(value: object) -> str:
 
 
 def require_instance(name: str, value: object, kinds: type[Any] | tuple[type[Any], ...], wanted: str) -> None:
-    """Check that an argument is an instance of a class.
-
-    Args:
-        name: Name of the argument.
-        value: What was given.
-        kinds: The class, or several.
-        wanted: What to give, in words.
-
-    Raises:
-        WrongTypeError: if it is not.
-    """
+    """Check that an argument is an instance of a class, or of one of several; messages say what is wanted."""
     if not isinstance(value, kinds):
         raise WrongTypeError(f"{name} must be {wanted}, not {shown(value)}")
 
 
 def require_instances(name: str, values: object, kinds: type[Any], wanted: str) -> tuple[Any, ...]:
-    """Check that an argument is a sequence of instances of a class, and return them.
-
-    Raises:
-        WrongTypeError: if it is not.
-    """
+    """Check that an argument is a sequence of instances of a class, and return them."""
     if isinstance(values, str | bytes) or not hasattr(type(values), "__iter__"):
         raise WrongTypeError(f"{name} must be a sequence, each entry {wanted}, not {shown(values)}")
     entries: tuple[Any, ...] = tuple(values)  # type: ignore[arg-type]
@@ -69,9 +55,6 @@ def real_number(name: str, value: object, unit: str = "") -> float:
     """Return a real number as a float; infinity and NaN pass.
 
     Truth values, text, complex numbers and arrays are none.
-
-    Raises:
-        WrongTypeError: if it is none.
     """
     of_unit = f" ({unit})" if unit else ""
     number = scalar(value)
@@ -84,12 +67,7 @@ def real_number(name: str, value: object, unit: str = "") -> float:
 
 
 def finite_number(name: str, value: object, unit: str = "") -> float:
-    """Return a finite real number as a float.
-
-    Raises:
-        WrongTypeError: if it is no real number.
-        ValueError: if it is infinite or NaN.
-    """
+    """Return a finite real number as a float."""
     number = real_number(name, value, unit)
     if not math.isfinite(number):
         raise ValueError(f"{name} must be finite, not {value!r}")
@@ -97,12 +75,7 @@ def finite_number(name: str, value: object, unit: str = "") -> float:
 
 
 def positive_number(name: str, value: object, unit: str = "") -> float:
-    """Return a positive, finite real number as a float.
-
-    Raises:
-        WrongTypeError: if it is no real number.
-        ValueError: if it is not positive and finite.
-    """
+    """Return a positive, finite real number as a float."""
     number = real_number(name, value, unit)
     if not 0 < number < math.inf:
         raise ValueError(f"{name} must be positive and finite{f' ({unit})' if unit else ''}, not {value!r}")
@@ -110,17 +83,7 @@ def positive_number(name: str, value: object, unit: str = "") -> float:
 
 
 def whole_number(name: str, value: object, least: int | None = None) -> int:
-    """Return a whole number as an int.
-
-    Args:
-        name: Name of the argument.
-        value: What was given.
-        least: The smallest that will do; None if any will.
-
-    Raises:
-        WrongTypeError: if it is no integer.
-        ValueError: if it is less than the least one, or more than 2^62.
-    """
+    """Return a whole number from the least one on, if there is one, as an int."""
     wanted = "a whole number" if least is None else f"a whole number from {least} on"
     try:
         number = None if isinstance(value, bool) else operator.index(value)  # type: ignore[arg-type]
@@ -136,33 +99,20 @@ def whole_number(name: str, value: object, least: int | None = None) -> int:
 
 
 def truth_value(name: str, value: object) -> bool:
-    """Return True or False, as a bool.
-
-    Raises:
-        WrongTypeError: if it is neither; a text would be taken for True otherwise.
-    """
+    """Return True or False, as a bool."""
     given = scalar(value)
     require_instance(name, given, bool, "True or False")
     return bool(given)
 
 
 def file_path(name: str, path: object) -> Path:
-    """Return the path of a file.
-
-    Raises:
-        WrongTypeError: if it is no path.
-    """
+    """Return the path of a file."""
     require_instance(name, path, (str, os.PathLike), "the path of a file")
     return Path(path)  # type: ignore[arg-type]
 
 
 def real_array(name: str, values: ArrayLike) -> Reals:
-    """Return real, finite numbers as an array of floats.
-
-    Raises:
-        WrongTypeError: if they are no real numbers.
-        ValueError: if one is infinite or NaN.
-    """
+    """Return real, finite numbers as an array of floats."""
     import numpy as np
 
     array = real_values(name, values)
@@ -172,11 +122,7 @@ def real_array(name: str, values: ArrayLike) -> Reals:
 
 
 def real_values(name: str, values: ArrayLike) -> Reals:
-    """Return real numbers as an array of floats; infinity and NaN pass.
-
-    Raises:
-        WrongTypeError: if they are no real numbers.
-    """
+    """Return real numbers as an array of floats; infinity and NaN pass."""
     import numpy as np
 
     try:

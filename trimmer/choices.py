@@ -30,15 +30,7 @@ class Choice(Enum):
 
     @classmethod
     def chosen(cls, value: Self | str | int, argument: str) -> Self:
-        """Return the member that is meant by itself or by its word.
-
-        Args:
-            value: The member, or its word; a word of digits may be given as a whole number.
-            argument: Name of the argument, for the message.
-
-        Raises:
-            ChoiceError: if the value is neither.
-        """
+        """Return the member that is meant by itself or by its word, as a whole number if of digits."""
         if isinstance(value, cls):
             return value
         words = [member.word for member in cls]

@@ -34,13 +34,7 @@ class DerivedSources:
 
 
 def derive_sources() -> DerivedSources:
-    """Derive the linear trimmer as Python source and as LaTeX, and the describing functions as LaTeX.
-
-    Raises:
-        UnprovenError: if an equation is not proven.
-        DimensionError: if a derived equation is not consistent in its dimensions.
-        ValueError: if the power balance of the linear trimmer does not hold.
-    """
+    """Derive the linear trimmer as Python source and as LaTeX, and the describing functions as LaTeX."""
     named = (*(quantity.symbol for quantity in PARAMETERS), *coordinates)
     arguments = {symbol: str(symbol).removesuffix("(t)").replace("_", "") for symbol in named}
     return DerivedSources(
@@ -50,13 +44,7 @@ def derive_sources() -> DerivedSources:
 
 
 def derive_mechanism_sources(mechanism: Mechanism) -> DerivedSources:
-    """Derive a mechanism as Python source and as LaTeX.
-
-    Raises:
-        MechanismError: if two symbols of its parts print the same, or one is used by the derivation itself.
-        UnprovenError: if a check of the derivation fails.
-        DimensionError: if a derived equation is not consistent in its dimensions.
-    """
+    """Derive a mechanism as Python source and as LaTeX."""
     symbolic = symbolic_mechanism(mechanism)
     derivation = derive_mechanism(symbolic.mechanism)
     title = mechanism.title or "Mechanism"

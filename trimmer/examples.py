@@ -22,11 +22,7 @@ def examples() -> tuple[str, ...]:
 
 
 def example_text(name: str = USUAL) -> str:
-    """Return the commented file of an example.
-
-    Raises:
-        UnknownExampleError: if there is none of this name.
-    """
+    """Return the commented file of an example."""
     if name not in examples():
         advice = near_match(name, examples()) or f"there are {listed(examples())}"
         raise UnknownExampleError(f"there is no example {name!r}; {advice}")

@@ -75,11 +75,7 @@ _HEAD = 512
 
 
 def read_content(path: Path) -> bytes:
-    """Read a file, or standard input if the path is ``STANDARD_INPUT``.
-
-    Raises:
-        OSError: if it cannot be read.
-    """
+    """Read a file, or standard input if the path is ``STANDARD_INPUT``."""
     if path != STANDARD_INPUT:
         with path.open("rb") as file:
             return _read(file)
@@ -153,11 +149,7 @@ def write_atomically(path: Path | str, content: bytes | str, *, overwrite: bool 
 
 
 def check_replaceable(path: Path, kind: FileKind | None) -> None:
-    """Check that a file of a kind (None: of no known kind) may take the place of what is there, if anything.
-
-    Raises:
-        FileWriteError: if what is there is neither empty, nor of this kind, nor a stream.
-    """
+    """Check that a file of a kind, or of no known one, may take the place of what is there, if anything."""
     try:
         if is_stream(path) or is_standard_output(path) or not (target := _target(path)).exists():
             return
@@ -176,22 +168,14 @@ def check_replaceable(path: Path, kind: FileKind | None) -> None:
 
 
 def check_target(path: Path, kind: FileKind | None, *, overwrite: bool = False) -> None:
-    """Check a file that will be written after some work: by ``check_replaceable``, and whether it can be.
-
-    Raises:
-        FileWriteError: if it may not be replaced, or cannot be made.
-    """
+    """Check a file that will be written after some work: by ``check_replaceable``, and whether it can be."""
     _check_writable(path)
     if not overwrite:
         check_replaceable(path, kind)
 
 
 def _check_writable(path: Path) -> None:
-    """Check that a file can be made or replaced, as far as that shows without writing.
-
-    Raises:
-        FileWriteError: if its folder is none, cannot be made or cannot be written to.
-    """
+    """Check that a file can be made or replaced, as far as that shows without writing."""
     if is_stream(path) or is_standard_output(path):
         return
     target = _target(path)

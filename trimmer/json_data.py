@@ -23,12 +23,7 @@ class DataError(ValueError):
 
 
 def parsed_json(content: bytes | str) -> Any:
-    """Return what a JSON text says.
-
-    Raises:
-        DataError: if it is no JSON in UTF-8: NaN and infinity are none, and what is nested too deeply, or has
-            a number of thousands of digits, is not read.
-    """
+    """Return what a JSON text in UTF-8 says, without NaN and infinity, nested and long within reason."""
     try:
         text = content if isinstance(content, str) else content.decode("utf-8")
         return json.loads(text, parse_constant=_refused)
@@ -49,17 +44,10 @@ def _refused(word: str) -> float:
 
 
 def typed(kind: type[Data], data: Any) -> Data:
-    """Return parsed JSON as a frozen class whose fields say what is to be there.
+    """Return parsed JSON as a frozen class whose fields say what is to be there, all of it and no more.
 
-    Fields may be whole numbers, finite numbers, text, truth values, choices by their words, None, classes of
-    this kind, tuples, and dictionaries with text as keys. Every field must be there, and no other.
-
-    Args:
-        kind: The class.
-        data: What ``parsed_json`` returned, or a part of it.
-
-    Raises:
-        DataError: if something is missing, unknown or of another type; it names the place in the data.
+    Fields may be whole numbers, finite numbers, text, truth values, choices by their words, None, classes
+    of this kind, tuples, and dictionaries with text as keys. Errors name the place in the data.
     """
     found: Data = _typed(kind, data, "")
     return found

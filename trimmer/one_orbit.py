@@ -58,9 +58,7 @@ class ClosedCurve:
 def inaccuracy(residual: float, multipliers: Complexes) -> float:
     """Return how well the states of an orbit are determined by its return, as a share of their sizes.
 
-    Args:
-        residual: Miss of the return, as a share of the sizes.
-        multipliers: Multipliers but those that are 1 because the orbit may be shifted.
+    The multipliers are all but those that are 1 because the orbit may be shifted.
     """
     apart = abs(1 - multipliers)
     # Those that are 1 belong to a continuum, along which the states are not determined at all.
@@ -69,13 +67,7 @@ def inaccuracy(residual: float, multipliers: Complexes) -> float:
 
 
 def are_one(curve: ClosedCurve, other: ClosedCurve, within: float = SAME) -> bool:
-    """Return whether two orbits are one, shifted in time.
-
-    Args:
-        curve: One of them.
-        other: The other one.
-        within: Distance of the states, as a share of their sizes, up to which they are one.
-    """
+    """Return whether two orbits are one, shifted in time, within a distance as a share of their sizes."""
     if curve.states.shape != other.states.shape:
         return False
     share = within + curve.inaccuracy + other.inaccuracy
@@ -93,13 +85,7 @@ def are_one(curve: ClosedCurve, other: ClosedCurve, within: float = SAME) -> boo
 
 
 def same_states(ours: Reals, theirs: Reals, allowed: Reals) -> bool:
-    """Return whether the states of two orbits agree, wherever in their period they begin.
-
-    Args:
-        ours: States at the start of each drive period, (k, n).
-        theirs: Those of the other orbit.
-        allowed: Difference that is allowed of each state, (n,).
-    """
+    """Return whether states of two orbits, (k, n), agree, (n,), wherever in their period they begin."""
     if ours.shape != theirs.shape:
         return False
     return any(

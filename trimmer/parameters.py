@@ -140,11 +140,7 @@ class TrimmerParameters:
 
 
 def require_parameters(parameters: object) -> None:
-    """Check that the parameters of a trimmer were given.
-
-    Raises:
-        WrongTypeError: if they were not.
-    """
+    """Check that the parameters of a trimmer were given."""
     wanted = "the trimmer.TrimmerParameters of a trimmer, such as TrimmerParameters.thesis()"
     require_instance("parameters", parameters, TrimmerParameters, wanted)
 

@@ -37,14 +37,7 @@ def is_silenced() -> bool:
 def progress_bar(
     items: Iterable[Any] | None = None, description: str = "", *, quiet: bool = False, **settings: Any
 ) -> tqdm[Any]:
-    """Return a bar on standard error, for what takes longer than ``SILENCE``; on a terminal only.
-
-    Args:
-        items: What it counts, if it does so by itself.
-        description: The word before it.
-        quiet: Show none.
-        settings: Those of ``tqdm``.
-    """
+    """Return a bar of tqdm on standard error, for what takes longer than ``SILENCE``; on a terminal only."""
     from tqdm import tqdm
 
     hidden = True if quiet or is_silenced() else None  # None: shown on a terminal

@@ -16,11 +16,7 @@ class DateError(TrimmerError):
 
 
 def source_date() -> datetime | None:
-    """Return the time that ``SOURCE_DATE_EPOCH`` sets, UTC; None where it is not set, or empty.
-
-    Raises:
-        DateError: if that is no number of seconds since 1970 in a year of four digits.
-    """
+    """Return the time that ``SOURCE_DATE_EPOCH`` sets, UTC; None where it is not set, or empty."""
     given = os.environ.get(EPOCH)
     if not given:
         return None
@@ -35,10 +31,6 @@ def source_date() -> datetime | None:
 
 
 def check_source_date() -> None:
-    """Check the date of the environment for libraries, some of which end at a wrong or an empty one.
-
-    Raises:
-        DateError: if it is none.
-    """
+    """Check the date of the environment for libraries, some of which end at a wrong or an empty one."""
     if source_date() is None:
         os.environ.pop(EPOCH, None)

@@ -13,12 +13,7 @@ CLOSE = 1e-9
 
 
 def levels(values: Reals | Sequence[float], close: float = CLOSE) -> Integers:
-    """Return the level of each number, from 0 for the smallest on; neighbours that agree have the same.
-
-    Args:
-        values: Shape (n,).
-        close: Largest difference of two that agree, as a share of the larger modulus.
-    """
+    """Return levels, (n,), from 0 for the smallest on; neighbours that agree, relatively, have the same."""
     given = np.asarray(values, dtype=float)
     order = np.argsort(given, kind="stable")
     rising = given[order]

@@ -27,16 +27,7 @@ def decoded(content: bytes) -> str:
 
 
 def read_bytes_of_text(path: Path, error: type[TrimmerError], advice: str) -> bytes:
-    """Read a file of text, or standard input, as it is.
-
-    Args:
-        path: The file; ``-`` is standard input.
-        error: What is raised.
-        advice: Where a file to start from comes from, for the message of a file that is not there.
-
-    Raises:
-        TrimmerError: of the type that is given, if the file cannot be read, is empty or is no text.
-    """
+    """Read a file of text, or standard input for ``-``, as it is; the error and its advice are given."""
     try:
         content = read_content(path)
         text = decoded(content)
@@ -55,17 +46,7 @@ def read_bytes_of_text(path: Path, error: type[TrimmerError], advice: str) -> by
 
 
 def parsed(text: str, name: str, error: type[TrimmerError], advice: str) -> dict[str, Any]:
-    """Return the content of a file from its text.
-
-    Args:
-        text: The text.
-        name: What messages call the file.
-        error: What is raised.
-        advice: How a line of such a file is written, for the message.
-
-    Raises:
-        TrimmerError: of the type that is given, if the text is not TOML.
-    """
+    """Return the content of a file from its text, which messages call by a name; the error is given."""
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as reason:  # ValueError: syntax, or an integer of too many digits

@@ -71,18 +71,7 @@ def add_overwrite_option(parser: ArgumentParser) -> None:
 
 
 def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: Mapping[str, str]) -> None:
-    """Check names of files that are to be written, before any work is done.
-
-    Args:
-        arguments: The options.
-        targets: What each option writes.
-        sources: What the files are that are read, by the name of the option.
-
-    Raises:
-        TrimmerError: if a name ends in what is not written; if a file is to be read too, or written twice; if
-            what is there may not be replaced, or nothing can be written there; if ``--overwrite`` is given
-            and nothing is written.
-    """
+    """Check names of files to write, and against those that are read, before any work is done."""
     chosen = {
         name: Path(getattr(arguments, name)) for name in targets if getattr(arguments, name) is not None
     }
@@ -102,11 +91,7 @@ def check_targets(arguments: Namespace, targets: Mapping[str, Kinds], sources: M
 
 
 def keep(path: Path) -> None:
-    """Refuse a file to write that is there already, unless it is empty or standard output.
-
-    Raises:
-        FileWriteError: if it holds something, or is a symbolic link to what is not there.
-    """
+    """Refuse a file to write that is there already, unless it is empty or standard output."""
     if os.path.islink(path) and not os.path.exists(path):
         raise FileWriteError(
             f"{path} is a symbolic link to {os.readlink(path)}, which leads to no file: name another "

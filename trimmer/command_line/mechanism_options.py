@@ -36,11 +36,7 @@ def add_seed_option(parser: ArgumentParser) -> None:
 
 
 def chosen_mechanism(arguments: Namespace) -> Mechanism:
-    """Return the mechanism of the file with the numbers that are set.
-
-    Raises:
-        MechanismError: if the file or a number cannot be used.
-    """
+    """Return the mechanism of the file with the numbers that are set."""
     mechanism = mechanism_with(arguments.file, arguments.set)
     note_controllers(arguments.file, mechanism)
     return mechanism
@@ -59,11 +55,7 @@ def note_controllers(file: Path, mechanism: Mechanism) -> None:
 
 
 def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:
-    """Return the mechanism of a file with numbers set, each by a text such as ``plays.bridge.gap=40um``.
-
-    Raises:
-        MechanismError: if the file or a number cannot be used.
-    """
+    """Return the mechanism of a file with numbers set, each by a text such as ``plays.bridge.gap=40um``."""
     from trimmer.mechanism.places import assignment
     from trimmer.mechanism.reading import read_mechanism
 

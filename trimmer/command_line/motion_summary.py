@@ -15,13 +15,7 @@ POINTS = 20_001
 
 
 def summary_lines(duration: float, ending: str, events: Iterable[tuple[str, str]]) -> list[str]:
-    """Return the first lines of a summary; amplitudes follow.
-
-    Args:
-        duration: Of the motion, s.
-        ending: How it ended.
-        events: Part and kind of each event.
-    """
+    """Return the first lines of a summary: duration, s, how it ended, how often each part had what event."""
     counts = Counter(events)
     return [
         f"Motion of {duration:.6g} s: {ending}",

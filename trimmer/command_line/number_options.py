@@ -64,11 +64,7 @@ def add_positive(parser: ArgumentParser, name: str, unit: str, meaning: str, *, 
 
 
 def number_in(text: str, unit: str) -> float:
-    """Return the number that a text states, in an SI unit if it names none.
-
-    Raises:
-        UnitError: if it states none; the message is the end of a sentence.
-    """
+    """Return the number that a text states, in an SI unit if it names none."""
     from trimmer.mechanism.units import UnitError, quantity
 
     try:
@@ -78,11 +74,7 @@ def number_in(text: str, unit: str) -> float:
 
 
 def positive_whole(text: str) -> int:
-    """Return the positive whole number that a text states, as the type of an option.
-
-    Raises:
-        ArgumentTypeError: if it states none.
-    """
+    """Return the positive whole number that a text states, as the type of an option."""
     if not (text.isascii() and text.isdecimal()) or not 1 <= int(text[:_DIGITS]) <= MOST:
         raise ArgumentTypeError(f"{shown_value(text)} is not a positive whole number up to {MOST}")
     return int(text)

@@ -109,11 +109,7 @@ def _number(text: str) -> float:
 
 
 def of_usual_size(value: float, text: str) -> float:
-    """Return the number that a text states.
-
-    Raises:
-        ArgumentTypeError: if it is too large or too small to be computed with.
-    """
+    """Return the number that a text states."""
     reason = reason_against_size(value)
     if reason:
         raise ArgumentTypeError(f"{shown_value(text)} {reason}")
@@ -152,27 +148,14 @@ def is_given(arguments: Namespace, name: str) -> bool:
 
 
 def refuse_unused(arguments: Namespace, names: Iterable[str], use: str) -> None:
-    """Refuse options that would have no effect.
-
-    Args:
-        arguments: The options.
-        names: Names under which those are kept that have no effect together with the others.
-        use: What they belong to, for the message.
-
-    Raises:
-        OptionError: if one of them was given.
-    """
+    """Refuse options that would have no effect without others, which the message names."""
     for name in names:
         if is_given(arguments, name):
             raise OptionError(f"{as_option(name)} has no effect without {use}: add that, or leave it out")
 
 
 def require_positive(arguments: Namespace, name: str, unit: str) -> None:
-    """Check that the value of an option is positive and finite.
-
-    Raises:
-        OptionError: if it is not.
-    """
+    """Check that the value of an option is positive and finite."""
     value = getattr(arguments, name)
     if not 0 < value < math.inf:
         quantity = name.replace("_", " ")

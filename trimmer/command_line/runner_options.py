@@ -21,11 +21,7 @@ def add_runner_options(parser: ArgumentParser) -> None:
 
 
 def check_runner_options(arguments: Namespace) -> None:
-    """Refuse options that contradict each other.
-
-    Raises:
-        OptionError: if both are given, or one of them cannot be used.
-    """
+    """Refuse options that contradict each other."""
     check_jobs(arguments.jobs)
     if arguments.scheduler is None:
         return
@@ -36,11 +32,7 @@ def check_runner_options(arguments: Namespace) -> None:
 
 
 def check_jobs(jobs: int | None) -> None:
-    """Refuse a number of processes that cannot be, or that would only fill the memory.
-
-    Raises:
-        OptionError: if it is such a number.
-    """
+    """Refuse a number of processes that cannot be, or that would only fill the memory."""
     from trimmer.runners.processes import cores, most_processes
 
     if jobs is not None and jobs < 1:
@@ -53,11 +45,7 @@ def check_jobs(jobs: int | None) -> None:
 
 
 def check_resuming(arguments: Namespace) -> None:
-    """Refuse ``--resume`` without the file of ``--output``, or beside ``--overwrite``.
-
-    Raises:
-        OptionError: if it is given so.
-    """
+    """Refuse ``--resume`` without the file of ``--output``, or beside ``--overwrite``."""
     if arguments.resume and arguments.output is None:
         raise OptionError("--resume goes on with the file of --output: name it")
     if arguments.resume and arguments.overwrite:
@@ -65,12 +53,7 @@ def check_resuming(arguments: Namespace) -> None:
 
 
 def chosen_runner(arguments: Namespace, chunk: int | None = None) -> Runner | None:
-    """Return who does the work; None where nothing was chosen.
-
-    Args:
-        arguments: Parsed options.
-        chunk: Cells that go to a process or worker at once; by default a tenth of a second of work.
-    """
+    """Return who does the work, in chunks of a tenth of a second if not given; None if nothing was chosen."""
     from trimmer.runners.cluster import ClusterRunner
     from trimmer.runners.processes import ProcessRunner
     from trimmer.runners.runner import CHUNK, SerialRunner

@@ -36,9 +36,6 @@ def chosen_state(texts: Sequence[str], system: Mechanism | Loop) -> dict[str, tu
     """Return displacement, m, and velocity, m/s, of the bodies that are given; None if none is.
 
     Of a loop it is each state that is given, alone, in its unit.
-
-    Raises:
-        OptionError: if a text cannot be read, or names no body or state.
     """
     if not texts:
         return None

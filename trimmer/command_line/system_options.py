@@ -35,13 +35,7 @@ SOURCES = {"parameters": "the file of the parameters", "file": "the file of the 
 def add_system_options(
     parser: ArgumentParser, *, output_is_file: bool = False, file_help: str = FILE_HELP
 ) -> None:
-    """Add the file of a mechanism, which may be left out, the options of a loop, and ``--set``.
-
-    Args:
-        parser: The parser of the command.
-        output_is_file: Whether ``--output`` is a file that the command writes.
-        file_help: What is said of the file.
-    """
+    """Add the file of a mechanism, which may be left out, the options of a loop, and ``--set``."""
     parser.add_argument(
         "file",
         type=file_to_read,
@@ -60,11 +54,7 @@ def add_start_options(parser: ArgumentParser) -> None:
 
 
 def chosen_start(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Mapping[str, Any] | None:
-    """Return what is given of the start, by the names of bodies or states; None for that of the mechanism.
-
-    Raises:
-        OptionError: if it cannot be read, or a loop without a drive has none.
-    """
+    """Return what is given of the start, by the names of bodies or states; None for that of the mechanism."""
     from trimmer.mechanism.mechanism import Mechanism
 
     if isinstance(system, Mechanism):
@@ -73,15 +63,9 @@ def chosen_start(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Mappi
 
 
 def chosen_system(arguments: Namespace, but: tuple[str, ...] = ()) -> Mechanism | TrimmerLoop:
-    """Return the mechanism or the loop that the options choose, with the numbers that are set.
+    """Return the mechanism or loop that the options choose, with the numbers that are set.
 
-    Args:
-        arguments: Parsed options.
-        but: Options of loops that mean something for a mechanism too.
-
-    Raises:
-        TrimmerError: if options contradict each other or cannot be used; if options of loops are given beside
-            the file of a mechanism.
+    Options of loops are refused beside the file of a mechanism, but those that mean something for it too.
     """
     if arguments.file is None:
         return chosen_loop(arguments)
@@ -90,15 +74,7 @@ def chosen_system(arguments: Namespace, but: tuple[str, ...] = ()) -> Mechanism 
 
 
 def refuse_loop_options(arguments: Namespace, but: tuple[str, ...] = ()) -> None:
-    """Refuse options of loops beside the file of a mechanism.
-
-    Args:
-        arguments: Parsed options.
-        but: Options that mean something for a mechanism too.
-
-    Raises:
-        OptionError: if one of them is given.
-    """
+    """Refuse options of loops beside the file of a mechanism, but those that mean something for it too."""
     given = [name for name in OF_LOOPS if is_given(arguments, name) and name not in but]
     given += ["friction"] if getattr(arguments, "friction", []) else []
     if given:

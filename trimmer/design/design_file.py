@@ -131,15 +131,7 @@ def read_design_file(path: Path | str, changes: Sequence[tuple[str, float | str]
 def read_with_targets(
     path: Path | str, changes: Sequence[tuple[str, float | str]] = ()
 ) -> tuple[Mechanism, tuple[Target, ...]]:
-    """Read a mechanism as ``read_mechanism`` does, with other numbers, and the targets in its file.
-
-    Args:
-        path: The file, or ``-`` for standard input.
-        changes: Places, and the numbers that stand there in place of those of the file.
-
-    Raises:
-        MechanismError: if it cannot be read, or holds what cannot be used.
-    """
+    """Read a mechanism as ``read_mechanism`` does, with other numbers, and the targets in its file."""
     path = file_path("path", path)
     text, name = decoded(bytes_of_file(path)), str(path)
     content = content_of_text(text, name)

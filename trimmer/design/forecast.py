@@ -117,9 +117,8 @@ class Forecast:
     def best(self, offset: Reals, avoided: tuple[Reals, ...] = ()) -> tuple[Reals, float]:
         """Return the factors, as logarithms, with the largest margin of all targets, and that margin.
 
-        Args:
-            offset: What is added to the logarithms, as trials have shown it, (targets,).
-            avoided: Factors around which the motion did not repeat as wanted, each (numbers,).
+        Trials have shown the offset, (targets,), of the logarithms, and factors, (numbers,), around
+        which the motion did not repeat as wanted.
         """
         first, _ = self._best_of([each.grid() for each in self.scans], offset, avoided)
         grids = [each.grid(float(at)) for each, at in zip(self.scans, first, strict=True)]

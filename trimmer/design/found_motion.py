@@ -192,11 +192,7 @@ def of_steps(responses: Mapping[str, StepResponse], settled: SettledMotion) -> F
 
 
 def of_switching(mechanism: Mechanism) -> FoundMotion:
-    """Return what a machine does from its start until it rests.
-
-    Raises:
-        UnsupportedMotionError: if it cannot be followed so long.
-    """
+    """Return what a machine does from its start until it rests."""
     found = switching(mechanism)
     flow, course, rest = found.motion.flow, found.motion.course, found.rest
     share = min(1.0, SEEN * found.last / course.duration) or 1.0

@@ -105,9 +105,6 @@ def steps_tried(mechanism: Mechanism, names: Iterable[str]) -> tuple[MotionKind,
     """Return how controllers follow their steps, and whether all rests, hunts evenly, or neither.
 
     It is periodic here if two stretches of it, one after the other, swing by as much.
-
-    Raises:
-        UnsupportedMotionError: if it grows without bound, or cannot be followed.
     """
     flow, found, ends = MechanismFlow(mechanism), {}, list[StepEnd]()
     for name in names:

@@ -73,13 +73,7 @@ class HandArm:
 
 
 def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) -> Mapping[str, HandArm]:
-    """Weight the vibration of each body over a period, line by line, exact to rounding.
-
-    Args:
-        course: The motion over its period.
-        omega: Frequency at which it repeats, rad/s.
-        rms: Root of the mean square acceleration of each body, m/s².
-    """
+    """Weight the vibration of each body over a period, line by line, exact to rounding; rms is in m/s²."""
     layout = course.modes.system.layout
     count = min(int(np.ceil(2 * np.pi * HIGHEST / omega)), MOST_LINES)
     weights_of = {name: layout.weights(name) for name in layout.shaken}
@@ -108,13 +102,7 @@ def _largest_beyond(frequency: float) -> float:
 
 
 def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -> Mapping[str, HandArm]:
-    """Weight the vibration of each body over a window of a motion that does not repeat.
-
-    Args:
-        course: The window.
-        rms: Root of the mean square acceleration of each body, m/s².
-        rate: Samples per second.
-    """
+    """Weight the vibration of each body over a window of what does not repeat; rms is in m/s², rate in Hz."""
     count = int(course.duration * rate)
     times = course.duration * (np.arange(count) + 0.5) / count
     states, taper = course.states(times), np.hanning(count)

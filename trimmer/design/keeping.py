@@ -35,13 +35,7 @@ class Keeper:
     depends: str = ""
 
     def made(self, stage: str, depends: object, make: Callable[[], Result]) -> Result:
-        """Return what was kept of a stage, or make it and keep it.
-
-        Args:
-            stage: Its name.
-            depends: What it depends on beside what all do, as a thing whose ``repr`` says all.
-            make: Makes it.
-        """
+        """Return what was kept of a stage, or make it and keep it; ``repr`` says all that it depends on."""
         kept: Result | None = self.kept(stage, depends)
         if kept is None:
             kept = make()

@@ -55,19 +55,8 @@ def design_map(  # noqa: PLR0913 (each is a choice of its own)
 ) -> DesignMap | None:
     """Tell what the mechanism settles to over two numbers, each cell from rest or the file's own start.
 
-    Args:
-        mechanism: The mechanism.
-        first: What varies along a row.
-        second: What varies from row to row.
-        settings: How many cells, and how long each is waited for.
-        runner: Who does the work.
-        keeper: Keeps each row.
-        told: Is told of each row.
-        targets: Whose measures are taken.
-        stepped: Whether controllers follow steps, so that cells tell whether all rests or hunts.
-
-    Returns:
-        The map; None if the runner left cells out.
+    Rows are kept as they come. Where controllers are ``stepped``, cells tell whether all rests or hunts.
+    None if the runner left cells out.
     """
     values = {each.place: each.values(settings.cells) for each in (first, second)}
     of_map, asked = Settings(settings.cell_periods, measures=keys_of(targets)), asked_of(targets)

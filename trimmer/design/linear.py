@@ -97,10 +97,8 @@ def linear_states(
 ) -> tuple[LinearState, ...]:
     """Return the linear mechanism with its contacts closed, then open; once if it has none.
 
-    Args:
-        mechanism: The mechanism.
-        drives: Name, SI unit and order of the pins and forces whose responses are wanted; those that vibrate
-            if not given.
+    Drives are name, SI unit and order of pins and forces whose responses are wanted; those that vibrate
+    if not given.
     """
     contacts = (*mechanism.plays.values(), *mechanism.stops.values())
     any_pushes = any(each.stiffness or each.damping for each in contacts)

@@ -157,15 +157,7 @@ def with_neighbours(
     settings: DesignSettings,
     runner: Runner,
 ) -> Motions:
-    """Return the motions with those that orbits of neighbouring mechanisms lead to.
-
-    Args:
-        mechanism: The mechanism; it has a drive.
-        motions: Those from several starts.
-        varied: The numbers by which neighbours differ; the first two are taken.
-        settings: How long each is waited for.
-        runner: Who does the work.
-    """
+    """Return the motions with those that orbits of neighbouring mechanisms, in two numbers, lead to."""
     if len(varied) < 2 or any(each.value == 0 for each in varied[:2]):
         return motions
     values = {each.place: _around(each, settings.neighbours) for each in varied[:2]}

@@ -150,16 +150,7 @@ def path_through(
     *,
     keys: tuple[str, ...] = (),
 ) -> NumberPath:
-    """Follow the motion of the working point over one number to both ends of its range.
-
-    Args:
-        mechanism: The mechanism; it has a drive.
-        varied: The number.
-        motion: A periodic motion.
-        most_points: Orbits to each side, at most.
-        deadline: After which no further orbit is solved for.
-        keys: Of measures that are taken; see ``trimmer.motion.chosen``.
-    """
+    """Follow a periodic motion of the working point over one number to both ends of its range."""
     periods = motion.period_count or 1
     sides: list[PathSide | None] = []
     for end in (varied.lowest, varied.highest):

@@ -58,17 +58,7 @@ def remedies(
     settings: DesignSettings,
     runner: TimedRunner,
 ) -> Remedies:
-    """Look for changes of one number or two that meet all targets, at the point and beside it.
-
-    Args:
-        mechanism: The mechanism.
-        targets: All targets.
-        missed: Those that are missed now.
-        sensitivities: What each number changes, by which those are chosen that are tried.
-        conditions: Under which the targets shall hold.
-        settings: How many trials and starts there are, and how long each motion is waited for.
-        runner: Who does the work, and until when.
-    """
+    """Look for changes of one number or two that meet all targets, at the point and beside it."""
     search = _Search(mechanism, targets, conditions, settings, runner)
     scans = search.scans(_places(mechanism, missed, sensitivities))
     reached = search.reached(scans) if scans else []

@@ -97,14 +97,7 @@ def _size(elasticity: Elasticity | None) -> float:
 def sensitivities(
     mechanism: Mechanism, motion: FoundMotion, deadline: Deadline = NEVER, *, stepped: bool = False
 ) -> Sensitivities:
-    """Change each number a little to either side, and solve for the exact orbit again.
-
-    Args:
-        mechanism: The mechanism.
-        motion: A periodic motion of it.
-        deadline: After which no further number is changed.
-        stepped: Whether it is looked at how controllers follow their steps.
-    """
+    """Change each number a little to either side, and solve for the exact orbit again."""
     every = all_measures(mechanism, switched=motion.switched is not None, stepped=stepped)
     asked = tuple(each for each in every if each.measure is not Measure.PERIOD)
     found, failed = [], []

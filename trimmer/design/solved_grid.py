@@ -193,17 +193,8 @@ def solved_grid(
 ) -> SolvedGrid | None:
     """Solve for the motions on a coarse grid, then on a fine one that holds it.
 
-    Args:
-        mechanism: The mechanism.
-        moved: The numbers.
-        targets: Whose measures are taken.
-        shaken: Body whose acceleration is a signal too; None for none.
-        settings: How fine the grid is, and how many drive periods are waited for at each point.
-        runner: Who does the work; what it leaves out is not on the grid.
-        switched: Whether the motion is looked at from its start until all rests.
-
-    Returns:
-        The finest grid that is whole; None if not even the coarse one is, or there is nothing to show.
+    The acceleration of a body that is ``shaken`` is a signal too; what has ``switched`` is looked at
+    until all rests. None if not even the coarse grid is whole, or there is nothing to show.
     """
     whole, signals = with_signals(mechanism, targets, shaken)
     if not signals or not moved:

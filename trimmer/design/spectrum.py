@@ -75,12 +75,9 @@ class OutputSpectrum:
 def spectra(
     motion: FoundMotion, frequency: float | None, states: tuple[LinearState, ...]
 ) -> Mapping[str, OutputSpectrum]:
-    """Explain the lines of each output of a motion.
+    """Explain the lines of each output of a motion by its drive, Hz, and by modes that may amplify them.
 
-    Args:
-        motion: The motion; one that does not repeat has its harmonics alone.
-        frequency: That of the drive, Hz; None for a motion by itself.
-        states: The linear mechanism, whose modes may amplify a line.
+    One that does not repeat has its harmonics alone.
     """
     base = frequency if frequency is not None else (1 / motion.period if motion.period else None)
     if base is None:

@@ -30,12 +30,8 @@ def pairs_of_targets(
 ) -> dict[Pair, tuple[Target, ...]]:
     """Return pairs of numbers, each with the targets that are drawn over it.
 
-    Args:
-        mechanism: The mechanism.
-        targets: The targets, those first that are to be drawn if not all can be.
-        varied: Gap, speed and friction, which keep their own ranges.
-        sensitivities: By how much each measure changes with each number, if its motion repeats.
-        remedies: By how much each missed target changed over wide ranges; these come first.
+    Gap, speed and friction keep their own ranges. What missed targets changed most with over wide ranges
+    comes first, then what a motion that repeats changes most with.
     """
     known = {each.place: each for each in varied}
     found: dict[Pair, tuple[Target, ...]] = {}

@@ -120,13 +120,7 @@ KEYS = (*BOUNDS, ONLY_DRIVE_PERIOD)
 def targets_of(
     content: Mapping[str, Any], mechanism: Mechanism, problems: list[Problem]
 ) -> tuple[Target, ...]:
-    """Read the targets of a file; what cannot be used is added to the problems.
-
-    Args:
-        content: What stands in ``[targets]``.
-        mechanism: The mechanism that they are for.
-        problems: The list that gets what is wrong.
-    """
+    """Read the targets of a file; what cannot be used is added to the problems."""
     if not isinstance(content, dict):
         problems.append(Problem(("targets",), "is a section: write [targets] on a line of its own", content))
         return ()

@@ -94,14 +94,7 @@ def verdict_on(
     study: RangeStudy | None,
     around: Around | None = None,
 ) -> DesignVerdict:
-    """Judge the targets.
-
-    Args:
-        targets: What is wanted.
-        motions: The motions that were found.
-        study: What was seen over the ranges of what nobody knows, if there are any.
-        around: What was seen at neighbouring speeds, and as numbers scatter.
-    """
+    """Judge the targets by the motions, by what was seen over ranges, and around the point."""
     first = motions.first
     if not targets or first is None:
         outcome = DesignOutcome.OPEN if targets else DesignOutcome.NO_TARGETS

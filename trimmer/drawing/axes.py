@@ -33,11 +33,6 @@ def add_legend(axes: Axes, handles: Iterable[Artist] | None = None, title: str =
     """Add a legend outside of the data in which each label stands once; none without a label.
 
     It stands at the right of wide axes, and under narrow ones.
-
-    Args:
-        axes: Where.
-        handles: What it shows; what has a label in the axes if not given.
-        title: What is to be said of all of them.
     """
     shown = axes.get_legend_handles_labels()[0] if handles is None else list(handles)
     once = {str(each.get_label()): each for each in shown}

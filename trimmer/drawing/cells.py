@@ -27,17 +27,10 @@ def draw_cells(
     colours: Mapping[int, str],
     hatches: Mapping[int, str] = NO_HATCHES,
 ) -> None:
-    """Draw cells as areas, one path for each colour, so that they change with the colours of a page.
+    """Draw cells, (n2, n1), as areas over values, (n1,) and (n2,), one path for each colour.
 
-    A cell reaches half way to the next value; values may come in any order.
-
-    Args:
-        axes: Where to draw.
-        first: Values along a row, (n1,).
-        second: Values of the rows, (n2,).
-        cells: Numbers of colours, (n2, n1).
-        colours: By their numbers.
-        hatches: Matplotlib's signs for the hatching of some of them, by their numbers.
+    So they change with the colours of a page. A cell reaches half way to the next value; values may come
+    in any order.
     """
     columns, rows = np.argsort(first), np.argsort(second)
     across, up = edges(first[columns]), edges(second[rows])

@@ -33,13 +33,7 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def figure_of(draw: Callable[[Axes], object], title: str = "", size: tuple[float, float] = SIZE) -> Figure:
-    """Return a figure with one picture.
-
-    Args:
-        draw: Draws into axes, such as a result's ``plot``.
-        title: What stands above it.
-        size: Width and height, inches.
-    """
+    """Return a figure of some size, inches, with one picture, such as a result's ``plot``, and its title."""
     figure = new_figure(*size)
     draw(figure.add_subplot())
     head(figure, title)

@@ -37,25 +37,12 @@ PICTURES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 @singledispatch
 def draw(result: object, axes: Axes, **options: Any) -> None:
-    """Draw a result into axes.
-
-    Args:
-        result: The result.
-        axes: Where.
-        options: What the function that is registered for the class of the result takes beside.
-
-    Raises:
-        TypeError: if none is registered.
-    """
+    """Draw a result into axes, by the function that is registered for its class, with its options."""
     raise TypeError(f"there is no picture of {type(result).__name__}")
 
 
 def plot(result: object, ax: Axes | None = None, **options: Any) -> Axes:
-    """Draw a result into axes that are given, or into those of a new figure of pyplot, and return them.
-
-    Raises:
-        WrongTypeError: if what is given is no Matplotlib axes.
-    """
+    """Draw a result into axes that are given, or into those of a new figure of pyplot, and return them."""
     _import_pictures(type(result))
     if ax is None:
         return _in_new_figure(result, options)

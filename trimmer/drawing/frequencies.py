@@ -16,13 +16,7 @@ EVEN, NEAR = 2000, 400
 def telling_frequencies(
     factored: ZeroPoleGain, limits: tuple[float, float] = (0.0, np.inf), reach: float = REACH
 ) -> Reals:
-    """Return rising angular frequencies, rad/s, that show a response: around its roots and between them.
-
-    Args:
-        factored: The system.
-        limits: Lowest and highest that is wanted.
-        reach: How far beyond the outermost roots to go, as a ratio.
-    """
+    """Return rising angular frequencies, rad/s, that show a response: around its roots and between them."""
     sizes = abs(factored.roots[factored.roots != 0])
     sizes = sizes if sizes.size else np.ones(1)
     lowest, highest = max(limits[0], sizes.min() / reach), min(limits[1], sizes.max() * reach)

@@ -56,13 +56,7 @@ def system_locus(axes: Axes, system: control.lti.LTI | MeasuredResponse, omega: 
 
 
 def inverse(element: Element, ratios: Reals, omega: float | None = None) -> Complexes:
-    """Return -1/N at u = amplitude_scale/amplitude.
-
-    Args:
-        element: The element.
-        ratios: u, a number, (n,).
-        omega: Angular frequency, rad/s, for an element that depends on it.
-    """
+    """Return -1/N at u = amplitude_scale/amplitude, (n,), and omega, rad/s, if N depends on it."""
     gain = element.describing_function(element.amplitude_scale / ratios, omega)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(-1.0 / gain)

@@ -16,13 +16,7 @@ FITS = 0.8
 
 
 def name_axis(axis: Axis, name: str, unit: str) -> None:
-    """Write name and unit at an axis whose data are drawn already, with one prefix for all its numbers.
-
-    Args:
-        axis: Its data are in SI units.
-        name: What it shows.
-        unit: The SI unit, empty for a number.
-    """
+    """Write name and SI unit at an axis whose data are drawn already, with one prefix for all its numbers."""
     factor, prefix = prefix_for(max(abs(float(end)) for end in axis.get_view_interval()), unit)
     axis.set_major_formatter(
         FuncFormatter(lambda value, _: f"{value / factor:.6g}".replace("-", "\N{MINUS SIGN}"))

@@ -11,31 +11,18 @@ from trimmer.errors import WrongTypeError
 
 
 def require_not_negative(field: str, value: float, unit: str) -> None:
-    """Check that a field of an element is zero, positive or infinite, and not NaN.
-
-    Raises:
-        WrongTypeError: if it is no real number.
-        ValueError: if it is out of range; the message names field, value and unit.
-    """
+    """Check that a field of an element is zero, positive or infinite, and not NaN."""
     if not real_number(field, value, unit) >= 0:
         raise ValueError(f"{field} must be zero, positive or infinite ({unit}), not {value!r}")
 
 
 def positive_amplitudes(amplitude: ArrayLike) -> Reals:
-    """Return amplitudes as an array of the same shape; infinity and NaN pass.
-
-    Raises:
-        ValueError: if one is zero or negative, or no real number.
-    """
+    """Return amplitudes as an array of the same shape; infinity and NaN pass."""
     return _positive("amplitude", amplitude, "half of peak to peak, in the unit of the input")
 
 
 def positive_omegas(omega: ArrayLike) -> Reals:
-    """Return angular frequencies, rad/s, as an array of the same shape; NaN passes.
-
-    Raises:
-        ValueError: if one is zero, negative or infinite, or no real number.
-    """
+    """Return angular frequencies, rad/s, as an array of the same shape; NaN passes."""
     omegas = _positive("omega", omega, "rad/s")
     if np.count_nonzero(np.isinf(omegas)):
         raise ValueError("omega must be finite (rad/s), not inf")

@@ -174,16 +174,7 @@ def is_element(value: object) -> bool:
 
 
 def adopted(name: str, element: object) -> Element:
-    """Return an element as it is, and a nonlinearity of python-control as one.
-
-    Args:
-        name: Name of the argument, for the message.
-        element: What was given.
-
-    Raises:
-        WrongTypeError: if it is neither.
-        UnsupportedElementError: if the nonlinearity is not odd.
-    """
+    """Return an element as it is, and a nonlinearity of python-control, if it is odd, as one."""
     if is_element(element) and not isinstance(element, Element):
         return ControlElement(element)
     wanted = "an element, such as FrictionBacklash(4e-5)"

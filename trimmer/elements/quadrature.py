@@ -96,14 +96,8 @@ def harmonic_by_quadrature(
 ) -> QuadratureEstimate:
     """Integrate N_n = (2j/(πA)) ∫ y exp(-jnθ) dθ over half a period, with y the odd part of the output.
 
-    Args:
-        halves: From phases θ, rad, shape (n,), to the steady output there and half a period later.
-        amplitude: A, > 0, in the unit of the input.
-        harmonic: n, odd.
-        breaks: Phases at which the output has a kink or a jump, rad.
-
-    Returns:
-        The estimate; NaN where the output is.
+    The output is given by phases θ, rad, (n,), there and half a period later; it has kinks or jumps at
+    the breaks.
     """
     cuts = _first_cuts(harmonic, breaks)
     begin, end = cuts[:-1], cuts[1:]

@@ -73,14 +73,7 @@ class Judgement:
 
 
 def judge(measured: MeasuredLines, fitted: Fitted, unknowns: int, called: str = "mechanism") -> Judgement:
-    """Hold what a fit leaves against the noise.
-
-    Args:
-        measured: The measurement.
-        fitted: The fit.
-        unknowns: Number of fitted numbers.
-        called: What moves, in a word.
-    """
+    """Hold what a fit of some unknowns leaves against the noise."""
     from scipy.stats import f
 
     freedom = max(2 * measured.lines.size + measured.by_itself - unknowns - 1, 1)

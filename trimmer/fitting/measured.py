@@ -123,19 +123,11 @@ def measure_lines(
     plain: Mapping[str, str] | None = None,
     by_itself: bool = False,
 ) -> MeasuredLines:
-    """Take the lines of a steady motion out of its record.
+    """Take the lines of a steady motion out of its record, whose outputs have the same times.
 
-    Args:
-        signals: The record of each output, with the same times.
-        near: Frequency near which the drive is looked for, Hz.
-        drive_frequency: That of the drive, Hz, if it is known.
-        plain: Units of outputs that are no motion, as forces or plain numbers, empty for the latter: their
-            signals are taken as they are in this unit.
-        by_itself: Whether there is no drive, and the vibration is looked for about the largest line.
-
-    Raises:
-        SignalError: if a signal is no motion, they have unlike times, there is no drive, or the record is
-            too short.
+    The drive is looked for near a frequency, Hz, unless it is known; what moves by itself, about the
+    largest line. Outputs that are ``plain`` are no motion: their signals are taken as they are in this
+    unit.
     """
     plain = plain or {}
     taken = {name for name, unit in plain.items() if name in signals and signals[name].unit == unit}

@@ -28,14 +28,7 @@ FAITHFUL = 0.5
 
 
 def nearby_minimum(misfit: Misfit, fitted: Fitted, free: Flags, jacobian: Reals | None = None) -> Fitted:
-    """Return the least misfit that is found from a motion over some of the coordinates.
-
-    Args:
-        misfit: The misfit.
-        fitted: Where to begin.
-        free: Which coordinates may change, (unknowns,).
-        jacobian: Derivative of the residual near there, if it is known, (residuals, unknowns).
-    """
+    """Return the least misfit that is found from a motion over the free coordinates, (unknowns,)."""
     if not free.any():
         return fitted
     slope = misfit.jacobian(fitted, free) if jacobian is None else jacobian

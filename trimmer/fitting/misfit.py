@@ -101,14 +101,10 @@ class Misfit:
         return float(np.sum(abs(self._turned(-self._whitened, simulated)[0]) ** 2))
 
     def jacobian(self, fitted: Fitted, free: Flags | None = None) -> Reals:
-        """Return the derivative of the residual by the coordinates, (residuals, unknowns).
+        """Return the derivative of the residual by the free coordinates, (residuals, unknowns), or else zero.
 
-        The origin of time is fitted anew on both sides, so that what it can take up is not in the derivative.
-        A column is zero where no neighbouring motion is found.
-
-        Args:
-            fitted: Where.
-            free: Coordinates that count, (unknowns,); columns of the others are left zero.
+        The origin of time is fitted anew on both sides, so that what it can take up is not in the
+        derivative. A column is zero where no neighbouring motion is found.
         """
         slope = np.zeros((self.size, len(fitted.coordinates)))
         for place in range(len(fitted.coordinates)):

@@ -65,11 +65,7 @@ class Model:
     count: int
 
     def subject_at(self, coordinates: Reals) -> Subject:
-        """Return the mechanism or loop with the numbers of coordinates, (unknowns,).
-
-        Raises:
-            MechanismError, LoopError: if the numbers do not go together.
-        """
+        """Return the mechanism or loop with the numbers of coordinates, (unknowns,)."""
         subject = self.subject
         for unknown, value in zip(self.unknowns, values_at(self.unknowns, coordinates), strict=True):
             subject = subject.with_value(unknown.place, value)

@@ -48,11 +48,7 @@ class FitSearch:
 def search(misfit: Misfit, starts: int, spread: float, seed: int) -> FitSearch | None:
     """Fit from several starts; None if none of them repeats as the measured motion does.
 
-    Args:
-        misfit: The misfit.
-        starts: Number of starts; those after the first are random.
-        spread: Factor by which numbers differ from their start at most in these.
-        seed: Of the random starts.
+    Those after the first are random, with numbers off by a factor of ``spread`` at most.
     """
     found = []
     for coordinates in progress_bar(list(_begun(misfit.model.unknowns, starts, spread, seed)), "starts"):

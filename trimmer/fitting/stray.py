@@ -35,13 +35,7 @@ class StrayLine:
 
 
 def fraction_of(frequency: float, drive: float, within: float) -> tuple[int, int] | None:
-    """Return the fraction of the drive at a frequency with the smallest denominator; None if there is none.
-
-    Args:
-        frequency: Hz.
-        drive: Frequency of the drive, Hz.
-        within: How far it may be off, Hz.
-    """
+    """Return the fraction of a drive, Hz, of least denominator within some Hz of a frequency, if any."""
     for periods in range(2, MOST_PERIODS + 1):
         order = round(frequency * periods / drive)
         near = abs(frequency - order * drive / periods) <= within

@@ -67,17 +67,10 @@ class Unknown:
 
 
 def unknowns_of(subject: Subject, free: Sequence[str] = ()) -> tuple[Unknown, ...]:
-    """Return the numbers that are fitted.
+    """Return the numbers that are fitted, by their dotted places.
 
-    Args:
-        subject: The mechanism or loop with their starting values.
-        free: Dotted places; by default gap, stiffness and damping of each play and the force of each
-            friction, or the numbers of a loop's element and frictions, as far as they are finite and greater
-            than zero.
-
-    Raises:
-        FitError: if there is nothing to fit, or a number is named that cannot be fitted.
-        MechanismError, LoopError: if there is no such number.
+    By default they are gap, stiffness and damping of each play and the force of each friction, or the
+    numbers of a loop's element and frictions, as far as they are finite and greater than zero.
     """
     if not free:
         usual = tuple(

@@ -40,13 +40,8 @@ def weak_directions(
 ) -> tuple[WeakDirection, ...]:
     """Return the changes of numbers by 10 % that change chi-square by less than the noise does.
 
-    They are singular vectors of the whitened derivative, in coordinates in which 10 % of each number count
-    alike; least chi-square first.
-
-    Args:
-        unknowns: The numbers.
-        jacobian: Derivative of the whitened residual by their coordinates, (residuals, unknowns).
-        allowed: Change of chi-square that noise explains.
+    They are singular vectors of the whitened derivative, (residuals, unknowns), in coordinates in which
+    10 % of each number count alike; least chi-square first.
     """
     _, sizes, directions = np.linalg.svd(jacobian, full_matrices=False)
     found = []

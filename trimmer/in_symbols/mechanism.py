@@ -65,10 +65,6 @@ def symbolic_mechanism(mechanism: Mechanism) -> SymbolsOfMechanism:
     """Turn a mechanism of numbers into one of symbols.
 
     Symbols are those that its parts carry, and others like them; coefficients that are zero stay zero.
-
-    Raises:
-        MechanismError: if two symbols of its parts print the same, or one is used by the
-            derivation itself.
     """
     printed = printed_symbols(mechanism)
     translated = Translation(mechanism, printed).mechanism()

@@ -152,11 +152,8 @@ _SYMBOL = re.compile(r"(?P<letters>[^\W\d_]+)(?P<digits>[0-9]*)(?:_\{?(?P<index>
 def printed_symbols(mechanism: Mechanism) -> Mapping[Place, PrintedSymbol]:
     """Return the symbol of everything that the equations of a mechanism may hold.
 
-    What a part carries no symbol for takes its usual letter, with the index of the symbol that it does carry,
-    or else with the name of the part.
-
-    Raises:
-        MechanismError: if a part carries a symbol that the derivation uses itself, or two print the same.
+    What a part carries no symbol for takes its usual letter, with the index of the symbol that it does
+    carry, or else with the name of the part.
     """
     carried = _carried_symbols(mechanism)
     found = dict(carried)

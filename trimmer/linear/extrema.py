@@ -33,11 +33,7 @@ _SAME = 16 * np.finfo(float).eps
 
 
 def polished_root(function: Callable[[float], float], lower: float, upper: float) -> float:
-    """Find the sign change of a function between two frequencies, rad/s, to the last digits, at any scale.
-
-    Raises:
-        ValueError: if the function has the same sign at both ends.
-    """
+    """Find the sign change of a function between two frequencies, rad/s, to the last digits, at any scale."""
     tolerance = 4 * np.finfo(float).eps
     return float(brentq(function, lower, upper, xtol=np.finfo(float).tiny, rtol=tolerance, maxiter=1000))
 

@@ -20,11 +20,7 @@ class UnsupportedSystemError(TrimmerError, ValueError):
 
 
 def require_siso(system: control.lti.LTI) -> None:
-    """Check that a system is a rational, continuous-time one with one input and one output.
-
-    Raises:
-        UnsupportedSystemError: if it is not.
-    """
+    """Check that a system is a rational, continuous-time one with one input and one output."""
     if not isinstance(system, control.StateSpace | control.TransferFunction):
         raise UnsupportedSystemError(
             f"as the system (G) {type(system).__name__} is not accepted: give a control.StateSpace or "

@@ -55,12 +55,9 @@ class Margins:
 
 
 def margins_of(ratio: Callable[[float], complex], omegas: Reals, ends: Sequence[float] = ()) -> Margins:
-    """Find the margins of L(omega).
+    """Find the margins of L(omega), which crosses an axis at most once between rising omegas, rad/s.
 
-    Args:
-        ratio: L at an angular frequency, rad/s.
-        omegas: Rising angular frequencies, rad/s, between two of which L crosses an axis at most once.
-        ends: Angular frequencies at which L is real, beside crossings: 0, and half the sampling rate.
+    At the ends L is real, beside crossings: 0, and half the sampling rate.
     """
     values = np.array([ratio(omega) for omega in omegas])
     real = [*_crossings(omegas, values.imag, lambda omega: ratio(omega).imag), *ends]
@@ -118,13 +115,10 @@ class StandingStates:
 
 
 def standing_states(matrix: Reals) -> StandingStates:
-    """Part the null space of a matrix, and what leads into it, from the rest.
+    """Part the null space of a balanced matrix, (n, n), and what leads into it, from the rest.
 
     A step takes the null space out; what A then maps into it is the null space of what is left, and so on
     (a staircase). So no power of A is formed, in which slow states would vanish.
-
-    Args:
-        matrix: A, balanced, (n, n).
     """
     size, left, turned = float(np.abs(matrix).max(initial=0.0)), matrix, np.eye(len(matrix))
     basis = np.zeros((len(matrix), 0))

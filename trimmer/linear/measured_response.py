@@ -153,11 +153,7 @@ class MeasuredResponse(Shown):
 
 
 def response_of(system: control.LTI | MeasuredResponse, omega: ArrayLike) -> Complexes:
-    """Return G(j omega) of a system or of data, in the shape of omega, rad/s; NaN beyond data.
-
-    Raises:
-        UnsupportedSystemError: see ``response_at``.
-    """
+    """Return G(j omega) of a system or of data, in the shape of omega, rad/s; NaN beyond data."""
     return system.at(omega) if isinstance(system, MeasuredResponse) else response_at(system, omega)
 
 

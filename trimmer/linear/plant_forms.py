@@ -26,15 +26,9 @@ def is_plain_form(system: object) -> bool:
 def adopted_system(system: object) -> object:
     """Return a system of SciPy, or a tuple of its arrays, as one of python-control; others as they are.
 
-    Zeros and poles become a chain of sections in state space, whose poles are those that were given, to the
-    last digit; multiplied out, close ones would lose half of them.
-
-    Args:
-        system: Also ``(num, den)`` of descending powers, ``(z, p, k)`` with roots in rad/s, and
-            ``(A, B, C, D)``.
-
-    Raises:
-        UnsupportedSystemError: if it is sampled, or these arrays make no system.
+    Tuples are ``(num, den)`` of descending powers, ``(z, p, k)`` with roots in rad/s, and ``(A, B, C,
+    D)``. Zeros and poles become a chain of sections in state space, whose poles are those that were
+    given, to the last digit; multiplied out, close ones would lose half of them.
     """
     if isinstance(system, scipy.signal.dlti):
         raise UnsupportedSystemError(
@@ -73,17 +67,7 @@ def _of_arrays(system: Any) -> object:
 
 
 def chain_of_sections(zeros: ArrayLike, poles: ArrayLike, gain: float) -> control.StateSpace:
-    """Return gain prod(s - zero)/prod(s - pole) as sections of one or two poles, one after the other.
-
-    Args:
-        zeros: Zeros, rad/s, complex ones in pairs.
-        poles: Poles, rad/s, complex ones in pairs, at least as many.
-        gain: Factor, in the unit of output over input times (rad/s)^(poles - zeros).
-
-    Raises:
-        UnsupportedSystemError: if there are more zeros than poles, complex roots are not in pairs, or a
-            number is not finite.
-    """
+    """Return gain prod(s - zero)/prod(s - pole), rad/s, as sections of one or two poles in a row."""
     z, p = (np.atleast_1d(np.asarray(each, dtype=complex)).ravel() for each in (zeros, poles))
     if not (np.isfinite(z).all() and np.isfinite(p).all() and np.isfinite(gain)):
         raise UnsupportedSystemError("zeros, poles and gain of the system must be finite")

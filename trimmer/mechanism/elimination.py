@@ -38,12 +38,7 @@ class Solutions:
 
 
 def solutions(equations: Reals, right: Reals) -> Solutions:
-    """Solve E x = b by elimination (Gauss and Jordan), the last unknowns first.
-
-    Args:
-        equations: E, (m, n).
-        right: b, (m,).
-    """
+    """Solve E x = b, (m, n) and (m,), by elimination (Gauss and Jordan), the last unknowns first."""
     count = equations.shape[1]
     pivots: dict[int, _Row] = {}
     left = [_row_of(*each) for each in zip(equations.tolist(), right.tolist(), strict=True)]

@@ -67,9 +67,6 @@ def kinds_of(content: Mapping[str, Any]) -> dict[str, Kind]:
     """Return the kind of everything that can be an end, by name, as far as it can be told.
 
     A pin on the ground is what its units measure, or else what it is joined to.
-
-    Args:
-        content: Fields of a mechanism, or the content of a file.
     """
     found = {
         name: Kind.TRANSLATION if entry(body, "inertia") is None else Kind.ROTATION
@@ -98,12 +95,7 @@ def kinds_of(content: Mapping[str, Any]) -> dict[str, Kind]:
 
 
 def kind_of_point(kinds: Mapping[str, Kind], point: object) -> Kind | None:
-    """Return the kind of a weighted sum: a rotation where all turn and no weight is a length.
-
-    Args:
-        kinds: Of what it is a sum of.
-        point: A point or output, or the table of one.
-    """
+    """Return the kind of a weighted sum: a rotation where all turn and no weight is a length."""
     weights = weights_of(point)
     met = {_known(kinds, each) for each in weights}
     if Kind.TRANSLATION in met or entry(point, "by_length") is True or any(map(is_length, weights.values())):

@@ -257,17 +257,7 @@ _JUDGED = (*COUPLINGS, "forces", *SECTIONS)
 
 
 def changed(mechanism: Mechanism, field_name: str, content: Any, name: str = "") -> Mechanism:
-    """Return a mechanism in which one number has changed, without checking again what has not.
-
-    Args:
-        mechanism: The mechanism, which was checked.
-        field_name: The field with the number.
-        content: What stands there now; the number itself has been checked, and is what the parts hold.
-        name: The entry of the field that has it, if it has entries.
-
-    Raises:
-        MechanismError: if the number does not go together with others.
-    """
+    """Return a mechanism in which one number, which was checked, has changed; others are not checked."""
     contents = {**vars(mechanism), field_name: content}
     asked = contents
     if field_name != "points":  # Weights of points may leave any part without motion.

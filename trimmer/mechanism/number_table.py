@@ -20,12 +20,8 @@ class TableError(TrimmerError, ValueError):
 def columns_of(path: Path) -> dict[str, Reals]:
     """Return the columns of a file by their names, all of one length, (rows,).
 
-    They are separated by commas, or by semicolons or tabs where the first line holds no comma. Empty lines
-    and those that begin with # are passed over.
-
-    Raises:
-        TableError: if the file cannot be read, a line has too few or too many cells, a name is missing or
-            there twice, or a cell holds no finite number.
+    They are separated by commas, or by semicolons or tabs where the first line holds no comma. Empty
+    lines and those that begin with # are passed over.
     """
     import numpy as np
 

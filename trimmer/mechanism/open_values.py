@@ -40,12 +40,7 @@ class OpenValue:
         return self.text.strip() == UNKNOWN
 
     def ends(self) -> tuple[float, float]:
-        """Return both ends of the range, in the SI unit; an end without a unit takes that of the other.
-
-        Raises:
-            UnitError: if they are no quantities of the right dimension, cannot stand there, or are not in
-                rising order. The message is the end of a sentence.
-        """
+        """Return both ends of the range, in the SI unit; an end without a unit takes that of the other."""
         found = _RANGE.fullmatch(self.text)
         if found is None:
             raise UnitError('is no range; write both ends, as in "20 um..60 um"')
@@ -70,11 +65,7 @@ class OpenValue:
 
 
 def open_values(content: Mapping[str, Any]) -> Iterator[OpenValue]:
-    """Find the numbers that a file leaves open.
-
-    Args:
-        content: The file as nested dictionaries, as TOML gives it; what has a wrong form is passed over.
-    """
+    """Find the numbers that a file leaves open; what has a wrong form is passed over."""
     if _is_open(content.get("frequency")):
         yield OpenValue(("frequency",), content["frequency"], FREQUENCY)
     kinds = kinds_of(content)
@@ -91,12 +82,7 @@ def open_values(content: Mapping[str, Any]) -> Iterator[OpenValue]:
 
 
 def replaced(content: Mapping[str, Any], values: Mapping[tuple[str, ...], float | str]) -> dict[str, Any]:
-    """Return a file's content with numbers in the places of what it leaves open.
-
-    Args:
-        content: The file as nested dictionaries.
-        values: Numbers in SI units, or text with a unit, by the names that lead to open values.
-    """
+    """Return a file's content with numbers, SI or with a unit, in the places of what it leaves open."""
     whole = dict(content)
     for place, value in values.items():
         table = whole

@@ -56,13 +56,7 @@ def output_of(
     entries: Mapping[str, Any],
     read: Callable[[Place, Mapping[str, Any]], Mapping[str, Any]],
 ) -> Output:
-    """Return an output of a file.
-
-    Args:
-        place: Names that lead to it.
-        entries: What stands there, in good form.
-        read: Returns weights with numbers for their texts, by the place of all and the texts.
-    """
+    """Return an output of a file, whose weights are read by the place of all and their texts."""
     key = _kind_key(entries)
     if key in OF_PARTS:
         return Output(kind=OF_PARTS[key], part=entries[key])
@@ -118,12 +112,7 @@ def taken(output: Output) -> Output:
 
 
 def problems_of_outputs(content: Mapping[str, Any], known: list[str]) -> Iterator[Problem]:
-    """Find outputs that ask for what is not there.
-
-    Args:
-        content: Fields of a mechanism, by name.
-        known: Names of what may have weights.
-    """
+    """Find outputs that ask for what is not there."""
     for name, output in content["outputs"].items():
         place, kind = ("outputs", name), OutputKind.chosen(output.kind, "kind")
         if kind is OutputKind.FORCE:

@@ -33,11 +33,7 @@ def quoted(text: str) -> str:
 
 
 def parse_place(text: str) -> tuple[str, ...]:
-    """Read a place; a name with spaces needs no quotation marks as long as it holds no dot.
-
-    Raises:
-        MechanismError: if it is none.
-    """
+    """Read a place; a name with spaces needs no quotation marks as long as it holds no dot."""
     names, at = [], 0
     while True:
         found = _SEGMENT.match(text, at)
@@ -53,11 +49,7 @@ def parse_place(text: str) -> tuple[str, ...]:
 
 
 def split_assignment(text: str) -> tuple[str, str]:
-    """Split ``PLACE=VALUE`` at the first equals sign that stands in no quotation marks.
-
-    Raises:
-        MechanismError: if there is none.
-    """
+    """Split ``PLACE=VALUE`` at the first equals sign that stands in no quotation marks."""
     found = re.match(r"""((?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*'|[^"'=])*)=(.*)""", text, flags=re.DOTALL)
     if found is None:
         raise MechanismError(f"{text!r} sets nothing: write PLACE=VALUE, as in plays.bridge.gap=40um")

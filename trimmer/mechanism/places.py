@@ -59,11 +59,7 @@ def _weight(mechanism: Mechanism, section: str, name: str, of: str) -> NumberFie
 
 
 def value_at(mechanism: Mechanism, place: str) -> float:
-    """Return the number at a place, SI units.
-
-    Raises:
-        MechanismError: if there is none.
-    """
+    """Return the number at a place, SI units."""
     names, _ = _found(mechanism, place)
     match names:
         case ("frequency",):
@@ -90,16 +86,7 @@ def value_at(mechanism: Mechanism, place: str) -> float:
 
 
 def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mechanism:
-    """Return the mechanism with another number at a place.
-
-    Args:
-        mechanism: The mechanism, which stays as it is.
-        place: Such as ``plays.bridge.gap``.
-        value: The number in SI units, or text with a unit, such as ``40 um``.
-
-    Raises:
-        MechanismError: if there is no such place, or the number cannot stand there.
-    """
+    """Return the mechanism with another number, SI or with a unit, at a place: ``plays.bridge.gap``."""
     names, wanted = _found(mechanism, place)
     number = _number(names, value, wanted)
     match names:
@@ -128,14 +115,9 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
 
 
 def assignment(text: str) -> tuple[str, float | str]:
-    """Read ``PLACE=VALUE``, such as ``plays.bridge.gap=40um``, as the type of an option.
+    """Read ``PLACE=VALUE``, such as ``plays.bridge.gap=40um``; the value is a number, or text with a unit.
 
-    Returns:
-        The place as ``with_value`` takes it, and the value: a number, or text with a unit. Text is never
-        evaluated; whether the place is there and the unit fits is for the mechanism to say.
-
-    Raises:
-        MechanismError: if the text sets nothing.
+    Text is never evaluated; whether the place is there and the unit fits is for the mechanism to say.
     """
     place, value = split_assignment(text)
     names = parse_place(place)

@@ -34,11 +34,7 @@ class Problem:
     value: object = NOTHING
 
     def sentence(self, written: object = NOTHING) -> str:
-        """Return place, value and reason.
-
-        Args:
-            written: The value as it stands in a file, if it was converted since.
-        """
+        """Return place, value, as it stands in a file if it was converted since, and reason."""
         value = self.value if self.value is NOTHING or written is NOTHING else written
         shown = "" if value is NOTHING else f" = {shown_value(value)}"
         return f"{place_text(self.place)}{shown}: {self.reason}" if self.place else self.reason
@@ -52,14 +48,7 @@ def as_message(problems: Sequence[Problem]) -> str:
 def as_message_of_file(
     name: str, problems: Sequence[Problem], content: Mapping[str, Any], lines: Mapping[tuple[str, ...], int]
 ) -> str:
-    """Return one message of all problems of a file.
-
-    Args:
-        name: What the file is called.
-        problems: At least one.
-        content: The file as nested dictionaries.
-        lines: The line of each key, from 1 on, by the names that lead there.
-    """
+    """Return one message of all problems of a file, with the line of each key, from 1 on."""
     ordered = sorted(problems, key=lambda problem: line_of(problem.place, lines))
     sentences = [
         f"line {line_of(problem.place, lines)}: {problem.sentence(_written(problem.place, content))}"

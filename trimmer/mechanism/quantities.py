@@ -71,11 +71,7 @@ class NumberField:
         return "" if fits else f"must be {self.range.value}{self._in_unit}"
 
     def read(self, text: str) -> float:
-        """Return the number of a text in the SI unit.
-
-        Raises:
-            UnitError: if it is none; the message is the end of a sentence.
-        """
+        """Return the number of a text in the SI unit."""
         if self.range is Range.TO_INFINITY and text.strip() == "inf":
             return math.inf
         return quantity(text, self.unit)

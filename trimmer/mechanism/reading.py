@@ -53,49 +53,26 @@ NO_VALUES: Mapping[str, float | str] = MappingProxyType({})
 def read_mechanism(path: Path, values: Mapping[str, float | str] = NO_VALUES) -> Mechanism:
     """Read a mechanism from a file, or from standard input if the path is ``-``.
 
-    Args:
-        path: The file.
-        values: Numbers, in SI units or as text with a unit, for what the file leaves open, by dotted places;
-            others are passed over.
-
-    Raises:
-        MechanismError: see ``Mechanism.from_toml``.
+    Values, in SI units or with a unit, are for what the file leaves open, by dotted places; others are
+    passed over.
     """
     return mechanism_of_text(text_of_file(path), str(path), values, path.parent)
 
 
 def text_of_file(path: Path) -> str:
-    """Read the text of a mechanism file.
-
-    Raises:
-        MechanismError: if it cannot be read.
-    """
+    """Read the text of a mechanism file."""
     return decoded(bytes_of_file(path))
 
 
 def bytes_of_file(path: Path) -> bytes:
-    """Read a mechanism file as it is.
-
-    Raises:
-        MechanismError: if it cannot be read, or is no text.
-    """
+    """Read a mechanism file as it is."""
     return read_bytes_of_text(path, MechanismError, "'trimmer init FILE' writes one to start from")
 
 
 def mechanism_of_text(
     text: str, name: str, values: Mapping[str, float | str] = NO_VALUES, folder: Path = Path()
 ) -> Mechanism:
-    """Read a mechanism from the text of a file that messages call by a name.
-
-    Args:
-        text: The text.
-        name: What messages call the file.
-        values: Numbers for what the file leaves open, as ``read_mechanism`` takes them.
-        folder: Where the files are that it names.
-
-    Raises:
-        MechanismError: see ``Mechanism.from_toml``.
-    """
+    """Read a mechanism from the text of a file that messages call by a name, and tables from its folder."""
     content = content_of_text(text, name)
     left_open = {place_text(each.place): each for each in open_values(content)}
     lacking = [each.problem() for place, each in left_open.items() if place not in values]
@@ -121,11 +98,7 @@ def mechanism_of_text(
 
 
 def content_of_text(text: str, name: str) -> dict[str, Any]:
-    """Return the text of a mechanism file as nested dictionaries, before any of it is checked.
-
-    Raises:
-        MechanismError: if it is no TOML, or a file of another kind.
-    """
+    """Return the text of a mechanism file as nested dictionaries, before any of it is checked."""
     advice = "a part is written as in 'motor = { mass = 0.035 }' below [bodies]"
     content = parsed(text, name, MechanismError, advice)
     if is_parameter_file(content):

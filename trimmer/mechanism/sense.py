@@ -61,12 +61,7 @@ def problems_of_sense(content: Mapping[str, Any]) -> Iterator[Problem]:
 
 
 def problems_of_numbers(content: Mapping[str, Any], *, weighs: bool = True) -> Iterator[Problem]:
-    """Find numbers that do not go together; whether each can stand in its place is not asked.
-
-    Args:
-        content: What was read.
-        weighs: Whether weights of points may be among them.
-    """
+    """Find numbers that do not go together; whether each can stand in its place is not asked."""
     yield from _contacts(content)
     yield from _frictions(content)
     for section in ("links", "frictions", "forces"):

@@ -28,11 +28,7 @@ _EQUALS = re.compile(r"[ \t]*=[ \t]*")
 
 
 def lines_of_keys(text: str) -> dict[Place, int]:
-    """Return the line of each key, table and entry of an array, from 1 on, where it first appears.
-
-    Args:
-        text: Valid TOML.
-    """
+    """Return the line, from 1 on, where each key, table and entry of an array of TOML first appears."""
     text = text.replace("\r\n", "\n")
     return _Outline(text).lines()
 

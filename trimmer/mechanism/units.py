@@ -89,11 +89,7 @@ _UNITS = {
 
 
 def unit(text: str) -> MeasurementUnit:
-    """Read a unit.
-
-    Raises:
-        UnitError: if it is none, or may be read in two ways.
-    """
+    """Read a unit that can be read in one way only."""
     numerator, *denominators = text.replace("**", "^").split("/")
     result = _ONE
     for factor in re.split(r"\s*[*·⋅]\s*|\s+", numerator.strip()):
@@ -106,15 +102,7 @@ def unit(text: str) -> MeasurementUnit:
 
 
 def quantity(text: str, si_unit: str) -> float:
-    """Read a number with its unit, and give it in an SI unit.
-
-    Args:
-        text: Such as ``40 um``; a number without a unit is taken only where the SI unit is ``1``.
-        si_unit: The unit of the answer.
-
-    Raises:
-        UnitError: if the text is no number with a unit, or the unit measures something else.
-    """
+    """Read a number with its unit, such as ``40 um``, and give it in an SI unit, which may be ``1``."""
     found = _NUMBER_AND_UNIT.fullmatch(text)
     if found is None:
         raise UnitError(f"is no number{'' if si_unit == '1' else ' with a unit'}; text is not evaluated")
@@ -134,11 +122,7 @@ def quantity(text: str, si_unit: str) -> float:
 
 
 def dimension_of(text: str) -> tuple[int, int, int, int]:
-    """Return what the unit of a quantity measures: powers of kilogram, metre, second and radian.
-
-    Raises:
-        UnitError: if the text is no number with a unit.
-    """
+    """Return what the unit of a quantity measures: powers of kilogram, metre, second and radian."""
     found = _NUMBER_AND_UNIT.fullmatch(text)
     if found is None:
         raise UnitError("is no number with a unit; text is not evaluated")

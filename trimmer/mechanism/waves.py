@@ -39,12 +39,7 @@ class Wave(NamedTuple):
 
 
 def waves_of(part: Pin | Force, omega: float) -> tuple[Wave, ...]:
-    """Return the waves of a pin, m, or of a force, N.
-
-    Args:
-        part: The part.
-        omega: Angular frequency of what drives it, rad/s.
-    """
+    """Return the waves of a pin, m, or of a force, N, that are driven at omega, rad/s."""
     unbalance = part.unbalance * (part.order * omega) ** 2 if isinstance(part, Force) else 0.0
     own = Wave(part.order, part.amplitude + unbalance, part.phase)
     given = (Wave(int(order), amplitude, phase) for order, amplitude, phase in part.harmonics or ())
@@ -101,14 +96,7 @@ def _of_samples(samples: tuple[float, ...], orders: int) -> tuple[Wave, ...]:
 
 
 def samples_of(place: tuple[str, ...], value: object, folder: Path, problems: list[Problem]) -> object:
-    """Return the samples of a waveform of a file: those of the table that it names, or as they stand there.
-
-    Args:
-        place: Names that lead there.
-        value: What stands there.
-        folder: Where the table is, unless its name says otherwise.
-        problems: The list that gets what is wrong.
-    """
+    """Return the samples of a waveform of a file: those of the table that it names, or that stand there."""
     if not isinstance(value, str):
         return value
     try:

@@ -55,9 +55,6 @@ def chosen_measure(flow: Flow, key: str) -> ChosenMeasure:
     Beside those of the JSON there are ``rattle``, 1 where sides of contacts meet and 0 elsewhere,
     ``impacts_per_period`` and ``impact_speed`` of all contacts together, ``impact_speed`` of each, and
     ``outputs.NAME.lines.P/K``, the amplitude at P/K of the drive.
-
-    Raises:
-        ChoiceError: if there is none.
     """
     known = {each.key: each for each in _known(flow)}
     names = parse_place(key)

@@ -76,13 +76,10 @@ class Course:
         return replace(self.end, state=state, statuses=statuses, phase=0.0, periods=0, zeros=zeros)
 
     def turned(self, time: float, phase: float) -> Course:
-        """Return a motion that repeats after whole periods as one that begins at a later instant of it.
+        """Return a motion that repeats as one that begins at a later instant of it, s, at a phase, s.
 
-        Nothing is integrated again, so that each event is there once, also where it comes to that instant.
-
-        Args:
-            time: From the start to that instant, s.
-            phase: Time of that instant since the start of a period, s.
+        Nothing is integrated again, so that each event is there once, also where it comes to that
+        instant.
         """
         count, log = int(np.searchsorted(self.log.start, time, side="right")), self.log
         (extended,) = self.states(np.array([time]))

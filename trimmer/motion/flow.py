@@ -142,16 +142,10 @@ class Flow(ABC):
 
     @abstractmethod
     def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
-        """Return what gives the equations of a subject with a number between that of this and of another.
+        """Return what gives a subject's equations at a share of the way from this to the last motion.
 
-        It is given the subject, and the share of the way to the last one.
-
-        Args:
-            middle: The motion midway.
-            last: The motion with the other value.
-
-        Returns:
-            None if something but the equations of the states changes with the number, or not evenly.
+        None if something but the equations of the states changes with the number, or not evenly; the
+        motion midway tells.
         """
 
     @abstractmethod
@@ -160,14 +154,7 @@ class Flow(ABC):
 
     @abstractmethod
     def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
-        """Return the real parts of the rates of free motions, 1/s, exactly zero where nothing damps them.
-
-        Args:
-            mode: The mode.
-            states: The states in each free motion, (n, r).
-            rates: Their rates, 1/s, (r,).
-            margins: Rounding of each, 1/s, (r,).
-        """
+        """Return the real parts of rates, (r,), of free motions, (n, r), 1/s; zero where nothing damps."""
 
     def without_rounding(self, sizes: Reals) -> Reals:
         """Return sizes of states, (n,), 0 for what is rounding beside others of its kind."""

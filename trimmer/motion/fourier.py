@@ -20,16 +20,9 @@ FAST = 3.0
 
 
 def fourier(course: Course, signals: Reals, omega: float, count: int) -> Complexes:
-    """Return complex amplitudes c_n of signals, which are sums of the real parts of c_n exp(i n omega t).
+    """Return c_n, (count, signals), of signals that are sums of Re c_n exp(i n omega t).
 
-    Args:
-        course: The motion; it spans whole periods of omega.
-        signals: At the nodes of the motion, in any unit, (count of nodes, signals).
-        omega: The fundamental, rad/s.
-        count: Number of multiples.
-
-    Returns:
-        Array (count, signals).
+    They are given at the nodes of a motion that spans whole periods of omega, (nodes, signals).
     """
     times, weights = course.nodes.times, course.nodes.weights
     scale = 2.0 / course.duration

@@ -8,13 +8,7 @@ from trimmer.arrays import Flags, Reals
 
 
 def spans_of(starts: Reals, duration: float, on: Flags) -> list[tuple[float, float]]:
-    """Return start and length of each time at which something is on, s; what touches is one.
-
-    Args:
-        starts: Starts of the segments of a motion, s, rising, (n,).
-        duration: End of the motion, s.
-        on: Whether it is on in each segment, (n,).
-    """
+    """Return start and length, s, of each time at which it is on in segments, (n,); what touches is one."""
     lengths = np.diff(np.append(starts, duration))
     spans: list[tuple[float, float]] = []
     for start, length, each in zip(starts.tolist(), lengths.tolist(), on, strict=True):

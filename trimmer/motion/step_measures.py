@@ -71,19 +71,9 @@ def step_measures(
     control: Signal | None = None,
     largest_demand: float | None = None,
 ) -> StepMeasures:
-    """Return how a signal follows a step of its reference.
+    """Return how a signal follows a step of its reference, which lies within the motion.
 
-    Args:
-        course: The motion; the step lies within it.
-        output: The signal.
-        step: The step.
-        settled_mean: Mean of the signal in the cycle that it settles to; the end of the motion counts if not
-            given.
-        control: What acts.
-        largest_demand: Largest modulus of what is asked for before the limit.
-
-    Raises:
-        ValueError: if the step is 0 or does not lie within the motion.
+    The mean of the cycle that it settles to counts as its end, or else the end of the motion.
     """
     if not step.size or not 0 <= step.at < course.duration:
         raise ValueError(f"{step} must not be 0, and lie within the motion of {course.duration:g} s")

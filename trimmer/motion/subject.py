@@ -22,15 +22,7 @@ class Subject(Protocol):
         """The unit of every number, by its dotted place."""
 
     def value(self, place: str) -> float:
-        """Return the number at a dotted place, in its unit.
-
-        Raises:
-            TrimmerError: if there is none.
-        """
+        """Return the number at a dotted place, in its unit."""
 
     def with_value(self, place: str, value: float | str) -> Self:
-        """Return the same with another number at a dotted place.
-
-        Raises:
-            TrimmerError: if there is no such place, or the number cannot stand there.
-        """
+        """Return the same with another number at a dotted place."""

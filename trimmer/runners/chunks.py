@@ -18,14 +18,7 @@ def handed_back(
     chunk: int,
     count: Callable[[], int],
 ) -> Iterator[Result]:
-    """Yield the results of the cells as they come.
-
-    Args:
-        submit: Sends a chunk on its way.
-        cells: The cells; taken as they are needed.
-        chunk: Cells of a chunk.
-        count: How many chunks are done at once at present.
-    """
+    """Yield the results of cells as they come; ``count`` chunks are done at once at present."""
     remaining = iter(cells)
     pending: set[Future[list[Result]]] = set()
     while True:

@@ -41,12 +41,7 @@ class RecordFile:
     others: Mapping[str, str]
 
     def begin(self, path: Path, header: Mapping[str, Any], *, overwrite: bool = False) -> None:
-        """Write a file with the header alone.
-
-        Raises:
-            MapFileError: if there is such a file already, which would be lost, or a stream.
-            FileWriteError: if the file cannot be written, or one of another kind is there.
-        """
+        """Write a file with the header alone."""
         if is_stream(path) or is_standard_output(path):
             raise MapFileError(f"{path} is a stream, with which no {self.many} can go on: name a file")
         if not overwrite and path.is_file():
@@ -59,19 +54,11 @@ class RecordFile:
         write_atomically(path, as_line(header), overwrite=overwrite)
 
     def header(self, path: Path) -> dict[str, Any]:
-        """Return the header of a file.
-
-        Raises:
-            MapFileError: if it cannot be read, is of another kind, or has another format.
-        """
+        """Return the header of a file."""
         return self._header(path, _whole_lines(path))
 
     def entries(self, path: Path, wanted: Mapping[str, Any]) -> Iterator[tuple[int, Any]]:
-        """Yield the numbers of the lines after the header, with what they hold.
-
-        Raises:
-            MapFileError: if the file is not there, is of another kind, is damaged, or has another header.
-        """
+        """Yield the numbers of the lines after the header, with what they hold."""
         lines = _whole_lines(path)
         header = self._header(path, lines)
         for name, what in self.others.items():
@@ -119,11 +106,7 @@ def cut(path: Path) -> None:
 def appended(
     path: Path, results: Iterable[Result], as_data: Callable[[Result], Mapping[str, Any]]
 ) -> Iterator[Result]:
-    """Write results to the end of a file as they come, and yield each when it is there.
-
-    Raises:
-        FileWriteError: if one cannot be written, as when the disk is full.
-    """
+    """Write results to the end of a file as they come, and yield each when it is there."""
     with path.open("ab") as file:
         for result in results:
             try:

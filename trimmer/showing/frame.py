@@ -14,11 +14,7 @@ if TYPE_CHECKING:
 
 
 def to_frame(table: Table) -> pandas.DataFrame:
-    """Return a table as a data frame, with the units of its columns in ``attrs["units"]``.
-
-    Raises:
-        MissingPackageError: if pandas is not installed.
-    """
+    """Return a table as a data frame, with the units of its columns in ``attrs["units"]``."""
     try:
         import pandas
     except ImportError as error:

@@ -12,10 +12,6 @@ POINTS = 1000
 
 
 def moments(duration: float, events: Reals, points: int) -> Reals:
-    """Return instants that are evenly spread over a motion, and those of its events, s, in their order.
-
-    Raises:
-        WrongTypeError, ValueError: if ``points`` is no whole number from 2 on.
-    """
+    """Return instants that are evenly spread over a motion, and those of its events, s, in their order."""
     even = np.linspace(0.0, duration, whole_number("points", points, 2))
     return np.union1d(even, events)

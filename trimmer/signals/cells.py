@@ -41,21 +41,7 @@ def is_text(cell: str) -> bool:
 
 
 def numbers_in(cells: Sequence[str], lines: Sequence[int], decimal: DecimalSign | None, place: str) -> Reals:
-    """Read a column of numbers.
-
-    Args:
-        cells: Cells of the column, as text.
-        lines: Number of the line of each, from 1.
-        decimal: Decimal sign; None to find it out.
-        place: File, for messages.
-
-    Returns:
-        Numbers, shape (number of cells,); NaN where the value is missing.
-
-    Raises:
-        SignalFileError: for the first cell that is neither a number nor missing, or is infinite; or if some
-            numbers have a decimal comma and others a point.
-    """
+    """Read a column of numbers, (cells,); NaN where missing. Lines count from 1."""
     plain = _plain_numbers(cells, decimal)
     if plain is not None:
         return plain

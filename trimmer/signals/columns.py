@@ -35,16 +35,8 @@ class Columns:
 def chosen_columns(table: CsvTable, column: ColumnChoice, time_column: ColumnChoice) -> Columns:
     """Find the columns of the signal and of the time stamps.
 
-    Not chosen, the time stamps are the column that has one of ``TIME_NAMES``, if any, and the signal is the
-    column beside it.
-
-    Args:
-        table: The file.
-        column: Column of the signal.
-        time_column: Column of the time stamps.
-
-    Raises:
-        SignalFileError: if a column does not exist, or several have its name or could be meant.
+    Not chosen, the time stamps are the column that has one of ``TIME_NAMES``, if any, and the signal is
+    the column beside it.
     """
     signal = None if column is None else _place(table, column)
     time = _time_place(table) if time_column is None else _place(table, time_column)

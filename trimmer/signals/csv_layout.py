@@ -63,12 +63,7 @@ def is_comment(line: str) -> bool:
 
 
 def delimiter_of(lines: Sequence[str], layout: CsvLayout) -> Delimiter | None:
-    """Find the sign between columns; None if there is one column only.
-
-    Args:
-        lines: Lines of the file without comments.
-        layout: What is known already.
-    """
+    """Find the sign between columns of lines without comments; None if there is one column only."""
     if layout.delimiter is not None:
         return layout.delimiter
     sample = _sample(lines)

@@ -52,11 +52,7 @@ class NumberedLines:
         return len(self.texts)
 
     def cells(self, place: int) -> list[str]:
-        """Split a line into cells; ``place`` counts from 0.
-
-        Raises:
-            SignalFileError: if its quotation marks are not in pairs.
-        """
+        """Split a line into cells; ``place`` counts from 0."""
         text = self.texts[place]
         if '"' in text:
             cells = self._quoted(place)
@@ -100,12 +96,7 @@ class CsvTable:
         return self.data.numbers
 
     def column(self, index: int) -> list[str]:
-        """Return the cells of a column; ``index`` counts from 0. An empty line is a row of empty cells.
-
-        Raises:
-            SignalFileError: if a line has another number of cells than the first, or its quotation marks are
-                not in pairs.
-        """
+        """Return the cells of a column; ``index`` counts from 0. An empty line is a row of empty cells."""
         column = []
         for place in range(len(self.data)):
             cells = self.data.cells(place)
@@ -129,17 +120,9 @@ def read_table(path: Path, layout: CsvLayout) -> CsvTable:
     """Read a CSV file.
 
     Lines that begin with ``#`` are skipped, and so are empty lines before the data and after them.
-    Elsewhere an empty line is a row of missing values. The heading is the last line before the first
-    that holds a number; or the last two, if the last holds units alone. Other lines may come before it, with
-    a number beside a text, as of a device's serial number.
-
-    Args:
-        path: The file.
-        layout: Delimiter and decimal sign, as far as they are known.
-
-    Raises:
-        SignalFileError: if the file cannot be read, there is no line of numbers, or the heading has another
-            number of cells than it.
+    Elsewhere an empty line is a row of missing values. The heading is the last line before the first that
+    holds a number; or the last two, if the last holds units alone. Other lines may come before it, with a
+    number beside a text, as of a device's serial number.
     """
     lines = _numbered(path, layout)
     begin = _first_number(lines, 0)

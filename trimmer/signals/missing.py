@@ -48,17 +48,7 @@ class Filled:
 
 
 def fill(values: Reals, lines: Sequence[int], missing: MissingValues, place: str) -> Filled:
-    """Cut off or interpolate the missing values (NaN) of a column.
-
-    Args:
-        values: Values, shape (n,), in the unit of the column.
-        lines: Number of the line of each, from 1.
-        missing: How missing values are treated.
-        place: File, for messages.
-
-    Raises:
-        SignalFileError: if values are missing and that is refused, or if too many or all are missing.
-    """
+    """Cut off or interpolate the missing values (NaN) of a column, (n,), as far as that is allowed."""
     present = np.flatnonzero(~np.isnan(values))
     absent = np.flatnonzero(np.isnan(values))
     if present.size == 0:

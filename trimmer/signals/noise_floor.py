@@ -33,14 +33,10 @@ class Powers:
 
 
 def powers(values: Reals, rate: float) -> Powers:
-    """Return the variance of a record over frequency, and its floor.
+    """Return the variance of a record, (n,), n >= 16, over frequency, and its floor; the rate is in Hz.
 
     Noise has exponentially distributed powers, with the median ln 2 times the mean; a few lines among the
     bins hardly move the median.
-
-    Args:
-        values: Samples, shape (n,), n >= 16, whose mean and trend do not matter.
-        rate: Sample rate, Hz.
     """
     from scipy.signal import detrend
     from scipy.signal.windows import hann

@@ -37,11 +37,7 @@ class OmegaKernel:
 
     @classmethod
     def of(cls, source: Signal, times: int, band: Band) -> OmegaKernel:
-        """Make the filter for a record.
-
-        Raises:
-            SignalError: if nothing of the record is left inside.
-        """
+        """Make the filter for a record."""
         rate = source.sample_rate
         flank = min(0.5 * band.lowest or math.inf, _highest_end(band, rate) - band.highest)
         reach = math.ceil(REACH / flank * rate)

@@ -18,16 +18,7 @@ Meyer, Journal of Approximation Theory 16, 1976). The ends here have no slopes, 
 
 
 def resampled(times: Reals, values: Reals, rate: float) -> Reals:
-    """Evaluate the cubic spline through samples at equal distances, from the first time on.
-
-    Args:
-        times: Times of the samples, s, rising, shape (n,), n >= 4.
-        values: Samples, shape (n,).
-        rate: Sample rate, Hz.
-
-    Returns:
-        Samples up to the last time, shape (m,).
-    """
+    """Evaluate the cubic spline through samples, (n,), n >= 4, at a rate, Hz, from the first time, s, on."""
     from scipy.interpolate import CubicSpline
 
     count = math.floor((times[-1] - times[0]) * rate * (1 + 1e-12)) + 1

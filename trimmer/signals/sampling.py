@@ -96,17 +96,7 @@ class Stamped:
 def stretches_of(
     stamped: Stamped, given: float | None, sampling: Sampling
 ) -> tuple[float, list[EvenSamples], tuple[Gap, ...]]:
-    """Return sample rate, Hz, stretches and gaps.
-
-    Args:
-        stamped: The samples.
-        given: Sample rate that was given, Hz; None if none was.
-        sampling: What may be done with stamps and gaps.
-
-    Raises:
-        SignalFileError: if stamps cannot be used as they are, and what would be done about it was not asked
-            for; see ``spacing_of``.
-    """
+    """Return sample rate, Hz, stretches and gaps; a rate that was given, Hz, is checked."""
     resample = sampling.stamps is TimeStamps.RESAMPLE
     stamped, repeated = _without_repetition(stamped) if resample else (stamped, 0)
     spacing = spacing_of(stamped.times, stamped.lines, stamped.place)

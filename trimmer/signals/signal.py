@@ -173,11 +173,7 @@ def split_heading(heading: str) -> tuple[str, str]:
 
 
 def checked_samples(values: ArrayLike) -> Reals:
-    """Copy samples into an array, shape (n,), that cannot be written to.
-
-    Raises:
-        SignalError: if they are not a sequence of finite real numbers, there is none, or one is too large.
-    """
+    """Copy samples into an array, shape (n,), that cannot be written to."""
     try:
         given = np.asarray(values)
         samples = np.array(given, dtype=np.float64) if given.dtype.kind in "fiu" else None
@@ -199,11 +195,7 @@ def checked_samples(values: ArrayLike) -> Reals:
 
 
 def checked_rate(sample_rate: float) -> float:
-    """Return a sample rate, Hz, as a float.
-
-    Raises:
-        SignalError: if it is not a positive and finite number.
-    """
+    """Return a sample rate, Hz, as a float."""
     if isinstance(sample_rate, bool) or not 0 < real_number("sample_rate", sample_rate, "Hz") < math.inf:
         raise SignalError(f"the sample rate must be a positive number of hertz, not {sample_rate!r}")
     return float(sample_rate)

@@ -30,9 +30,6 @@ def read_lines(path: Path) -> list[str]:
 
     UTF-8 with or without byte order mark; what is not UTF-8 is taken as Latin-1, in which every byte is a
     character, so only letters outside ASCII can come out wrong, never a number.
-
-    Raises:
-        SignalFileError: if the file cannot be read, is empty, or is not text in one of these encodings.
     """
     content = _content(path)
     if content.startswith(b"RIFF"):

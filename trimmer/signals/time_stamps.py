@@ -58,22 +58,13 @@ class Spacing:
 
 
 def spacing_of(times: Reals, lines: Sequence[int], place: str) -> Spacing:
-    """Find the sample rate, and where distances are not equal.
+    """Find the sample rate of stamps, s, (n,), and where distances are not equal.
 
-    If a rate of at most 15 digits gives just these stamps as start + k/rate, to the last bit, it is that one;
-    so such a rate survives being written as stamps that start at 0.
-
-    A distance counts as a gap if it is longer than the usual one by half of it, and by the last digit of
-    rounded stamps, or by six standard deviations of distances that are not equal.
-
-    Args:
-        times: Time stamps, s, shape (n,).
-        lines: Number of the line of each, from 1.
-        place: File, for messages.
-
-    Raises:
-        SignalFileError: if there are fewer than two stamps, one is missing, they fall, as those of a counter
-            that wraps around, or they repeat without being rounded.
+    If a rate of at most 15 digits gives just these stamps as start + k/rate, to the last bit, it is that
+    one; so such a rate survives being written as stamps that start at 0. A distance counts as a gap if it
+    is longer than the usual one by half of it, and by the last digit of rounded stamps, or by six
+    standard deviations of distances that are not equal. Stamps that fall, as those of a counter that
+    wraps around, are refused.
     """
     _check_present(times, lines, place)
     steps = np.diff(times)
@@ -218,17 +209,7 @@ def _rate_with_fewest_digits(times: Reals, rate: float) -> float:
 
 
 def agreed_rate(given: float, stamped: float, tolerance: float, place: str) -> float:
-    """Return the sample rate that was given, if it agrees with that of the time stamps.
-
-    Args:
-        given: Sample rate that was given, Hz.
-        stamped: Sample rate of the time stamps, Hz.
-        tolerance: How far the two may differ, relative.
-        place: File, for messages.
-
-    Raises:
-        SignalFileError: if they differ by more.
-    """
+    """Return the sample rate that was given, Hz, if it agrees with that of the time stamps, relatively."""
     if abs(given - stamped) > tolerance * stamped:
         raise SignalFileError(
             f"{place}: the time stamps are those of {stamped:.6g} Hz, not of {given:.6g} Hz as was given; "

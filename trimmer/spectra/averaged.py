@@ -260,13 +260,8 @@ def line_interval(power: float, noise: float, averages: float) -> tuple[float, f
     """Return the confidence interval of the mean square of a steady sine, given the mean power in its bin.
 
     2 K P/n of K segments has the noncentral chi-squared distribution with 2 K degrees of freedom and the
-    noncentrality 2 K s/n, with the power P, the noise n and the sine s in it. Where that is large, its root
-    is normally distributed with variance 1.
-
-    Args:
-        power: Mean power, in the square of a unit.
-        noise: The part of it that is noise.
-        averages: Number K of independent segments.
+    noncentrality 2 K s/n, with the power P, the noise n and the sine s in it. Where that is large, its
+    root is normally distributed with variance 1.
     """
     if noise <= 0.0:
         return power, power

@@ -232,12 +232,7 @@ def classified(peak: Peak, candidates: Iterable[Match]) -> ClassifiedPeak:
 
 
 def require_positive(name: str, value: float) -> None:
-    """Check that a frequency is positive and finite.
-
-    Raises:
-        SignalError: if it is not.
-        WrongTypeError: if it is no real number.
-    """
+    """Check that a frequency is positive and finite."""
     if not 0 < real_number(f"the {name}", value) < math.inf:
         raise SignalError(f"the {name} must be positive and finite, not {value!r}")
 
@@ -355,12 +350,7 @@ def _lines(frequencies: Sequence[float], orders: Sequence[int]) -> list[Origin]:
 
 
 def frequencies_of(name: str, values: Sequence[float]) -> tuple[float, ...]:
-    """Return frequencies, Hz, as floats.
-
-    Raises:
-        SignalError: if one is infinite or NaN.
-        WrongTypeError: if they are no sequence of numbers.
-    """
+    """Return frequencies, Hz, as floats."""
     if isinstance(values, str | bytes) or not hasattr(type(values), "__iter__"):
         raise WrongTypeError(f"{name} must be a sequence of frequencies (Hz), not {shown(values)}")
     given = tuple(real_number(f"{name}[{place}]", value, "Hz") for place, value in enumerate(values))

@@ -81,15 +81,7 @@ def _parts_of(chain: Places, places: Reals) -> list[Places]:
 def resolve(
     spectrum: Spectrum, lines: Lines, members: Places, noise: float, alone: Sequence[SpectralLine]
 ) -> list[SpectralLine]:
-    """Return the lines that explain what is around some.
-
-    Args:
-        spectrum: The spectrum.
-        lines: All lines that were found.
-        members: Numbers of those that are close to each other.
-        noise: Standard deviation of white noise there, per sample.
-        alone: What each of them is if there is no other.
-    """
+    """Return the lines that explain what is around some members, in white noise of a deviation per sample."""
     bins = bins_around(spectrum, lines, members, noise)
     largest_first = sorted(alone, key=lambda line: -abs(line.amplitude))
     if len(alone) == 1:

@@ -204,11 +204,7 @@ def compare_motions(
 
 
 def _derivatives(signal: Signal, simulated: SimulatedLines) -> int:
-    """Return how often the simulated lines are differentiated to be what was measured.
-
-    Raises:
-        SignalError: if one is no motion, and the other is not in the same unit.
-    """
+    """Return how often the simulated lines are differentiated to be what was measured."""
     quantity, own = signal.quantity, quantity_of(simulated.unit)
     if own is MotionQuantity.OTHER:
         if signal.unit == simulated.unit:
@@ -233,15 +229,8 @@ def sought(by_itself: bool) -> tuple[str, str]:
 def found_frequency(signal: Signal, simulated: SimulatedLines) -> float:
     """Find the drive: the largest line near its harmonics, and what explains most beside it.
 
-    Without a drive it is looked for about the largest peak, over the order at which that is nearest to the
-    frequency of the simulation.
-
-    Args:
-        signal: The measured motion, SI.
-        simulated: What is looked for: frequency, period and number of lines count.
-
-    Raises:
-        SignalError: if there is no such line, or it explains little.
+    Without a drive it is looked for about the largest peak, over the order at which that is nearest to
+    the frequency of the simulation.
     """
     what, how = sought(simulated.by_itself)
     spectrum, about = amplitude_spectrum(signal.values, signal.sample_rate), simulated.frequency
@@ -303,11 +292,8 @@ def _alignment(measured: Complexes, simulated: Complexes) -> tuple[float, float]
 def best_angle(products: Complexes) -> float:
     """Return the angle of the first line by which simulated lines are to be turned to agree best, rad.
 
-    The sum of measured times conjugate simulated lines over all angles is a Fourier series; its largest value
-    is searched on a grid finer than its fastest term, and from there by Newton's method.
-
-    Args:
-        products: Measured times conjugate simulated line of each order 1, 2, ..., shape (n,).
+    The sum of measured times conjugate simulated lines, (n,), over all angles is a Fourier series; its
+    largest value is searched on a grid finer than its fastest term, and from there by Newton's method.
     """
     orders = np.arange(1, products.size + 1)
     points = _POINTS_PER_LINE * products.size

@@ -33,13 +33,7 @@ def aliasing_doubt(drive: float, sample_rate: float) -> str | None:
 
 
 def resolution_doubts(spectrum: Spectrum, drive: float | None, origins: Sequence[Origin]) -> Iterator[str]:
-    """Say what is too close in frequency for the length of a record.
-
-    Args:
-        spectrum: Spectrum of the record.
-        drive: Frequency of the drive, Hz; None without one.
-        origins: What peaks may be, and shall be distinguished.
-    """
+    """Say what is too close in frequency for the length of a record."""
     needed = spectrum.window.parted
     duration = 1.0 / spectrum.bin_width
     if drive is not None and drive < needed * spectrum.bin_width:

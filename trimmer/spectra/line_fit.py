@@ -212,12 +212,6 @@ def bins_around(spectrum: Spectrum, lines: Lines, members: Places, noise: float)
     """Return the bins around some of all lines, without what the others show there.
 
     They end half way to others that are close but not fitted with them, whose misfit is not theirs.
-
-    Args:
-        spectrum: The spectrum.
-        lines: All lines.
-        members: Numbers of those in the middle.
-        noise: Standard deviation of white noise there, per sample.
     """
     window = spectrum.window
     reach, last = window.half_width + REACH, spectrum.lines.size - 2

@@ -35,17 +35,8 @@ def resolved_lines(
 ) -> list[SpectralLine]:
     """Return lines as what explains the bins around them: each by itself, or close ones together.
 
-    Where other lines take the place of some, what leaks elsewhere changes: then all is looked at once more.
-
-    Args:
-        spectrum: The spectrum.
-        lines: The lines that were found in it.
-        threshold: What a line must exceed, at each bin.
-        band: Where they are wanted.
-        limit: How many are, the largest; all if not given.
-
-    Returns:
-        At least those that are wanted, by falling amplitude.
+    Where other lines take the place of some, what leaks elsewhere changes: then all is looked at once
+    more. The largest come first, at least those that are wanted.
     """
     for last in (False, True):
         found: list[SpectralLine] = []

@@ -67,13 +67,7 @@ def added(spectrum: Spectrum, lines: Lines, bins: Places) -> Lines:
 
 
 def relaxed(spectrum: Spectrum, lines: Lines, moving: Flags | None = None) -> Lines:
-    """Fit each line again without the others and its own mirror image, until all stay where they are.
-
-    Args:
-        spectrum: The spectrum.
-        lines: The lines.
-        moving: Which of them are fitted, (number,); all if not given.
-    """
+    """Fit each line again without the others and its own mirror image, until all stay where they are."""
     window, count = spectrum.window, spectrum.samples
     around = bins_near(lines.bins, 1)
     for _ in range(_SWEEPS):
@@ -97,13 +91,7 @@ def bins_near(bins: Places, reach: int) -> Places:
 
 
 def _fitted(spectrum: Spectrum, lines: Lines, left: Complexes) -> Lines:
-    """Take a Gauss-Newton step of the least-squares fit of each line to its bins.
-
-    Args:
-        spectrum: The spectrum.
-        lines: Lines as they are now.
-        left: What each line alone shows around its bin, shape (number, 3).
-    """
+    """Take a Gauss-Newton step of the fit of each line to what it alone shows around its bin, (number, 3)."""
     bins = bins_near(lines.bins, 1)
     shape, ahead, behind = _shape(spectrum, bins, np.add.outer([0.0, _STEP, -_STEP], lines.places))
     slope = (ahead - behind) / (2.0 * _STEP)

@@ -73,11 +73,8 @@ def _lines(peak: Peak, own: float | None, mains: Sequence[float], width: float) 
 def repetition(peaks: Sequence[Peak], bin_width: float) -> float | None:
     """Return the frequency, Hz, of which a motion without a drive is multiples; None if of none.
 
-    It is that of a peak of which two others at least are multiples, with most of the power in all of them.
-
-    Args:
-        peaks: Peaks, frequencies in Hz.
-        bin_width: Bin width of their spectrum, Hz.
+    It is that of a peak of which two others at least are multiples, with most of the power in all of
+    them.
     """
     power = {each.frequency: each.amplitude**2 for each in peaks}
     best, most = None, 0.5 * sum(power.values())

@@ -40,13 +40,7 @@ class BalancedSamples:
 
 
 def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -> BalancedSamples:
-    """Balance the forces of the first samples whose motion repeats.
-
-    Args:
-        samples: The samples.
-        count: How many at most.
-        harmonics: Harmonics of the drive up to which the forces balance.
-    """
+    """Balance the forces of the first samples whose motion repeats, up to some harmonics of the drive."""
     repeating = [at for at, trial in enumerate(samples.trials) if trial.period_count is not None]
     numbers, distances, converged = [], [], []
     for at in repeating[:count]:

@@ -62,11 +62,7 @@ class Indices:
 
 
 def require_independent(uncertainty: Uncertainty) -> None:
-    """Check that the numbers scatter independently.
-
-    Raises:
-        UncertaintyError: if they do not.
-    """
+    """Check that the numbers scatter independently."""
     if not uncertainty.independent:
         raise UncertaintyError(
             "Sobol indices divide a variance among independent numbers, and [uncertainty] has a covariance: "
@@ -75,16 +71,7 @@ def require_independent(uncertainty: Uncertainty) -> None:
 
 
 def saltelli_points(dimensions: int, blocks: int, seed: int) -> Reals:
-    """Return points of the unit cube for Sobol indices, shape (blocks * (dimensions + 2), dimensions).
-
-    Args:
-        dimensions: How many numbers scatter.
-        blocks: A power of two.
-        seed: Of the points.
-
-    Raises:
-        UncertaintyError: if SALib is not installed, or blocks is no power of two.
-    """
+    """Return points of the unit cube for Sobol indices, (blocks * (dimensions + 2), dimensions)."""
     if blocks & (blocks - 1):
         raise UncertaintyError(f"{blocks} blocks of samples: give a power of two, such as 512")
     points = _salib("sample").sample(_problem(dimensions), blocks, calc_second_order=False, seed=seed)
@@ -92,13 +79,7 @@ def saltelli_points(dimensions: int, blocks: int, seed: int) -> Reals:
 
 
 def indices_of(values: Reals, places: tuple[str, ...], seed: int) -> Indices:
-    """Return the indices of a quantity.
-
-    Args:
-        values: At the points of ``saltelli_points``, in their order; not a number where it does not exist.
-        places: What scatters.
-        seed: Of the resampling.
-    """
+    """Return the indices of values at ``saltelli_points``; NaN where a value does not exist."""
     rows = values.reshape(-1, len(places) + 2)
     whole = np.asarray(np.isfinite(rows).all(axis=1))
     used = rows[whole]

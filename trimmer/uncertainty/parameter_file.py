@@ -23,16 +23,7 @@ _SHORT: Mapping[str, str] = {}
 
 
 def uncertainty_of_file(path: Path, numbers: Numbers, short: Mapping[str, str] = _SHORT) -> Uncertainty:
-    """Read what scatters from a parameter file, which is no stream, since it is read for its numbers too.
-
-    Args:
-        path: The file.
-        numbers: What has the numbers that scatter.
-        short: Places by other names that the file may use.
-
-    Raises:
-        ParameterError: if it cannot be read, holds what cannot be used, or nothing in it scatters.
-    """
+    """Read what scatters from a parameter file, which is no stream, since it is read for its numbers too."""
     text = read_text(path, ParameterError, "name a parameter file")
     content = parsed(text, str(path), ParameterError, "write one 'key = number' per line")
     problems: list[Problem] = []
@@ -49,11 +40,8 @@ def uncertainty_of_file(path: Path, numbers: Numbers, short: Mapping[str, str] =
 def read_uncertainty_of_loop(path: Path, loop: TrimmerLoop) -> Uncertainty:
     """Read what scatters in a loop from the file of its parameters.
 
-    In ``[uncertainty]`` stand places of the loop, such as ``"frictions.q2-q4.force"``; ``k2`` is short for
-    ``parameters.k2``, and ``gap`` for ``element.gap``.
-
-    Raises:
-        ParameterError: as ``uncertainty_of_file`` does.
+    In ``[uncertainty]`` stand places of the loop, such as ``"frictions.q2-q4.force"``; ``k2`` is short
+    for ``parameters.k2``, and ``gap`` for ``element.gap``.
     """
     short = {each.symbol: f"parameters.{each.symbol}" for each in parameter_table()}
     return uncertainty_of_file(path, loop, short | {GAP: f"element.{GAP}"})

@@ -75,13 +75,7 @@ def sample_inputs(subject: Subject, uncertainty: Uncertainty, settings: SampleSe
 def inputs_at(
     subject: Subject, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
 ) -> SampleInputs:
-    """Return samples of given values, shape (n, numbers), after it was checked which are possible.
-
-    Raises:
-        UncertaintyError: if too many of them are impossible, or nothing drives the mechanism or loop.
-        MechanismError, LoopError: if there is no number at a place that scatters.
-        WrongTypeError: if it is neither a mechanism nor a loop.
-    """
+    """Return samples of given values, shape (n, numbers), after it was checked which are possible."""
     require_subject(subject)
     if subject.frequency is None and not (isinstance(subject, Mechanism) and subject.controllers):
         what = "mechanism has no frequency" if isinstance(subject, Mechanism) else "loop has no drive"

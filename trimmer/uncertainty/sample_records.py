@@ -89,11 +89,7 @@ def begin(path: Path, inputs: SampleInputs, *, overwrite: bool = False) -> None:
 
 
 def resumed(path: Path, inputs: SampleInputs, asked: tuple[MeasureOfPart, ...]) -> dict[int, Trial]:
-    """Return the samples that a file holds by their numbers, and cut off what is half-written.
-
-    Raises:
-        MapFileError: if the file is not there, is none of samples, is damaged, or has other inputs.
-    """
+    """Return the samples that a file holds by their numbers, and cut off what is half-written."""
     results: dict[int, Trial] = {}
     for line, data in _SAMPLES.entries(path, header(inputs)):
         try:

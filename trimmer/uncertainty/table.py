@@ -69,12 +69,8 @@ def uncertainty_of(
 ) -> Uncertainty:
     """Read what scatters; what cannot be used is added to the problems.
 
-    Args:
-        content: What stands in ``[uncertainty]``.
-        mechanism: The mechanism, whose own numbers are the means that are not given.
-        problems: The list that gets what is wrong.
-        known: What scatters without being in the table, such as the ranges of what nobody knows.
-        short: Places by other names that may be used.
+    Means that are not given are the mechanism's own numbers. Some scatter without being in the table,
+    such as ranges of what nobody knows.
     """
     if not isinstance(content, Mapping):
         reason = f"is a section: write [{SECTION}] on a line of its own"

@@ -113,12 +113,7 @@ MAY_BE_ZERO = ("time_constant", "hysteresis", "dead_zone")
 
 
 def add_loop_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
-    """Add the options that choose the linear part: parameters, output, channels.
-
-    Args:
-        parser: The parser of the command.
-        output_is_file: Whether ``--output`` is a file that the command writes, and not the displacement too.
-    """
+    """Add parameters, displacement, which is ``--output`` too unless that is a file, and channels."""
     parser.add_argument(
         "--parameters",
         metavar="FILE",
@@ -176,12 +171,7 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
 
 
 def closed_loop(arguments: Namespace) -> ClosedLoop:
-    """Return the closed loop of the linear part and the element that the options choose.
-
-    Raises:
-        OptionError: if an option of the element is missing, or has no use or an unusable value.
-        TrimmerError: if the output or the parameter file cannot be used.
-    """
+    """Return the closed loop of the linear part and the element that the options choose."""
     from trimmer.loops.loops import ClosedLoop
 
     element = chosen_element(arguments)
@@ -201,11 +191,7 @@ def unusable(arguments: Namespace, error: ValueError) -> OptionError:
 
 
 def linear_part(arguments: Namespace) -> control.StateSpace:
-    """Return the linear part that the options choose, from the displacement of the pin (m) to the output (m).
-
-    Raises:
-        TrimmerError: if the output or the parameter file cannot be used.
-    """
+    """Return the chosen linear part, from the displacement of the pin (m) to the output (m)."""
     from trimmer.displacement import Displacement
     from trimmer.linear.model import InputChannels, pin_model
 
@@ -217,11 +203,7 @@ def linear_part(arguments: Namespace) -> control.StateSpace:
 
 
 def chosen_parameters(arguments: Namespace) -> TrimmerParameters:
-    """Return the parameters of the file that was given, or those of the thesis.
-
-    Raises:
-        ParameterError: if the file cannot be used.
-    """
+    """Return the parameters of the file that was given, or those of the thesis."""
     from trimmer.parameters import TrimmerParameters
 
     chosen = arguments.parameters
@@ -229,11 +211,7 @@ def chosen_parameters(arguments: Namespace) -> TrimmerParameters:
 
 
 def chosen_element(arguments: Namespace) -> Element:
-    """Return the element that the options choose.
-
-    Raises:
-        OptionError: if an option is missing, has no use for the element, or has an unusable value.
-    """
+    """Return the element that the options choose."""
     choice = next(choice for choice in ELEMENTS if choice.name == arguments.element)
     optional = dict(choice.optional)
     for option in ELEMENT_OPTIONS:
@@ -253,11 +231,7 @@ def chosen_element(arguments: Namespace) -> Element:
 
 
 def _require_usable(arguments: Namespace, option: str) -> None:
-    """Check that the value of an option is positive, or not negative where zero has a meaning.
-
-    Raises:
-        OptionError: if it is not.
-    """
+    """Check that the value of an option is positive, or not negative where zero has a meaning."""
     value, unit = getattr(arguments, option), ELEMENT_OPTIONS[option]
     if option not in MAY_BE_ZERO:
         require_positive(arguments, option, unit)

@@ -28,13 +28,7 @@ DRIVE_HELP = "drive the pin at a frequency, Hz (open loop)"
 def add_motion_options(
     parser: ArgumentParser, *, output_is_file: bool = False, drive_help: str = DRIVE_HELP
 ) -> None:
-    """Add the options that choose the loop, its element and frictions, and its drive.
-
-    Args:
-        parser: The parser of the command.
-        output_is_file: As for ``add_loop_options``.
-        drive_help: What is said of ``--drive``.
-    """
+    """Add the options that choose the loop, its element and frictions, and its drive."""
     add_element_options(parser, required=False)
     add_loop_options(parser, output_is_file=output_is_file)
     parser.add_argument(
@@ -56,11 +50,7 @@ def add_impulse_option(parser: ArgumentParser) -> None:
 
 
 def chosen_loop(arguments: Namespace) -> TrimmerLoop:
-    """Return the loop that the options choose, with the numbers that are set.
-
-    Raises:
-        TrimmerError: if options contradict each other or cannot be used.
-    """
+    """Return the loop that the options choose, with the numbers that are set."""
     from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.places import assignment
 
@@ -90,11 +80,7 @@ def chosen_loop(arguments: Namespace) -> TrimmerLoop:
 
 
 def start_of_loop(arguments: Namespace, loop: TrimmerLoop) -> dict[str, float]:
-    """Return the states, by name, with which a loop begins: as they are given, after the impulse.
-
-    Raises:
-        OptionError: if a loop without drive has neither, since it would stay at rest.
-    """
+    """Return the states, by name, with which a loop begins: as they are given, after the impulse."""
     given, impulse = chosen_state(arguments.state, loop) or {}, arguments.impulse or 0.0
     if not math.isfinite(impulse):
         raise OptionError(f"--impulse {impulse:g}: must be finite (m s)")

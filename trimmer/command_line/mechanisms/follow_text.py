@@ -18,13 +18,7 @@ if TYPE_CHECKING:
 
 
 def as_text(branch: FollowedBranch, harmonics: int | None, measures: Sequence[str] = ()) -> str:
-    """Return a branch and those that part from it: stretches by stability, special points, how it ends.
-
-    Args:
-        branch: The branch.
-        harmonics: Harmonics of the multi-harmonic balance beside it; None for none.
-        measures: Keys of further measures.
-    """
+    """Return a branch and those that part from it: stretches by stability, special points, how it ends."""
     return "\n".join(_lines(branch, harmonics, measures, ""))
 
 

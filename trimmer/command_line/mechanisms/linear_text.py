@@ -28,15 +28,7 @@ STILL = 5e-4
 
 
 def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearState, ...]:
-    """Return the linear mechanism in the states of its contacts that the options name.
-
-    Args:
-        mechanism: The mechanism.
-        texts: Such as ``closed``, ``open`` and ``bridge=open``.
-
-    Raises:
-        OptionError: if a text names no contact, or no state, or one contact is named twice.
-    """
+    """Return the linear mechanism in states of its contacts, such as ``closed`` and ``bridge=open``."""
     from trimmer.design.linear import all_drives, linear_state, linear_states
 
     drives = all_drives(mechanism)

@@ -24,11 +24,7 @@ def add_interval_options(parser: ArgumentParser, vary: str, start: str, stop: st
 
 
 def chosen_interval(arguments: Namespace) -> tuple[str, float | str, float | str]:
-    """Return the place of the number, its first and its last value.
-
-    Raises:
-        MechanismError: if what is written is no place.
-    """
+    """Return the place of the number, its first and its last value."""
     from trimmer.mechanism.place_text import parse_place
     from trimmer.mechanism.places import assignment
 
@@ -40,16 +36,7 @@ def chosen_interval(arguments: Namespace) -> tuple[str, float | str, float | str
 
 
 def varied_values(subject: Subject, texts: Sequence[str]) -> dict[str, list[float]]:
-    """Return evenly spaced values, SI units, by their places.
-
-    Args:
-        subject: The mechanism or loop that has the places.
-        texts: Such as ``plays.bridge.gap=0um:500um:50``: from, to, and how many.
-
-    Raises:
-        OptionError: if a text is not of that form, there is not one or two of them, or a place comes twice.
-        MechanismError: if there is no such place.
-    """
+    """Return evenly spaced values, SI, by places, of texts such as ``plays.bridge.gap=0um:500um:50``."""
     if not 1 <= len(texts) <= 2:
         given = "is missing" if not texts else f"was given {len(texts)} times"
         raise OptionError(

@@ -31,16 +31,7 @@ def as_text(
     special: SpecialCurves | None,
     targets: Mapping[str, float | None],
 ) -> str:
-    """Return what is where in how many cells, the ranges of the measures, and what was searched.
-
-    A map over one number has a table over it too.
-
-    Args:
-        result: The map.
-        searched: What was looked for.
-        special: Curves over it.
-        targets: Of measures that were asked for, by their keys.
-    """
+    """Return what is where in how many cells, ranges of measures, what was searched; a line has a table."""
     subject, cells = result.inputs.subject, len(result.cells)
     lines = [f"{subject.title or 'Mechanism'}: what it settles to over"]
     for place, values, unit in zip(result.places, result.values, result.units, strict=True):

@@ -30,12 +30,7 @@ def add_measure_option(parser: ArgumentParser) -> None:
 
 
 def chosen_measures(subject: Subject, texts: Sequence[str]) -> Targets:
-    """Return the targets, SI units, or None, by the keys of the measures.
-
-    Raises:
-        OptionError: if a target is no number in the unit of its measure.
-        ChoiceError: if there is no such measure.
-    """
+    """Return the targets, SI units, or None, by the keys of the measures."""
     from trimmer.mechanism.units import UnitError
     from trimmer.motion.chosen import chosen_measure
     from trimmer.response.flows import flow_of

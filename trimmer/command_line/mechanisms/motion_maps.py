@@ -160,11 +160,7 @@ def _map(
 
 
 def _special(arguments: Namespace, result: MotionMap) -> SpecialCurves | None:
-    """Return the curves over the map, if they were asked for.
-
-    Raises:
-        MapInterruptedError: after an interrupt, with what is not lost.
-    """
+    """Return the curves over the map, if they were asked for."""
     if arguments.special is None:
         return None
     from trimmer.maps.motion_map import MapInterruptedError

@@ -30,11 +30,7 @@ def mechanism_motion(arguments: Namespace, mechanism: Mechanism) -> MechanismMot
 
 
 def check_periods(duration: float, frequency: float | None) -> None:
-    """Refuse a duration, s, of more drive periods than anybody waits for, or without a drive of more seconds.
-
-    Raises:
-        OptionError: if it is so long.
-    """
+    """Refuse a duration, s, of more drive periods, or without a drive seconds, than anybody waits for."""
     if duration * (frequency or 1.0) > MOST_PERIODS:
         told = f"{duration * frequency:.3g} drive periods" if frequency else "too long without a drive"
         raise OptionError(

@@ -78,11 +78,7 @@ def _run(arguments: Namespace) -> int:
 
 
 def chosen_output(against: Path, mechanism: Mechanism, output: str | None) -> str:
-    """Choose the output that is compared.
-
-    Raises:
-        OptionError: if none is chosen of several, or there is none of the name.
-    """
+    """Choose the output that is compared."""
     names = list(mechanism.outputs)
     listed = ", ".join(names) or "none"
     if output is None and len(names) == 1:
@@ -108,11 +104,7 @@ def _output_of_loop(loop: TrimmerLoop, output: str | None) -> str:
 def compared_motion(
     arguments: Namespace, signal: Signal, mechanism: Mechanism | TrimmerLoop, output: str
 ) -> tuple[MotionComparison, str]:
-    """Return a signal beside what the mechanism settles to from its start, and what that is, in words.
-
-    Raises:
-        OptionError: if the motion does not repeat, or cannot be compared.
-    """
+    """Return a signal beside what the mechanism settles to from its start, and what that is, in words."""
     from trimmer.signals.signal import SignalError
     from trimmer.spectra.comparison import compare_motions
 

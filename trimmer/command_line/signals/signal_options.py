@@ -184,11 +184,7 @@ class ChosenRecording:
 
 
 def chosen_recording(arguments: Namespace) -> ChosenRecording:
-    """Read the recording that the options choose, and convert it.
-
-    Raises:
-        TrimmerError: if the file cannot be used, or options do not fit it.
-    """
+    """Read the recording that the options choose, and convert it."""
     from trimmer.signals.faults import faults
     from trimmer.signals.reading_wav import is_wav
     from trimmer.signals.recording import Recording

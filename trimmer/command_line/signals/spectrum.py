@@ -172,9 +172,6 @@ def _against(
     """Return the natural modes of a mechanism, its motion beside the signal, and its drive, Hz, if any.
 
     Modes with closed contacts come before those with open ones.
-
-    Raises:
-        OptionError: if its motion does not repeat, or cannot be compared.
     """
     from trimmer.command_line.signals.overlay import chosen_output, compared_motion
     from trimmer.command_line.signals.spectrum_text import PredictedFrequencies

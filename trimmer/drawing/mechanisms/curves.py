@@ -44,14 +44,7 @@ def draw_special_curves(curves: SpecialCurves, axes: Axes) -> None:
 def draw_curves(
     axes: Axes, curves: Iterable[tuple[str, ArrayLike]], places: tuple[str, str], units: tuple[str, str]
 ) -> None:
-    """Draw curves over two numbers.
-
-    Args:
-        axes: Where; the limits of axes that hold a map stay.
-        curves: What each is, and its values of the two numbers, SI units, (points, 2).
-        places: Dotted places of the numbers.
-        units: Their units, empty for a number.
-    """
+    """Draw curves, (points, 2), over two numbers, SI units; the limits of axes that hold a map stay."""
     held = axes.has_data()
     handles = add_curves(axes, curves, hold=held)
     if not held:
@@ -64,13 +57,7 @@ def draw_curves(
 
 
 def add_curves(axes: Axes, curves: Iterable[tuple[str, ArrayLike]], *, hold: bool) -> list[Line2D]:
-    """Draw curves with a light border, so that they show on any colour; return lines for the legend.
-
-    Args:
-        axes: Where.
-        curves: As for ``draw_curves``; those of one name share a line of the legend.
-        hold: Whether the limits stay as they are.
-    """
+    """Draw curves with a light border, so that they show on any colour; return lines for the legend."""
     limits = axes.get_xlim(), axes.get_ylim()
     styles: dict[str, Dashes] = {}
     rest = cycle(STYLES)

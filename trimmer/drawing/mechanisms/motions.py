@@ -98,15 +98,7 @@ def draw_phase_plane(flow: Flow, course: Course, axes: Axes) -> None:
 
 
 def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int = 0) -> None:
-    """Draw the rate of the first output over itself at the start of each drive period.
-
-    Args:
-        axes: Where.
-        flow: What moves.
-        states: At the starts of drive periods, (count, n).
-        label: Name of the points.
-        number: Number of the colour and of the mark.
-    """
+    """Draw the rate of the first output over itself at the start of each drive period, (count, n)."""
     (name, first), *_ = signals_of(flow).items()
     forcing = np.tile(flow.modes.system.layout.forcing_at(0.0), (len(states), 1))
     extended = np.hstack([states, forcing])

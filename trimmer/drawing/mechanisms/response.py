@@ -70,11 +70,7 @@ def motion_figure(motion: MechanismMotion) -> Figure:
 
 
 def shown(motion: SettledMotion) -> tuple[Flow, Course]:
-    """Return the motion that is drawn: an orbit, rest, or some periods of what does not repeat.
-
-    Raises:
-        ValueError: if there is none.
-    """
+    """Return the motion that is drawn: an orbit, rest, or some periods of what does not repeat."""
     if motion.orbit is not None:
         return motion.orbit.flow, motion.orbit.course
     if motion.rest is not None:

@@ -46,14 +46,7 @@ MARKERS = {
 
 @draw.register(Spectrum)
 def draw_spectrum(spectrum: Spectrum, axes: Axes, unit: str = "", highest: float = np.inf) -> None:
-    """Draw the amplitude over frequency, Hz.
-
-    Args:
-        spectrum: The spectrum.
-        axes: Where to draw.
-        unit: Unit of the amplitude, if it is known.
-        highest: Frequency up to a little above which it is drawn, Hz.
-    """
+    """Draw the amplitude over frequency, Hz, a little further than the highest."""
     axes.semilogy(*outline(spectrum, highest), linewidth=0.9, color="0.4")
     axes.set_xlabel("frequency, Hz")
     axes.set_ylabel(f"amplitude, {unit}" if unit else "amplitude", parse_math=False)

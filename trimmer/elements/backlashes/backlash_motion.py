@@ -56,17 +56,7 @@ def separation(gamma: Reals) -> tuple[Reals, Reals]:
 
 
 def position(motion: BacklashMotion, phase: Reals, amplitude: Reals, gap: float) -> Reals:
-    """Evaluate the load's position at phases of the pin.
-
-    Args:
-        motion: The motion, one per entry.
-        phase: θ, rad, in the shape of the motion's arrays.
-        amplitude: A, in the same shape.
-        gap: Total clearance, in the unit of the amplitude.
-
-    Returns:
-        Position in the unit of the amplitude; NaN where there is no motion.
-    """
+    """Evaluate the load's position at phases of the pin, rad, in the amplitude's unit; NaN without motion."""
     after_separation = np.mod(phase - np.arctan2(motion.sine, motion.cosine), 2.0 * np.pi)
     rising = after_separation < np.pi
     elapsed = np.where(rising, after_separation, after_separation - np.pi)

@@ -27,13 +27,7 @@ _LARGEST_AMPLITUDE = 1e200
 
 
 def steady_motion(gap: float, amplitude: Reals, gamma: Reals) -> BacklashMotion:
-    """Find the steady motion at each entry of arrays of one dimension; NaN where there is none.
-
-    Args:
-        gap: Total clearance, in the unit of the amplitude.
-        amplitude: > 0, shape (n,).
-        gamma: omega M/D, within ``GAMMA_LIMITS``, shape (n,).
-    """
+    """Find the steady motion at amplitudes and gammas within ``GAMMA_LIMITS``, (n,); NaN where none is."""
     cosine, sine = separation(gamma)
     finite = np.minimum(amplitude, _LARGEST_AMPLITUDE * gap)
     ratio = gap / finite

@@ -270,11 +270,7 @@ def _of_reference(name: str, reference: Reference) -> Iterator[Problem]:
 
 
 def require_uncontrolled(controllers: Mapping[str, object], what: str) -> None:
-    """Check that there are no controllers, where they would be passed over.
-
-    Raises:
-        MechanismError: if there are.
-    """
+    """Check that there are no controllers, where they would be passed over."""
     if controllers:
         place = place_text(("controllers", next(iter(controllers))))
         raise MechanismError(f"{place}: {what} does not know controllers yet; leave them out")

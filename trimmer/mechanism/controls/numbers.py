@@ -47,14 +47,7 @@ def kind_of(section: str, part: object) -> type | None:
 def numbers_of(
     content: Mapping[str, Any], kinds: Mapping[str, Kind], section: str, name: str
 ) -> dict[str, NumberField]:
-    """Return what the numbers of a controller or a reference measure, by key; ``value`` those of profiles.
-
-    Args:
-        content: Fields of a mechanism, or the content of a file.
-        kinds: Of everything that can be an end.
-        section: ``controllers`` or ``references``.
-        name: The name of the part.
-    """
+    """Return what the numbers of a controller or a reference measure, by key; ``value`` those of profiles."""
     part = content[section][name]
     kind = kind_of(section, part)
     if section == "references":

@@ -85,11 +85,9 @@ def linear_matrices(mechanism: Mechanism, *, viscous: bool = False) -> LinearMat
 
 
 def displacement_rows(mechanism: Mechanism) -> Mapping[str, Reals]:
-    """Return the displacement of every end as a row of factors.
+    """Return the displacement of every end as a row of factors, (coordinates + pins).
 
-    Returns:
-        By name, the factors (coordinates + pins) of the coordinates in the fixed frame, then of the
-        displacements of the pins relative to their carriers, in the order of the mechanism.
+    They are of the coordinates in the fixed frame, then of the pins relative to their carriers.
     """
     pins = dict(zip(mechanism.pins, np.eye(len(mechanism.pins)), strict=True))
     beside = np.zeros(len(pins))

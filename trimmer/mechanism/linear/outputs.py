@@ -25,17 +25,7 @@ class Contacts(Choice):
 
 
 def with_contacts(mechanism: Mechanism, contacts: Contacts | str | Mapping[str, Contacts | str]) -> Mechanism:
-    """Return a mechanism in which closed contacts are links.
-
-    Args:
-        mechanism: The mechanism.
-        contacts: What all plays and stops are, or by name what some are; the others are closed.
-
-    Raises:
-        MechanismError: if there is no such contact.
-        ChoiceError: if a word is neither ``closed`` nor ``open``.
-        WrongTypeError: if what is given is of another type.
-    """
+    """Return a mechanism in which closed contacts are links, all or by name; those not named are closed."""
     known: dict[str, Contact] = {**mechanism.plays, **mechanism.stops}
     if not isinstance(contacts, Mapping | str | Contacts):
         raise WrongTypeError(f"contacts must be 'closed', 'open' or a mapping by name, not {shown(contacts)}")
@@ -62,11 +52,9 @@ def with_contacts(mechanism: Mechanism, contacts: Contacts | str | Mapping[str, 
 
 
 def output_rows(mechanism: Mechanism) -> Mapping[str, Reals]:
-    """Return each output as factors of displacements, velocities and accelerations.
+    """Return each output as factors, (3, coordinates + pins), of displacements and their two rates.
 
-    Returns:
-        By name, the factors (3, coordinates + pins) of what ``displacement_rows`` has, of its rate, and of
-        the rate of that. Dry friction and open contacts have no part in it.
+    Dry friction and open contacts have no part in it.
     """
     rows = displacement_rows(mechanism)
     found = {}

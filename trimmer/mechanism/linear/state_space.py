@@ -91,11 +91,7 @@ def _chosen(
 
 
 def _require_proper(name: str, inputs: Sequence[str], rates: Reals, seconds: Reals) -> None:
-    """Refuse an output that takes the rate of an input, or its acceleration.
-
-    Raises:
-        MechanismError: if it does.
-    """
+    """Refuse an output that takes the rate of an input, or its acceleration."""
     for column, pin in enumerate(inputs):
         if rates[column] or seconds[column]:
             raise MechanismError(

@@ -26,14 +26,7 @@ class StructureError(ValueError):
 def structure_of(
     place: tuple[str, ...], entries: Mapping[str, Any], folder: Path, problems: list[Problem]
 ) -> Structure:
-    """Return the structure of a table.
-
-    Args:
-        place: That of the table.
-        entries: Its keys; a matrix or modal model is a file's name, or stands there itself.
-        folder: Where files are, unless their names say otherwise.
-        problems: The list that gets what cannot be read.
-    """
+    """Return the structure of a table; matrices are there or in a file, problems go into the list."""
     given, files = dict(entries), dict[str, str]()
     for key in (*MATRICES, "modes"):
         if key not in entries:
