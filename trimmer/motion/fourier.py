@@ -17,6 +17,8 @@ from trimmer.motion.course import Course
 
 FAST = 3.0
 """Half the angle by which a wave turns over a step, rad, up to which the nodes integrate it as they are."""
+MANY = 1_000_000
+"""About so many values of waves are held at once."""
 
 
 def fourier(course: Course, signals: Reals, omega: float, count: int) -> Complexes:
@@ -25,25 +27,27 @@ def fourier(course: Course, signals: Reals, omega: float, count: int) -> Complex
     They are given at the nodes of a motion that spans whole periods of omega, (nodes, signals).
     """
     times, weights = course.nodes.times, course.nodes.weights
-    scale = 2.0 / course.duration
-    weighted = scale * weights[:, None] * signals
-    turn = np.exp(-1j * omega * times)
-    wave = np.ones_like(turn)
-    found = np.empty((count, signals.shape[1]), dtype=complex)
+    weighted = 2.0 / course.duration * weights[:, None] * signals
+    multiples, together = omega * np.arange(1.0, count + 1.0), max(1, MANY // max(1, len(times)))
+    found = [_waves(times, weights, part) @ weighted for part in _parts(multiples, together)]
+    return np.concatenate([np.empty((0, signals.shape[1]), dtype=complex), *found])
+
+
+def _parts(values: Reals, longest: int) -> list[Reals]:
+    return [values[first : first + longest] for first in range(0, len(values), longest)]
+
+
+def _waves(times: Reals, weights: Reals, omegas: Reals) -> Complexes:
+    """Return what stands for exp(-i omega t) at the nodes, (omegas, nodes)."""
+    waves: Complexes = np.exp(-1j * omegas[:, None] * times)
     lengths = weights.reshape(-1, NODES).sum(axis=1)
-    middles, longest = 0.5 * (times[::NODES] + times[NODES - 1 :: NODES]), lengths.max(initial=0.0)
-    for multiple in range(1, count + 1):
-        wave = wave * turn
-        used = wave
-        if 0.5 * multiple * omega * longest > FAST:
-            angles = 0.5 * multiple * omega * lengths
-            fast = np.flatnonzero(angles > FAST)
-            used = wave.copy().reshape(-1, NODES)
-            middle = np.exp(-1j * multiple * omega * middles[fast])
-            used[fast] = middle[:, None] * _projected(angles[fast])
-            used = used.reshape(-1)
-        found[multiple - 1] = used @ weighted
-    return found
+    angles = 0.5 * omegas[:, None] * lengths
+    omega, step = np.nonzero(angles > FAST)
+    if len(step):
+        middles = 0.5 * (times[::NODES] + times[NODES - 1 :: NODES])
+        middle = np.exp(-1j * omegas[omega] * middles[step])
+        waves.reshape(len(omegas), -1, NODES)[omega, step] = middle[:, None] * _projected(angles[omega, step])
+    return waves
 
 
 def _projected(angles: Reals) -> Complexes:
