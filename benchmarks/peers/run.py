@@ -47,9 +47,9 @@ PEERS = (
     Peer("MuJoCo", "with_mujoco", str(ENVIRONMENT / "bin" / "python"), "pip install mujoco"),
     Peer("pyHarm", "with_pyharm", str(ENVIRONMENT / "bin" / "python"), "pip install pyHarm-os"),
     Peer("Siconos", "with_siconos", "/usr/bin/python3", "apt install python3-siconos"),
+    Peer("AUTO-07p", "with_auto", "/usr/bin/python3", "apt install auto-07p gfortran"),
 )
 NOT_RUN = {
-    "AUTO-07p": "not run here: apt install auto-07p gfortran; no script is written yet",
     "NLvib": "not run here: its authors' site, for Octave; no script is written yet",
 }
 HEAD = """## Peers
@@ -59,7 +59,8 @@ Each peer at its defaults or at the settings of its own example, and at a finer 
 imports; ours is the second call with all that the command tells. The error is relative to the digits above.
 These programs were made for more than these problems: SciPy integrates anything, python-control designs
 controllers, MuJoCo moves robots in real time, Siconos follows many contacts with friction in space.
-`trimmer follow` tells stability, all special points and the branches that part; pyHarm tells the branch.
+`trimmer follow` tells stability, all special points and the branches that part; pyHarm tells the branch, and
+AUTO-07p stability, folds and period doublings of the stop as it was smoothed, timed without its compiling.
 
 {calibration}; a loop that takes much longer tells of other work beside, and then times mean little.
 {faster}
