@@ -1,7 +1,7 @@
 """AUTO-07p: the branch of the oscillator with a stop over omega.
 
-The stop is smoothed, as AUTO follows smooth systems. The drive is an oscillator of two more states, as in AUTO's
-demo ``frc``. The start is the motion without the stop.
+The stop is smoothed, as AUTO follows smooth systems. The drive is an oscillator of two more states, as in the
+demo ``frc`` of AUTO. The start is the motion without the stop.
 """
 
 from __future__ import annotations
