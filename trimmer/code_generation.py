@@ -22,12 +22,7 @@ from trimmer.mechanism.mechanism import Mechanism
 
 @dataclass(frozen=True)
 class DerivedSources:
-    """What `trimmer derive` writes.
-
-    Attributes:
-        module: Source of the numeric module; for the thesis's trimmer `trimmer.generated.linear_trimmer`.
-        latex: The derivations as a LaTeX document.
-    """
+    """What `trimmer derive` writes: the source of a numeric module, and a LaTeX document."""
 
     module: str
     latex: str

@@ -31,12 +31,7 @@ class FileWriteError(TrimmerError, OSError):
 
 @dataclass(frozen=True)
 class FileKind:
-    """A kind of file that is written.
-
-    Attributes:
-        name: What it is called in a message.
-        begins: What its first bytes look like.
-    """
+    """A kind of file that is written: what messages call it, and what its first bytes look like."""
 
     name: str
     begins: re.Pattern[bytes]

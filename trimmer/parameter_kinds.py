@@ -26,13 +26,7 @@ class ParameterKind(Enum):
 @final
 @dataclass(frozen=True)
 class Parameter:
-    """Description of one parameter.
-
-    Attributes:
-        symbol: Name of the field of ``TrimmerParameters``, such as ``m1``.
-        meaning: What it is, in words.
-        quantity: What it measures, which determines its unit and its sign.
-    """
+    """A field of ``TrimmerParameters``, such as ``m1``, what it is, and what it measures."""
 
     symbol: str
     meaning: str

@@ -12,14 +12,7 @@ from trimmer.arrays import ArrayRecord, Flags, Reals
 
 @dataclass(frozen=True)
 class Cells(ArrayRecord):
-    """Closed boxes, one per entry of the four arrays.
-
-    Attributes:
-        u_lower: Smallest u of each box, shape (n,).
-        u_upper: Largest u, shape (n,).
-        x_lower: Smallest x, shape (n,).
-        x_upper: Largest x, shape (n,).
-    """
+    """Closed boxes between the smallest and the largest u and x of each, all of shape (n,)."""
 
     u_lower: Reals
     u_upper: Reals

@@ -36,11 +36,7 @@ class GainDisks(ArrayRecord):
 
 @dataclass(frozen=True)
 class ElementCurve:
-    """The describing function of an element over u and x, in the unit of output over input.
-
-    Attributes:
-        element: The nonlinear element.
-    """
+    """The describing function of an element over u and x, in the unit of output over input."""
 
     element: Element
 
@@ -123,13 +119,10 @@ _ROWS_PER_BLOCK = 32
 
 @dataclass(frozen=True)
 class GainTable:
-    """Bounds of N on a coarse grid: rows of u and blocks of x.
+    """Disks that hold N on a coarse grid, (rows, blocks), or (rows, 1) if N does not depend on x.
 
-    Attributes:
-        curve: N.
-        u_breaks: Limits of the rows, from 0 on, shape (rows + 1,).
-        x_breaks: Limits of the blocks, shape (blocks + 1,).
-        disks: Disks that hold N, of shape (rows, blocks), or (rows, 1) if N does not depend on x.
+    Its breaks are the limits of the rows of u, from 0 on, (rows + 1,), and of the blocks of x, (blocks +
+    1,).
     """
 
     curve: ElementCurve

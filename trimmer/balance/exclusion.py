@@ -38,13 +38,7 @@ class EquationInBox:
 
 @dataclass(frozen=True)
 class EnclosedCells(ArrayRecord):
-    """Boxes with bounds of N and 1/G on them; each part has one entry per box.
-
-    Attributes:
-        cells: The boxes.
-        disks: Disks that hold N.
-        enclosure: Bounds of 1/G.
-    """
+    """Boxes with disks that hold N and bounds of 1/G on them, one entry per box."""
 
     cells: Cells
     disks: GainDisks

@@ -57,11 +57,7 @@ class InverseGain(Sloped, Protocol):
 
 @dataclass(frozen=True)
 class ConstantResponse:
-    """The same 1/G at all x, as when the frequency is given and something else is looked for.
-
-    Attributes:
-        inverse: 1/G.
-    """
+    """The same 1/G at all x, as when the frequency is given and something else is looked for."""
 
     inverse: complex
 

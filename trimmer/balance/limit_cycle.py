@@ -189,10 +189,8 @@ class Certificate(Shown):
 class InterpolationBound(ShownFields):
     """How far a limit cycle may be off because G is known at some frequencies alone, to first order.
 
-    Attributes:
-        response: Largest relative error of G there; see ``trimmer.linear.measured_response``.
-        amplitude: Of the amplitude, in the unit of the element's input.
-        omega: Of omega, rad/s.
+    The response is relative (``trimmer.linear.measured_response``), the amplitude in the unit of the
+    element's input, omega in rad/s.
     """
 
     response: float

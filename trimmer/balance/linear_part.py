@@ -27,12 +27,7 @@ from trimmer.linear.frequency_response import UnsupportedSystemError
 
 @dataclass(frozen=True)
 class LinearGain:
-    """The describing function constant + j omega damping, the same at all amplitudes.
-
-    Attributes:
-        constant: In the unit of output over input of the element.
-        damping: In that unit times s.
-    """
+    """The gain constant + j omega damping at all amplitudes, in output over input, and that times s."""
 
     constant: complex = 0.0
     damping: float = 0.0

@@ -26,13 +26,7 @@ _NOTHING = LinearGain()
 
 @dataclass(frozen=True)
 class LoopEquation:
-    """N + 1/G = 0 with the linear part of N moved to 1/G.
-
-    Attributes:
-        response: 1/G plus the linear part of N.
-        curve: The rest of N.
-        linear: The linear part of N.
-    """
+    """N + 1/G = 0: a response, which is 1/G plus the linear part of N, and the curve of its rest."""
 
     response: InverseResponse
     curve: ElementCurve

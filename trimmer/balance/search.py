@@ -37,14 +37,7 @@ _MARGIN = 2.0
 
 @dataclass(frozen=True)
 class SearchResult:
-    """Solutions, and the boxes that the search left undecided.
-
-    Attributes:
-        u: u of each solution, shape (n,).
-        x: x = ln omega of each solution, shape (n,).
-        undecided: Boxes that may hold any number of solutions beside those.
-        examined: Number of boxes examined.
-    """
+    """Solutions in u and x = ln omega, (n,), boxes that may hold more, and how many boxes were examined."""
 
     u: Reals
     x: Reals

@@ -23,13 +23,7 @@ from trimmer.elements.small_gains import COASTING, LEAST, SmallGains
 
 @dataclass(frozen=True)
 class EmptyInterval:
-    """An interval of x without a solution.
-
-    Attributes:
-        lower: Lower limit of x.
-        upper: Upper limit.
-        least: Lower bound of |1/G| at the limit that is not the pole.
-    """
+    """An interval of x without a solution; ``least`` bounds |1/G| at the limit that is not the pole."""
 
     lower: float
     upper: float

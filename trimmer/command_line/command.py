@@ -10,12 +10,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Example:
-    """A use of a subcommand, as it is typed.
-
-    Attributes:
-        words: The line, from ``trimmer`` on, without anything that only one shell understands.
-        purpose: What it answers, as a piece of a sentence.
-    """
+    """A use of a subcommand, as it is typed in any shell, and what it answers, as a piece of a sentence."""
 
     words: str
     purpose: str

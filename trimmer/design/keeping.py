@@ -24,12 +24,7 @@ class Store(Protocol):
 
 @dataclass(frozen=True)
 class Keeper:
-    """Keeps the stages of one design.
-
-    Attributes:
-        store: Where; nowhere if None.
-        depends: All that every stage depends on, as text: the program, the mechanism.
-    """
+    """Keeps the stages of a design in a store, or nowhere; ``depends`` is what every stage depends on."""
 
     store: Store | None = None
     depends: str = ""

@@ -88,13 +88,7 @@ def asked_of(targets: tuple[Target, ...]) -> tuple[MeasureOfPart, ...]:
 
 @dataclass(frozen=True)
 class TriedCells:
-    """The work of a cell of a map of a machine that switches, or whose controllers follow steps.
-
-    Attributes:
-        mechanism: The machine.
-        places: Places of the values.
-        asked: What is measured.
-    """
+    """The work of a cell of a map of a machine that switches, or whose controllers follow steps."""
 
     mechanism: Mechanism
     places: tuple[str, ...]

@@ -14,13 +14,7 @@ LEAST = 0.02
 
 @dataclass(frozen=True)
 class Change:
-    """Another number at a place.
-
-    Attributes:
-        place: Dotted place.
-        unit: SI unit.
-        before, after: The number now, and the other one.
-    """
+    """Another number, in an SI unit, at a dotted place: before now, and after."""
 
     place: str
     unit: str

@@ -35,13 +35,7 @@ class Beside(Enum):
 
 @dataclass(frozen=True)
 class Condition:
-    """A change under which targets shall hold too.
-
-    Attributes:
-        beside: What it is.
-        speed: Relative change of the frequency of the drive.
-        shifts: What is added to numbers that scatter, by place.
-    """
+    """A change of speed, relative, or shifts of numbers, by place, under which targets shall hold too."""
 
     beside: Beside
     speed: float = 0.0
@@ -78,13 +72,7 @@ def conditions_of(
 
 @dataclass(frozen=True)
 class NumbersWork:
-    """The work of a trial with some numbers of a mechanism changed.
-
-    Attributes:
-        mechanism: The mechanism.
-        asked: What is measured.
-        most_periods: Drive periods to wait at most.
-    """
+    """The work of a trial with some numbers of a mechanism changed, for some drive periods at most."""
 
     mechanism: Mechanism
     asked: tuple[MeasureOfPart, ...]
@@ -124,12 +112,7 @@ def margins(trial: Trial, targets: tuple[Target, ...]) -> Reals:
 
 @dataclass(frozen=True)
 class Around:
-    """What a mechanism does under conditions beside its own point.
-
-    Attributes:
-        targets: The targets.
-        trials: The conditions, the point itself first, each with what the mechanism does.
-    """
+    """What a mechanism does under conditions beside its own point, the point itself first."""
 
     targets: tuple[Target, ...]
     trials: tuple[tuple[Condition, Trial], ...]

@@ -111,14 +111,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class TrialWork:
-    """The work of a trial, which a process or a cluster may do.
-
-    Attributes:
-        subject: The mechanism or loop.
-        places: Dotted places of the values.
-        asked: What is measured.
-        most_periods: Drive periods to wait at most.
-    """
+    """The work of a trial at some places, which a process or a cluster may do."""
 
     subject: Subject
     places: tuple[str, ...]

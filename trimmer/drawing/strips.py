@@ -22,13 +22,7 @@ NAME |= {"fontsize": "x-small", "parse_math": False, "annotation_clip": False}
 
 @dataclass(frozen=True)
 class Strip:
-    """The times at which a part is in contact or sticks.
-
-    Attributes:
-        name: What is on, such as ``bridge, contact``.
-        bars: Start and length of each time, s.
-        stick: Whether it is stick, which has another colour and hatching.
-    """
+    """Starts and lengths, s, at which a part is in contact or sticks, which looks otherwise."""
 
     name: str
     bars: Sequence[tuple[float, float]]

@@ -12,25 +12,14 @@ from trimmer.arrays import Complexes, Reals
 
 
 class Derivatives(NamedTuple):
-    """Derivatives of the first harmonic's N.
-
-    Attributes:
-        by_u: dN/du at constant omega.
-        by_log_omega: dN/d(ln omega) at constant amplitude.
-    """
+    """Derivatives of the first harmonic's N: by u at constant omega, by ln omega at constant amplitude."""
 
     by_u: Complexes
     by_log_omega: Complexes
 
 
 class Expansion(NamedTuple):
-    """The first harmonic's N and its derivatives at the same points.
-
-    Attributes:
-        value: N.
-        by_u: dN/du at constant omega.
-        by_log_omega: dN/d(ln omega) at constant amplitude.
-    """
+    """The first harmonic's N and its ``Derivatives`` at the same points."""
 
     value: Complexes
     by_u: Complexes
@@ -38,24 +27,14 @@ class Expansion(NamedTuple):
 
 
 class GainSensitivity(NamedTuple):
-    """Upper bounds of the moduli of ``Derivatives`` on a box of u and omega.
-
-    Attributes:
-        by_u: Bound of |dN/du|.
-        by_log_omega: Bound of |dN/d(ln omega)|.
-    """
+    """Upper bounds of the moduli of ``Derivatives`` on a box of u and omega."""
 
     by_u: Reals
     by_log_omega: Reals
 
 
 class GainVariation(NamedTuple):
-    """Upper bounds of how much ``Derivatives`` differ between two points of a box of u and omega.
-
-    Attributes:
-        by_u: Bound of the change of dN/du.
-        by_log_omega: Bound of the change of dN/d(ln omega).
-    """
+    """Upper bounds of how much ``Derivatives`` differ between two points of a box of u and omega."""
 
     by_u: Reals
     by_log_omega: Reals

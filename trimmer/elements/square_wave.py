@@ -53,11 +53,7 @@ class SquareWaveElement(Element):
 
 @dataclass(frozen=True)
 class IdealRelay(SquareWaveElement):
-    """A relay without thresholds, y = level * sign(x).
-
-    Attributes:
-        level: Output for a positive input, > 0, in the unit of the output.
-    """
+    """A relay without thresholds, y = level * sign(x), with a level > 0."""
 
     level: float
     LEAD: ClassVar[complex] = 1.0

@@ -34,12 +34,9 @@ _LARGEST = np.finfo(float).max
 
 @dataclass(frozen=True)
 class ThresholdRelay(Element):
-    """A relay that switches on at an input > 0.
+    """A relay of level L > 0 that switches on at an input > 0.
 
-    Attributes:
-        level: L, output beyond the thresholds, > 0.
-        dead_zone: (on + off) / 2, >= 0.
-        hysteresis: (on - off) / 2, >= 0.
+    Dead zone and hysteresis are (on + off) / 2 and (on - off) / 2, both >= 0.
     """
 
     level: float

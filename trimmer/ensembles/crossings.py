@@ -71,12 +71,7 @@ def crossings(responses: Responses, omegas: Reals) -> Crossings:
 
 
 class Enclosures(NamedTuple):
-    """Changes of the sign of h, as in ``Crossings``.
-
-    Attributes:
-        exists: Whether N has the lag there.
-        certain: Whether that is certain.
-    """
+    """Changes of the sign of h, as in ``Crossings``; whether N has the lag there, and whether certainly."""
 
     rows: Places
     lower: Reals

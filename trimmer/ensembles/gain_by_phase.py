@@ -18,13 +18,10 @@ CELLS = 4096
 
 @dataclass(frozen=True)
 class GainByLag:
-    """Table over the lag, from 0 (no play) to a quarter turn (amplitude of half the gap).
+    """ln |N|, (cells + 1,), and u = gap / amplitude at even lags, from 0 (no play) to a quarter turn.
 
-    The lag rises all the way as the amplitude falls, and the modulus falls, so either tells the other.
-
-    Attributes:
-        log_gain: ln |N| at evenly spaced lags, shape (cells + 1,).
-        u: gap / amplitude at the same lags.
+    The lag rises all the way as the amplitude falls, to half the gap, and the modulus falls, so either
+    tells the other.
     """
 
     log_gain: Reals

@@ -18,12 +18,7 @@ NEAR = 1e-12
 
 
 class Roots(NamedTuple):
-    """Roots of each polynomial, and whether all of them were found.
-
-    Attributes:
-        values: Shape (n, degree).
-        found: Shape (n,).
-    """
+    """Roots of each polynomial, (n, degree), and whether all of them were found, (n,)."""
 
     values: Complexes
     found: Flags

@@ -15,13 +15,7 @@ from trimmer.linear.model import InputChannels
 
 @dataclass(frozen=True)
 class Responses(ArrayRecord):
-    """G = numerator / denominator of each trimmer, with s in units of ``reference``.
-
-    Attributes:
-        numerator: Shape (n, 8).
-        denominator: Monic, shape (n, 9).
-        reference: Geometric mean of the moduli of the poles, rad/s, shape (n,).
-    """
+    """G = numerator / denominator, (n, 8) and (n, 9), monic; s in units of ``reference``, rad/s, (n,)."""
 
     numerator: Reals
     denominator: Reals

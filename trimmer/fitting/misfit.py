@@ -50,12 +50,7 @@ class Fitted:
 
 @dataclass(frozen=True, eq=False)
 class Misfit:
-    """The distance of a model from a measurement.
-
-    Attributes:
-        measured: The measurement.
-        model: The model.
-    """
+    """The distance of a model from a measurement."""
 
     measured: MeasuredLines
     model: Model

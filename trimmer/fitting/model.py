@@ -31,13 +31,7 @@ PATIENCE = Patience(iterations=12, halvings=4, followed=2)
 
 @dataclass(frozen=True, eq=False)
 class ModelMotion:
-    """A stable periodic motion of the mechanism or loop.
-
-    Attributes:
-        coordinates: Those of the unknowns, (unknowns,).
-        orbit: The motion.
-        lines: Complex amplitudes at p/k of the drive, in the quantities that are measured, (m, outputs).
-    """
+    """A stable periodic motion of a model at its coordinates, (unknowns,), with lines, (m, outputs)."""
 
     coordinates: Reals
     orbit: Orbit

@@ -20,12 +20,7 @@ MOST_CONTACTS = 400
 
 @dataclass(frozen=True, eq=False)
 class HarmonicContact:
-    """A play or stop, with its distance s between the ends.
-
-    Attributes:
-        part: The play or stop.
-        distance: s, m.
-    """
+    """A play or stop, with its distance s between the ends, m."""
 
     part: Play | Stop
     distance: PeriodicWaveform

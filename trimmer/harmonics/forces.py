@@ -12,12 +12,9 @@ from trimmer.harmonics.waveform import PeriodicWaveform
 
 @dataclass(frozen=True, eq=False)
 class Harmonics:
-    """Coefficients of a force, and how they change with those of the signal.
+    """Coefficients of a force, N, (H + 1,), and their derivatives by those of the signal.
 
-    Attributes:
-        coefficients: As those of a waveform, N, shape (H + 1,).
-        direct: Derivative by the coefficients of the signal, (H + 1) x (H + 1).
-        conjugate: Derivative by their conjugates, (H + 1) x (H + 1).
+    They are those by the coefficients, and by their conjugates, (H + 1) x (H + 1).
     """
 
     coefficients: Complexes
@@ -34,13 +31,7 @@ class Harmonics:
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
-    """Pieces of the period, (pieces,) each.
-
-    Attributes:
-        begin: Times at which they begin, s.
-        end: Times at which they end, s.
-        sign: Which of two linear functions acts on them, 1 or -1.
-    """
+    """Times, s, at which pieces begin and end, and which of two linear functions acts, 1 or -1: (pieces,)."""
 
     begin: Reals
     end: Reals

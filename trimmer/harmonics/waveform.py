@@ -12,13 +12,7 @@ from trimmer.arrays import Complexes, Reals
 
 @dataclass(frozen=True)
 class Decay:
-    """amount exp(-rate (t - begun)), subtracted from a signal.
-
-    Attributes:
-        amount: In the unit of the signal.
-        rate: 1/s.
-        begun: s.
-    """
+    """amount exp(-rate (t - begun)), subtracted from a signal, in its unit, 1/s and s."""
 
     amount: float
     rate: float

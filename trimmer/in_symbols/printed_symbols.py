@@ -69,13 +69,7 @@ class Stem:
 
 @dataclass(frozen=True)
 class PrintedSymbol:
-    """A symbol of printed equations.
-
-    Attributes:
-        symbol: LaTeX, or a name of SymPy.
-        meaning: What it stands for, in plain words.
-        unit: Its SI unit.
-    """
+    """A symbol of printed equations: LaTeX or a name of SymPy, its meaning, and its SI unit."""
 
     symbol: str
     meaning: str

@@ -24,12 +24,7 @@ from trimmer.mechanism.parts import GROUND, Curve, Force, Output, OutputKind, Pi
 
 @dataclass(frozen=True)
 class Translation:
-    """A mechanism on its way into symbols.
-
-    Attributes:
-        data: The mechanism.
-        printed: Its symbols.
-    """
+    """A mechanism on its way into its symbols."""
 
     data: Mechanism
     printed: Mapping[Place, PrintedSymbol]

@@ -12,16 +12,7 @@ from trimmer.arrays import Reals
 
 @dataclass(frozen=True, eq=False)
 class StoredStateSpace:
-    """All that a ``control.StateSpace`` is made of.
-
-    Attributes:
-        matrices: A, B, C and D.
-        dt: Its time base: 0 for continuous time.
-        name: Its name.
-        states: Names of its states.
-        inputs: Names of its inputs.
-        outputs: Names of its outputs.
-    """
+    """All that a ``control.StateSpace`` is made of: A, B, C and D, its time base, and names."""
 
     matrices: tuple[Reals, Reals, Reals, Reals]
     dt: float | bool | None

@@ -31,13 +31,7 @@ from trimmer.motion.units import Units
 
 @dataclass(frozen=True, eq=False)
 class LoopFlow(Flow):
-    """The exact motion of one loop.
-
-    The state of n entries holds the states of the linear system, then those of loads behind backlashes.
-
-    Attributes:
-        loop: The loop.
-    """
+    """The exact motion of a loop: n states of the linear system, then of loads behind backlashes."""
 
     loop: Loop
 

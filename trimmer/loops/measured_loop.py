@@ -10,12 +10,7 @@ from trimmer.linear.measured_response import MeasuredResponse
 
 @dataclass(frozen=True, eq=False)
 class MeasuredLoop:
-    """An element in negative feedback with a plant that is known by data.
-
-    Attributes:
-        system: The data.
-        element: The element.
-    """
+    """An element in negative feedback with a plant that is known by data."""
 
     system: MeasuredResponse
     element: Element

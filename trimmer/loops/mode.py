@@ -35,12 +35,7 @@ class Change:
 
 @dataclass(frozen=True, eq=False)
 class LoopFunction(EventFunction):
-    """An event function of a component, or of relays that hold each other, and what changes where it ends.
-
-    Attributes:
-        reached: All that changes when it falls to zero.
-        jumped: All that changes when it is negative at once.
-    """
+    """An event function: all that changes when it falls to zero, or when it is negative at once."""
 
     reached: tuple[Change, ...] = ()
     jumped: tuple[Change, ...] = ()
@@ -48,12 +43,7 @@ class LoopFunction(EventFunction):
 
 @dataclass(frozen=True, eq=False)
 class LoopMode(Mode):
-    """A mode of a loop.
-
-    Attributes:
-        functions: The event functions of all components, then those of the coupled ones together.
-        signals: The rows of each component over the extended state.
-    """
+    """A mode: event functions of all components, then of the coupled ones together, and their signals."""
 
     functions: tuple[LoopFunction, ...]
     signals: tuple[Signals, ...]

@@ -44,11 +44,7 @@ KINDS: Mapping[EventKind, int] = {
 
 @dataclass(frozen=True, eq=False)
 class LoopSystem:
-    """The exact motion of a loop; its parts are its components, their modes its statuses.
-
-    Attributes:
-        interconnection: The equations of the loop.
-    """
+    """The exact motion of a loop; its parts are its components, their modes its statuses."""
 
     interconnection: Interconnection
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)

@@ -22,13 +22,7 @@ _NUMBER = re.compile(r"\s*[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\
 
 @dataclass(frozen=True)
 class OpenValue:
-    """A number that a file leaves open.
-
-    Attributes:
-        place: Names that lead there.
-        text: What stands there.
-        quantity: What it measures.
-    """
+    """A number that a file leaves open: names that lead there, what stands there, what it measures."""
 
     place: tuple[str, ...]
     text: str

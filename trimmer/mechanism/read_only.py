@@ -9,11 +9,7 @@ Value = TypeVar("Value")
 
 
 class ReadOnly(Mapping[str, Value], Generic[Value]):
-    """A read-only copy of a mapping by name.
-
-    Args:
-        entries: What is copied.
-    """
+    """A read-only copy of a mapping by name."""
 
     __slots__ = ("_entries",)
 

@@ -207,11 +207,7 @@ def _arguments(content: Mapping[str, Any], folder: Path, problems: list[Problem]
 
 
 class _Converter:
-    """Numbers of text with units; what cannot be read is noted.
-
-    Args:
-        problems: The list that gets the notes.
-    """
+    """Numbers of text with units; what cannot be read is noted among the problems."""
 
     def __init__(self, problems: list[Problem]) -> None:
         self._problems = problems

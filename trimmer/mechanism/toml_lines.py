@@ -34,11 +34,7 @@ def lines_of_keys(text: str) -> dict[Place, int]:
 
 
 class _Outline:
-    """The outline of a text.
-
-    Args:
-        text: Valid TOML with newlines alone as line ends.
-    """
+    """The outline of a valid TOML text with newlines alone as line ends."""
 
     def __init__(self, text: str) -> None:
         self._text = text

@@ -36,13 +36,7 @@ FRICTION: Mapping[str, tuple[Of, Callable[[Units], str]]] = MappingProxyType(
 
 @dataclass(frozen=True)
 class ChosenMeasure:
-    """A measure.
-
-    Attributes:
-        key: Its dotted key.
-        unit: SI unit, empty for a number.
-        of: Takes it out of the measures of a motion.
-    """
+    """A measure with its dotted key and SI unit, taken out of the measures of a motion."""
 
     key: str
     unit: str

@@ -17,13 +17,7 @@ NEWTON_STEPS = 5
 
 
 class TurningPoints(NamedTuple):
-    """Points of a signal between which, in each row of the log, it only rises or only falls.
-
-    Attributes:
-        times: s, (count,), in their order.
-        rows: Rows of the log, (count,).
-        values: The signal, (count,).
-    """
+    """Times, s, rows of the log and values, (count,), between which a signal only rises or only falls."""
 
     times: Reals
     rows: Integers

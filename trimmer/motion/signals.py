@@ -22,11 +22,7 @@ Signal: TypeAlias = Callable[[int], "Reals"]
 
 @dataclass(frozen=True, eq=False)
 class Steady:
-    """A signal that has the same row in every mode.
-
-    Attributes:
-        row: The functional, (N,).
-    """
+    """A signal that has the same row, (N,), in every mode."""
 
     row: Reals
 
@@ -49,13 +45,7 @@ class OwnValues(ABC):
 
 @dataclass(frozen=True, eq=False)
 class Readout:
-    """What is read of a motion under a name.
-
-    Attributes:
-        signal: The signal.
-        unit: Its unit, empty for a number.
-        speed: How fast it moves on beyond what the signal says, in its unit per second.
-    """
+    """A signal under a name, its unit, and how fast it moves on beyond what it says, per second."""
 
     signal: Signal
     unit: str

@@ -30,12 +30,7 @@ BAND = 0.02
 
 @dataclass(frozen=True)
 class Step:
-    """A step of a reference.
-
-    Attributes:
-        size: From 0 to this, in the unit of the signal; not 0.
-        at: When, s.
-    """
+    """A step of a reference from 0 to its size, in the unit of the signal, at a time, s."""
 
     size: float
     at: float = 0.0

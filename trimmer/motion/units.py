@@ -7,11 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Units:
-    """Units of what is measured of a motion: those of SI, or none if it moves by plain numbers.
-
-    Attributes:
-        length: Of displacements: m, of rotations rad, or empty for a number.
-    """
+    """Units of measures of a motion by that of displacements: m, of rotations rad, or plain numbers."""
 
     length: str
 

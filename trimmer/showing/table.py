@@ -11,13 +11,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table.
-
-    Attributes:
-        name: What it is; the key of the same number in JSON, where there is one.
-        unit: SI unit; empty for a number without one, a word or a truth value.
-        of: Takes the value out of what a row is about.
-    """
+    """A column: its name, that of JSON where there is one, its SI unit, and how a row gives its value."""
 
     name: str
     unit: str
@@ -26,13 +20,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Table:
-    """A table whose values are computed when they are asked for.
-
-    Attributes:
-        title: What the rows are, in a few words.
-        items: What each row is about.
-        columns: The columns; each name is there once.
-    """
+    """A table whose values, by columns of what each row is about, are computed when they are asked for."""
 
     title: str
     items: Sequence[Any]

@@ -21,12 +21,7 @@ _ADVICE = "choose one by name or number (--column)"
 
 @dataclass(frozen=True)
 class Columns:
-    """The chosen columns.
-
-    Attributes:
-        signal: Column of the signal, counted from 0.
-        time: Column of the time stamps, counted from 0; None if there are none.
-    """
+    """The columns of the signal and of the time stamps, if there are any, counted from 0."""
 
     signal: int
     time: int | None

@@ -146,13 +146,7 @@ def _check(signal: Signal, quantity: MotionQuantity) -> None:
 
 @dataclass(frozen=True, eq=False)
 class _Limits:
-    """What bounds the band of a conversion.
-
-    Attributes:
-        source: The signal, SI.
-        times: How many times it is differentiated; negative if it is integrated.
-        spectrum: Its variance over frequency.
-    """
+    """What bounds the band of a conversion: a signal, SI, differentiated so many times, and its powers."""
 
     source: Signal
     times: int

@@ -29,13 +29,7 @@ class MissingValues(Choice):
 
 @dataclass(frozen=True)
 class Filled:
-    """Samples without missing values.
-
-    Attributes:
-        values: Samples, shape (m,), finite, in the unit of the column.
-        places: Place of each of them in the column, from 0, shape (m,).
-        interpolated: Number of samples that are not measured but interpolated.
-    """
+    """Samples without missing values, finite, and their places in the column, from 0, (m,)."""
 
     values: Reals
     places: Places

@@ -61,14 +61,7 @@ class Sampling:
 
 @dataclass(frozen=True, eq=False)
 class EvenSamples:
-    """Samples at equal distances.
-
-    Attributes:
-        values: Samples, shape (n,).
-        start: Time of the first, s.
-        trusted: Frequencies at which they can be trusted.
-        notes: What was done to them, in sentences without a full stop.
-    """
+    """Samples at equal distances, (n,), from a start, s, the band in which they hold, and notes."""
 
     values: Reals
     start: float
@@ -78,14 +71,7 @@ class EvenSamples:
 
 @dataclass(frozen=True, eq=False)
 class Stamped:
-    """Samples with their time stamps.
-
-    Attributes:
-        times: Time stamps, s, shape (n,).
-        values: Samples, shape (n,).
-        lines: Number of the line of each, from 1.
-        place: File, for messages.
-    """
+    """Time stamps, s, and samples, (n,), with the number of the line of each, from 1."""
 
     times: Reals
     values: Reals

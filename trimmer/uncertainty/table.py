@@ -139,14 +139,7 @@ def _distribution(
 
 
 class _DistributionReader:
-    """Reads a distribution; what is wrong goes to the problems.
-
-    Args:
-        where: The place in the file.
-        unit: The SI unit of the number.
-        nominal: The number in the file.
-        problems: The list that gets what is wrong.
-    """
+    """Reads a distribution at a place of the file, in an SI unit; what is wrong goes to the problems."""
 
     def __init__(self, where: tuple[str, ...], unit: str, nominal: float, problems: list[Problem]) -> None:
         self._where, self._unit, self._nominal, self._problems = where, unit, nominal, problems

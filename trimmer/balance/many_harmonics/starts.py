@@ -32,13 +32,7 @@ NEAR = 0.7
 
 @dataclass(frozen=True, eq=False)
 class Start:
-    """First harmonics to begin from.
-
-    Attributes:
-        inputs: Complex amplitudes of the inputs of the elements, (elements,).
-        omega: Angular frequency, rad/s.
-        distance: How far the eigenvalue is from 1.
-    """
+    """First harmonics of inputs, (elements,), omega, rad/s, and how far the eigenvalue is from 1."""
 
     inputs: Complexes
     omega: float

@@ -31,10 +31,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(NODE_COUNT)
 class Flight:
     """The flight of a load from the upper to the lower side of the gap, where it stays up to half a period.
 
-    Attributes:
-        leave: Phase at which the load leaves the upper side, rad.
-        meet: Phase at which it meets the lower side, rad.
-        position: Function from phases in between, rad, to the position of the load, m.
+    It leaves and meets them at phases, rad; its position, m, is a function of those in between.
     """
 
     leave: float

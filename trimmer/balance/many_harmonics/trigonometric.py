@@ -16,11 +16,7 @@ POINTS = 721
 
 @dataclass(frozen=True, eq=False)
 class OddPolynomial:
-    """A trigonometric polynomial of odd harmonics.
-
-    Attributes:
-        coefficients: c_1, c_3, c_5 ..., in the unit of the signal, shape (n,).
-    """
+    """A trigonometric polynomial with coefficients c_1, c_3, c_5 ..., (n,), in the unit of the signal."""
 
     coefficients: Complexes
 

@@ -18,15 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ShownFit:
-    """What is shown of a fit.
-
-    Attributes:
-        file: File of the mechanism; None of a loop.
-        measured: File of the measurement.
-        output: File of the fitted mechanism, if one was written.
-        recordings: What was read of each output.
-        fit: The fit.
-    """
+    """What is shown of a fit, with the files of mechanism, if any, measurement and output, if written."""
 
     file: Path | None
     measured: Path

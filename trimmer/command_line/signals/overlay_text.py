@@ -25,17 +25,7 @@ _SMALLEST = 1e-4
 
 @dataclass(frozen=True)
 class Compared:
-    """A comparison with what its text and JSON say of the two motions.
-
-    Attributes:
-        file: File of the measurement.
-        against: File of the mechanism; None of a loop.
-        output: Name of its output.
-        settled: What the mechanism settles to, in sentences.
-        chosen: The recording.
-        comparison: The comparison.
-        driven: Whether what is simulated has a drive.
-    """
+    """A comparison with what its text and JSON say of the two motions, and what they settle to."""
 
     file: Path
     against: Path | None

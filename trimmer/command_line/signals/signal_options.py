@@ -165,13 +165,7 @@ def _add_conversion_options(parser: ArgumentParser) -> None:
 
 @dataclass(frozen=True)
 class ChosenRecording:
-    """What the options choose.
-
-    Attributes:
-        recording: The stretches as they are analysed.
-        faults: What is wrong with the longest stretch as it was measured.
-        full_scale_is_one: Whether the samples are shares of full scale, because no scale was given.
-    """
+    """A recording as it is analysed, and what was wrong with it as it was measured."""
 
     recording: Recording
     faults: tuple[Fault, ...]

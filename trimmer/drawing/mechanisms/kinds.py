@@ -23,13 +23,7 @@ HATCHES |= {"not settled": "||", "diverging": "++"}
 
 @dataclass(frozen=True)
 class Category:
-    """A kind of motion in a map, with its look.
-
-    Attributes:
-        name: What it is, in plain words.
-        colour: Its colour.
-        hatch: Its hatching, empty for none.
-    """
+    """A kind of motion in a map by name, with its colour and its hatching, empty for none."""
 
     name: str
     colour: str

@@ -24,13 +24,7 @@ BETWEEN, ABOVE, BELOW = range(3)
 @final
 @dataclass(frozen=True)
 class CornerComponent(Component):
-    """Output inner_slope * input up to a threshold, with another slope beyond it, and no jump.
-
-    Attributes:
-        threshold: Input at the corner, > 0, in its unit.
-        inner_slope: Output per input between the thresholds.
-        outer_slope: Output per input beyond them.
-    """
+    """Output inner_slope * input up to a threshold > 0, with another slope beyond it, and no jump."""
 
     threshold: float
     inner_slope: float

@@ -47,11 +47,7 @@ class RigidComponent(Component):
 @final
 @dataclass(frozen=True)
 class ViscousComponent(Component):
-    """Viscous friction: the output is a coefficient times the rate of the input.
-
-    Attributes:
-        coefficient: Output per rate of the input, N s/m for a force of a displacement.
-    """
+    """Viscous friction: a coefficient times the rate of the input, N s/m for a force of a displacement."""
 
     coefficient: float
 

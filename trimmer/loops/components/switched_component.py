@@ -51,11 +51,7 @@ class Explicit:
 
 @dataclass(frozen=True)
 class RateProportional:
-    """The output is a coefficient times the rate of the input.
-
-    Attributes:
-        coefficient: Output per rate of the input, N s/m for a force of a displacement.
-    """
+    """The output is a coefficient times the rate of the input, N s/m for a force of a displacement."""
 
     coefficient: float
 

@@ -24,16 +24,11 @@ SILENT, POSITIVE, NEGATIVE = range(3)
 @final
 @dataclass(frozen=True)
 class ThresholdComponent(Component):
-    """Output level, 0 or -level; it rises at ``on`` and falls at ``off``, and so for negative inputs.
+    """Output level > 0, 0 or -level; it rises at ``on`` > 0 and falls at ``off``, and so for negative inputs.
 
-    Without a dead zone, ``off`` is -``on``, and the output goes from one sign to the other at once. With the
-    two equal the relay has no memory; where the output then works against the rate of the input it would have
-    to slide along the threshold, with values between 0 and the level, which is not followed.
-
-    Attributes:
-        level: Size of the output, > 0, in the unit of the output.
-        on: Input at which the output rises to level, > 0, in its unit.
-        off: Input at which it falls from there, -on <= off <= on.
+    Without a dead zone, ``off`` is -``on``, and the output goes from one sign to the other at once. With
+    the two equal the relay has no memory; where the output then works against the rate of the input it
+    would have to slide along the threshold, with values between 0 and the level, which is not followed.
     """
 
     level: float
