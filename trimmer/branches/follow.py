@@ -28,6 +28,7 @@ from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.orbit import NEUTRAL, Orbit
+from trimmer.response.pace import periods_of
 from trimmer.response.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
 
@@ -96,7 +97,7 @@ def follow(
     if state is None:
         orbit = _orbit_at_start(at_start, settings.most_periods, periods)
         if orbit is None:
-            message = _unsettled(begin, settings.most_periods)
+            message = _unsettled(at_start, begin, settings.most_periods)
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
         map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
@@ -104,7 +105,7 @@ def follow(
     map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:
-        branch = replace(branch, message=_unsettled(begin, settings.most_periods))
+        branch = replace(branch, message=_unsettled(at_start, begin, settings.most_periods))
     base = map
     while base.single is not None:
         base = base.single
@@ -205,9 +206,10 @@ def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) 
     return orbit if orbit.success else None
 
 
-def _unsettled(begin: float, most_periods: int) -> str:
+def _unsettled(subject: Subject, begin: float, most_periods: int) -> str:
+    waited = periods_of(subject, most_periods)
     return (
-        f"from rest at {begin:.10g} the motion has not settled within {most_periods} drive periods; begin at "
+        f"from rest at {begin:.10g} the motion has not settled within {waited}; begin at "
         "another value, give the number of periods after which it shall repeat, or wait longer"
     )
 

@@ -25,6 +25,7 @@ from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.measures import Measures
 from trimmer.response.flows import flow_of
 from trimmer.response.orbit import with_shifts
+from trimmer.response.pace import periods_of
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
@@ -135,7 +136,7 @@ class FollowedOrbit(Shown):
 
     def _told(self) -> str:
         kind = "stable" if self.stable else "not stable"
-        return f"{self.map.place} = {self.value:.9g}, {kind}, {counted(self.periods, 'drive period')}"
+        return f"{self.map.place} = {self.value:.9g}, {kind}, {periods_of(self.map.subject, self.periods)}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

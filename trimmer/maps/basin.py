@@ -11,11 +11,13 @@ import numpy as np
 from trimmer.arguments import require_instance
 from trimmer.errors import MapError
 from trimmer.maps.cells import CellMotion, described, same_motion, stands_for_its_kind, waited_for
+from trimmer.maps.inputs import MapInputs
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.messages import listed, near_match
 from trimmer.response.flows import require_subject
+from trimmer.response.pace import periods_of
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table
@@ -60,10 +62,7 @@ class Basin(Tabular, Drawn):
     def names(self) -> tuple[str, ...]:
         """What each motion is, numbered from 1, as in the legend; one that stands for a kind says so."""
         inputs = self.result.inputs
-        told = (
-            waited_for(described(motion), f"{motion.periods} drive periods" if inputs.driven else inputs.over)
-            for motion in self.motions
-        )
+        told = (waited_for(described(motion), _waited(inputs, motion)) for motion in self.motions)
         all_of_it = (" (all such)" if stands_for_its_kind(motion) else "" for motion in self.motions)
         each = zip(told, all_of_it, strict=True)
         return tuple(f"{number}: {name}{every}" for number, (name, every) in enumerate(each, start=1))
@@ -124,3 +123,7 @@ def _start_place(subject: Subject, place: str) -> str:
         given = listed(place_text(parse_place(each)[1:]) for each in there)
         raise MapError(f"{place} is no initial value; {near_match(whole, there) or f'there are {given}'}")
     return whole
+
+
+def _waited(inputs: MapInputs, motion: CellMotion) -> str:
+    return periods_of(inputs.subject, motion.periods) if inputs.driven else inputs.over

@@ -18,6 +18,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
+from trimmer.response.pace import periods_of
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1
@@ -73,7 +74,7 @@ class MapInputs:
     def waited(self) -> str:
         """How long a motion is waited for at most, in words."""
         if self.driven:
-            return f"{self.settings.most_periods} drive periods"
+            return periods_of(self.subject, self.settings.most_periods)
         return f"{self.settings.most_periods} periods of its slowest mode"
 
     @property

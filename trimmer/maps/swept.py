@@ -18,6 +18,7 @@ from trimmer.mechanism.place_text import unit_of
 from trimmer.messages import listed
 from trimmer.motion.chosen import SIZES
 from trimmer.response.flows import flow_of
+from trimmer.response.pace import periods_of
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
@@ -113,7 +114,8 @@ class Sweep(Tabular, Drawn):
     @property
     def message(self) -> str:
         """How it ended, and how the motions were measured, in sentences."""
-        told = f"each value for {self.periods} drive periods, of which the second half is measured"
+        periods = periods_of(self.subject, self.periods)
+        told = f"each value for {periods}, of which the second half is measured"
         last = self.points[-1]
         if self.success:
             return f"It reached its end; {told}."

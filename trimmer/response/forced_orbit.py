@@ -90,6 +90,7 @@ def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orb
     from trimmer.hybrid.advance import Ending
     from trimmer.mechanism.drives import RETURNS, told_of_drives
     from trimmer.response.orbit import orbit_of
+    from trimmer.response.pace import periods_of
     from trimmer.response.shooting import Return, solve
     from trimmer.response.starts import instant_of
 
@@ -98,8 +99,8 @@ def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orb
         raise OrbitNotFoundError(f"nothing repeats: {told_of_drives(RETURNS)}")
     if periods % together:
         raise OrbitNotFoundError(
-            f"nothing repeats after {periods} drive periods: its drives return together after {together}, so "
-            "give a multiple of that"
+            f"nothing repeats after {periods_of(flow.subject, periods)}: its drives return together "
+            f"after {together}, so give a multiple of that"
         )
     instant, followed, orbit = instant_of(flow, guess), 0, None
     waits = (settling,) if settling is not None else SETTLING if guess is None else (0,)
@@ -114,7 +115,7 @@ def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orb
         if orbit is not None and orbit.success:
             return orbit
     if orbit is None:
-        raise OrbitNotFoundError(f"the motion cannot be followed over {periods} drive periods")
+        raise OrbitNotFoundError(f"the motion cannot be followed over {periods_of(flow.subject, periods)}")
     return orbit
 
 

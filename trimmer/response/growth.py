@@ -64,7 +64,7 @@ def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
     """
     pairs = list(pairwise(reached))[1:]
     growing = [sizes >= PROPORTIONAL * (age / younger) * before for (younger, before), (age, sizes) in pairs]
-    moving = reached[0][1] > 0
+    moving = reached[-1][1] > NEGLIGIBLE * np.max([sizes for _, sizes in reached], axis=0)
     return bool(growing) and bool((np.all(growing, axis=0) & moving).any())
 
 

@@ -18,6 +18,7 @@ from trimmer.motion.subject import Subject
 from trimmer.one_orbit import SAME
 from trimmer.response.edge import Edge
 from trimmer.response.multipliers import multipliers_of, with_place
+from trimmer.response.pace import period_word, periods_of
 from trimmer.response.shooting import CLOSED, Shot
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
@@ -86,7 +87,7 @@ class Orbit(Tabular, Drawn):
     def sentence(self) -> str:
         """What was found, without what is known of an edge."""
         if not self.success:
-            time = f"{self.periods} drive periods" if self.periods else f"{self.period:.6g} s"
+            time = periods_of(self.subject, self.periods) if self.periods else f"{self.period:.6g} s"
             return (
                 f"no motion that returns after {time} was found; the closest misses by "
                 f"{self.residual:.1e} of its size. Begin elsewhere, or with another number of periods"
@@ -95,13 +96,17 @@ class Orbit(Tabular, Drawn):
         if not self.periods:
             told = f"{kind} motion that repeats after {self.period:.9g} s"
         elif self.period_count < self.periods:
-            count = _periods(self.period_count)
+            count = self._periods(self.period_count)
             told = f"{kind} motion that repeats after {count} already, not {self.periods}"
         else:
-            told = f"{kind} motion that repeats after {_periods(self.periods)}"
+            told = f"{kind} motion that repeats after {self._periods(self.periods)}"
         if self.advances:
             told += ", up to an advance"
         return f"{told}; {self.about}" if self.about else told
+
+    def _periods(self, count: int) -> str:
+        word = period_word(self.subject)
+        return f"one {word}" if count == 1 else periods_of(self.subject, count)
 
     @property
     def instant(self) -> Instant:
@@ -289,10 +294,6 @@ def with_shifts(flow: Flow, multipliers: Complexes, margins: Reals) -> tuple[Com
     known = np.append(margins[: -flow.shifts], np.zeros(flow.shifts))
     order = np.argsort(-abs(found), kind="stable")
     return found[order], known[order]
-
-
-def _periods(count: int) -> str:
-    return "one drive period" if count == 1 else f"{count} drive periods"
 
 
 def _smallest(flow: Flow, shot: Shot, periods: int) -> int:

@@ -1,4 +1,4 @@
-"""How fast things happen beside the period that is counted: slowly, where that is only a sample."""
+"""The period that is counted, of a drive or only a sample: its name, and how much happens in it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.mechanism.drives import clocks_in, sines_in
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.motion.subject import Subject
@@ -16,6 +17,24 @@ SAMPLES = 16
 
 def pace_of(subject: Subject) -> int:
     """Return in how many drive periods as much happens as in one: many, if they are samples alone."""
+    return SAMPLES if _only_samples(subject) else 1
+
+
+def period_word(subject: Subject) -> str:
+    """Return what is counted: periods of a drive, or the samples that alone drive."""
+    if not isinstance(subject, Mechanism) or not _only_samples(subject):
+        return "drive period"
+    return "sample" if len(set(clocks_in(subject).values())) == 1 else "period of the slowest samples"
+
+
+def periods_of(subject: Subject, count: float) -> str:
+    """Return a number of these periods in words, as ``300 drive periods`` or ``256 samples``."""
+    word = period_word(subject)
+    head, *tail = word.split(" of ")
+    return " of ".join([counted(f"{count:.9g}", head), *tail])
+
+
+def _only_samples(subject: Subject) -> bool:
     if not isinstance(subject, Mechanism) or subject.frequency is not None:
-        return 1
-    return SAMPLES if clocks_in(subject) and not sines_in(subject) else 1
+        return False
+    return bool(clocks_in(subject)) and not sines_in(subject)

@@ -23,7 +23,7 @@ from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.linear_motion import linear_motion
 from trimmer.response.orbit import Orbit
-from trimmer.response.pace import pace_of
+from trimmer.response.pace import pace_of, periods_of
 from trimmer.response.response import MotionKind, Response, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.same import largest_states, same_motion, same_orbit, twins
@@ -161,7 +161,8 @@ class _Search:
             return _settled(slow, settling.periods, agrees, f"{told}: {_slowness(slow)}.")
         if orbit is None:
             return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
-        told = f"It settles within {settling.periods} drive periods to {orbit.sentence}."
+        within = periods_of(self.flow.subject, settling.periods)
+        told = f"It settles within {within} to {orbit.sentence}."
         if agrees is not None:
             told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
         return _settled(orbit, settling.periods, agrees, told)
@@ -211,7 +212,8 @@ def _slowness(orbit: Orbit) -> str:
     """Say how slowly small distances to an orbit die out."""
     largest = float(abs(orbit.multipliers).max())
     halved = math.ceil(orbit.periods * math.log(0.5) / math.log(largest))
-    return f"its distance was seen to fall as the multipliers say, by half in {halved} drive periods"
+    time = periods_of(orbit.subject, halved)
+    return f"its distance was seen to fall as the multipliers say, by half in {time}"
 
 
 def _of_kind(kind: MotionKind, periods: int, told: str) -> SettledMotion:

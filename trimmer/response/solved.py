@@ -15,6 +15,7 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.response.linear_motion import LinearMotion, lasting_motion, linear_motion
 from trimmer.response.orbit import Orbit, orbit_of
+from trimmer.response.pace import periods_of
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.rest import Rest
 from trimmer.response.sampled_rest import sampled_rest
@@ -143,7 +144,7 @@ def at_rest(rest: Rest, before: float) -> SettledMotion:
         before: Time until that was seen: drive periods, or s without a drive.
     """
     period = rest.flow.period
-    within = f"{before:g} drive periods" if period else f"{before:.6g} s"
+    within = periods_of(rest.flow.subject, before) if period else f"{before:.6g} s"
     told = f"It comes to rest within {within}, and nothing sets it in motion{_of_rest(rest)}."
     if rest.asymptotic:
         seen = f"where that leads to was seen within {within}"
@@ -203,5 +204,7 @@ def _undamped(found: Solved) -> str:
 
 def _decay(found: Solved) -> str:
     period = found.motion.flow.period
-    time = f"{math.ceil(found.decay / period)} drive periods" if period else f"{found.decay:.6g} s"
+    if not period:
+        return f"what the start adds to it falls to a thousandth in {found.decay:.6g} s"
+    time = periods_of(found.motion.flow.subject, math.ceil(found.decay / period))
     return f"what the start adds to it falls to a thousandth in {time}"

@@ -121,7 +121,7 @@ class StepResponse(Tabular):
 
 def step_response(
     mechanism: Mechanism,
-    reference: str,
+    reference: str | None = None,
     *,
     controller: str | None = None,
     duration: float | None = None,
@@ -131,7 +131,7 @@ def step_response(
 
     Args:
         mechanism: The mechanism.
-        reference: Name of the reference, a step.
+        reference: Name of the reference, a step; the only step that the mechanism has if not given.
         controller: Name of the controller whose output is measured; the only one that follows the reference
             if not given.
         duration: Length of the motion, s; until what it settles to is seen if not given.
@@ -143,6 +143,7 @@ def step_response(
         WrongTypeError: if the mechanism is none.
     """
     require_instance("mechanism", mechanism, Mechanism, "a trimmer.Mechanism")
+    reference = _only(mechanism) if reference is None else reference
     step = _step(mechanism, reference)
     follower = _follower(mechanism, reference, controller)
     if duration is not None and duration <= step.at:
@@ -199,10 +200,27 @@ def _hunting(mechanism: Mechanism, settles_to: Response, output: str, seen: floa
     return Hunting(amplitude, period, 1.0 / period if period else frequency)
 
 
+def _steps(mechanism: Mechanism) -> tuple[list[str], str]:
+    """Return the names of all steps, and what to say of them."""
+    steps = [name for name, one in mechanism.references.items() if isinstance(one, StepReference)]
+    return (
+        steps,
+        f"of steps there is {listed(steps)}" if steps else "[references] path = { step = 0.01 } is one",
+    )
+
+
+def _only(mechanism: Mechanism) -> str:
+    """Return the name of the only step."""
+    steps, there = _steps(mechanism)
+    if not steps:
+        raise MechanismError(f"nothing steps; {there}")
+    if len(steps) > 1:
+        raise MechanismError(f"{listed(steps)} are steps; choose one (--reference {steps[0]})")
+    return steps[0]
+
+
 def _step(mechanism: Mechanism, name: str) -> Step:
-    references = mechanism.references
-    steps = [each for each, one in references.items() if isinstance(one, StepReference)]
-    there = f"of steps there is {listed(steps)}" if steps else "[references] path = { step = 0.01 } is one"
+    references, there = mechanism.references, _steps(mechanism)[1]
     if name not in references:
         raise MechanismError(f"there is no reference {name!r}; {near_match(name, references) or there}")
     reference = references[name]

@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.response.growth import OLDER, grows
-from trimmer.response.pace import pace_of
+from trimmer.response.pace import pace_of, period_word, periods_of
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Window, joined, watch
 from trimmer.response.zero_one import growth_of_walk
@@ -50,11 +50,11 @@ def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
             "comes any more, so that it grows for ever."
         )
         return _diverging(settling.periods, told)
-    kind = MotionKind.UNDECIDED
-    told = f"It could be followed for {settling.periods} drive periods only: {settling.ending.value}."
+    kind, followed = MotionKind.UNDECIDED, periods_of(settling.flow.subject, settling.periods)
+    told = f"It could be followed for {followed} only: {settling.ending.value}."
     if settling.ending is Ending.DIVERGED and settling.periods:
         kind = MotionKind.DIVERGING
-        told = f"It diverges: after {settling.periods} drive periods {settling.ending.value}."
+        told = f"It diverges: after {followed} {settling.ending.value}."
     return SettledMotion(kind, None, None, settling.periods, agrees, 1, 1.0, False, told)
 
 
@@ -62,8 +62,8 @@ def grown(seen: Seen, waited: int) -> SettledMotion:
     """Return what is known of a motion that grows in proportion to its age."""
     periods = waited + seen.window.periods
     told = (
-        f"It diverges: after {periods} drive periods it had not settled, and until {OLDER * periods} it grew "
-        "in proportion to the time; nothing that it met held it."
+        f"It diverges: after {periods_of(seen.flow.subject, periods)} it had not settled, and until "
+        f"{OLDER * periods} it grew in proportion to the time; nothing that it met held it."
     )
     return _diverging(OLDER * periods, told)
 
@@ -171,7 +171,7 @@ def _neighbour_leaves(flow: Flow, window: Window) -> bool:
 
 def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
     largest = seen.window.exponents[0]
-    exponent = f"{largest.value:.3g} +- {largest.uncertainty:.1g} per drive period"
+    exponent = f"{largest.value:.3g} +- {largest.uncertainty:.1g} per {period_word(seen.flow.subject)}"
     if seen.kind is MotionKind.TORUS and seen.contracts:
         return (
             f"It runs on a torus: {told_of_drives(RETURNS)}. After {waited} of them all small distances "
@@ -184,13 +184,14 @@ def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
         MotionKind.UNDECIDED: "It is undecided what it settles to",
     }
     told = (
-        f"{kinds[seen.kind]}: it had not settled after {waited} drive periods, and over "
+        f"{kinds[seen.kind]}: it had not settled after {periods_of(seen.flow.subject, waited)}, and over "
         f"{seen.window.periods} more its largest Lyapunov exponent is {exponent}; a neighbouring motion "
         f"{'leaves it' if seen.leaves else 'stays near it'}."
     )
     if seen.kind is MotionKind.CHAOTIC:
         told += (
-            f" Chaos over {waited + seen.window.periods} drive periods may still be a transient that ends."
+            f" Chaos over {periods_of(seen.flow.subject, waited + seen.window.periods)} may still be a "
+            "transient that ends."
         )
     if agrees is None:
         return told

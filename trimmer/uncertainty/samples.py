@@ -20,6 +20,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of
+from trimmer.response.pace import periods_of
 from trimmer.runners.processes import ProcessRunner
 from trimmer.runners.runner import Runner, SerialRunner
 from trimmer.showing.drawn import Drawn
@@ -110,7 +111,7 @@ class Samples(Tabular, Drawn):
         What rests on the drive periods that were waited says so, as in a map: ``chaotic over 300 drive
         periods``.
         """
-        waited = f"{self.inputs.settings.most_periods} drive periods"
+        waited = self._waited
         words = [
             "failed" if trial.kind is None else waited_for(trial.kind.described(trial.period_count), waited)
             for trial in self.trials
@@ -121,6 +122,10 @@ class Samples(Tabular, Drawn):
         }
 
     @property
+    def _waited(self) -> str:
+        return periods_of(self.inputs.subject, self.inputs.settings.most_periods)
+
+    @property
     def message(self) -> str:
         """What was drawn and looked at, in sentences."""
         settings, of_mechanism = self.inputs.settings, isinstance(self.inputs.subject, Mechanism)
@@ -128,7 +133,7 @@ class Samples(Tabular, Drawn):
         begun = "rest or the file's own start" if of_mechanism else of_loop
         told = (
             f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
-            f"each from {begun}, for at most {settings.most_periods} drive periods; "
+            f"each from {begun}, for at most {self._waited}; "
             "other motions were not looked for."
         )
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import pairwise, product
 
@@ -210,7 +211,7 @@ def test_hunting_under_samples_is_a_torus_with_lines() -> None:
     assert amplitude == pytest.approx(motion.peak_to_peak["angle"] / 2, rel=0.2)
     branch = follow(loose, "controllers.axis.kp", 3.0, 2.0, settings=FollowSettings(most_periods=100))
     assert not branch.success
-    assert "from rest at 3 the motion has not settled within 100 drive periods" in branch.message
+    assert "from rest at 3 the motion has not settled within 100 samples" in branch.message
 
 
 def test_an_integral_that_runs_in_stick_is_no_rest() -> None:
@@ -277,6 +278,9 @@ def test_samples_that_never_meet_again() -> None:
     )
     (motion,) = respond(machine).motions
     assert motion.rest is not None
+    assert re.match("It comes to rest within [0-9]+ periods of the slowest samples, and", motion.message)
+    alone = replace(machine, controllers={"slow": machine.controllers["slow"]})
+    assert re.match("It comes to rest within [0-9]+ samples, and", respond(alone).message)
     assert motion.rest.positions["slide"] == pytest.approx(200.0 * 0.1 / (200.0 + 100.0), rel=1e-9)
     driven = replace(machine, frequency=10.0, forces={"cut": Force("slide", amplitude=5.0)})
     assert respond(driven, most_periods=50).kind is MotionKind.TORUS

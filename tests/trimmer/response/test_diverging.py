@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
 from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.response.growth import grew
 from trimmer.response.response_json import response_json
 
 OUTPUTS = {"body": Output({"body": 1.0})}
@@ -26,6 +28,13 @@ def resonant(rubs: float = 0.0, frequency: float = 1.0, **parts: object) -> Mech
         outputs=OUTPUTS,
         **parts,
     )
+
+
+def test_what_was_lost_in_rounding_does_not_grow() -> None:
+    """Velocities of 35 m/s at first, and later the rounding of what sticks; beside it one that does grow."""
+    seen = [(7540.0, np.array([35.0])), (37700.0, np.array([1e-17])), (80786.0, np.array([3e-17]))]
+    assert not grew(seen)
+    assert grew([(time, np.array([0.1 * time])) for time, _ in seen])
 
 
 def test_an_undamped_resonance_diverges_and_beside_it_nothing_does() -> None:

@@ -11,6 +11,7 @@ from trimmer.command_line.table import table
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
+from trimmer.response.pace import period_word, periods_of
 
 if TYPE_CHECKING:
     from trimmer.branches.followed import FollowedBranch, FollowedOrbit
@@ -53,7 +54,9 @@ def _many(branch: FollowedBranch) -> str:
     orbits = f"{count} orbit" if count == 1 else f"{count} orbits"
     if branch.finds_period:
         return f"{orbits} with a period of their own" + (", which has doubled" if periods > 1 else "")
-    return f"{orbits} with " + ("the drive's period" if periods == 1 else f"{periods} drive periods")
+    word = period_word(branch.map.subject)
+    once = "the drive's period" if word == "drive period" else f"the period of one {word}"
+    return f"{orbits} with " + (once if periods == 1 else periods_of(branch.map.subject, periods))
 
 
 def _heads(branch: FollowedBranch) -> list[str]:

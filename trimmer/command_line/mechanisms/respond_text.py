@@ -12,7 +12,7 @@ from trimmer.mechanism.cut_waveforms import told_of_waveforms
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
-from trimmer.response.pace import pace_of
+from trimmer.response.pace import pace_of, period_word
 from trimmer.response.response import MotionKind
 from trimmer.response.response_json import response_json
 from trimmer.showing.rounding import or_rounding
@@ -70,13 +70,14 @@ def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
         return
     if motion.orbit is None and motion.window is None and motion.linear is None:
         return
-    yield from _facts(motion)
+    word = period_word(flow.subject)
+    yield from _facts(motion, word)
     driven = motion.orbit is None or motion.orbit.periods > 0
-    of = "p/k of the drive" if driven else "multiples of its own frequency"
-    if motion.window is not None and not motion.window.flow.period:
+    of = f"p/k of the {word.removesuffix(' period')}" if driven else "multiples of its own frequency"
+    if _has_peaks_alone(motion):
         of = "frequency"
     units = {name: each.unit for name, each in flow.outputs.items()}
-    advance, unit = _advance(motion, units), _common(units.values())
+    advance, unit = _advance(motion, units, word), _common(units.values())
     sizes = (with_unit(head, unit) for head in ("peak to peak", "rms", f"lines as {of}: amplitude"))
     heads = ("output", *advance, *sizes)
     rows = [
@@ -105,30 +106,30 @@ def _common(units: Iterable[str]) -> str:
     return found.pop() if len(found) == 1 else ""
 
 
-def _advance(motion: SettledMotion, units: Mapping[str, str]) -> dict[str, dict[str, str]]:
+def _advance(motion: SettledMotion, units: Mapping[str, str], word: str) -> dict[str, dict[str, str]]:
     """Return the column of advances with its heading; none if they are rounding."""
     largest = max(motion.peak_to_peak.values(), default=0.0)
     shown = {name: 0.0 if abs(each) <= SMALL * largest else each for name, each in motion.advance.items()}
     if not any(shown.values()):
         return {}
-    per = "period" if motion.orbit is not None else "drive period"
+    per = "period" if motion.orbit is not None else word
     if motion.window is not None and not motion.window.flow.period:
         per = "s"
     head = with_unit(f"advance per {per}", _common(units.values()))
     return {head: {name: f"{each:.9g}" for name, each in shown.items()}}
 
 
-def _facts(motion: SettledMotion) -> Iterator[str]:
+def _facts(motion: SettledMotion, word: str) -> Iterator[str]:
     if motion.orbit is not None:
         largest = abs(motion.orbit.nontrivial_multipliers).max(initial=0.0)
-        per, size = "drive period" if motion.orbit.periods else "period", or_rounding(largest, ".6g")
+        per, size = word if motion.orbit.periods else "period", or_rounding(largest, ".6g")
         events = counted(f"{motion.events_per_period:g}", "event")
         yield f"  {events} per {per}; largest multiplier {size}"
     elif motion.linear is not None:
         yield "  no events; figures are exact, of all time"
     else:
         events = counted(f"{motion.events_per_period:.4g}", "event")
-        per = "drive period" if motion.window is None or motion.window.flow.period else "return"
+        per = word if motion.window is None or motion.window.flow.period else "return"
         yield f"  {events} per {per}; figures are those of the window"
 
 
@@ -142,7 +143,7 @@ def rest_lines(rest: Rest) -> Iterator[str]:
         for name in rest.positions
     }
     yield from _valued(*where, _written(rest.positions), units)
-    head = f"mean {force} over a drive period" if rest.forces_change else force
+    head = f"mean {force} over a {period_word(flow.subject)}" if rest.forces_change else force
     forces = {name: flow.force_unit(name) for name in rest.forces}
     yield from _valued("part", head, _written(rest.forces), forces)
 
@@ -165,10 +166,16 @@ def _number(estimate: Estimate) -> str:
     return f"{estimate.value:.6g} (95 %: {low:.6g} to {high:.6g})"
 
 
+def _has_peaks_alone(motion: SettledMotion) -> bool:
+    """Say whether lines of a window are not counted from a drive."""
+    window = motion.window
+    return window is not None and (pace_of(window.flow.subject) > 1 or not window.flow.period)
+
+
 def _lines(motion: SettledMotion, name: str) -> str:
     """Return the largest lines of an output, in order of frequency."""
     window = motion.window
-    if window is not None and (pace_of(window.flow.subject) > 1 or not window.flow.period):
+    if window is not None and _has_peaks_alone(motion):
         peaks = sorted(window.peaks[name])[:LARGE_LINES]
         return ", ".join(f"{frequency:.6g} Hz: {size:.6g}" for frequency, size in peaks) or "none"
     if motion.orbit is not None:

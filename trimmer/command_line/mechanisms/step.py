@@ -17,7 +17,9 @@ from trimmer.command_line.patience import patience
 def _configure(parser: ArgumentParser) -> None:
     add_mechanism_options(parser)
     parser.add_argument(
-        "--reference", required=True, metavar="NAME", help="the step, a name under [references], such as path"
+        "--reference",
+        metavar="NAME",
+        help="the step, a name under [references], such as path (default: the only one)",
     )
     parser.add_argument(
         "--controller",
@@ -63,11 +65,11 @@ COMMAND = Command(
     _run,
     examples=(
         Example(
-            "trimmer step examples/two-mass-servo.toml --reference path --plot step.svg",
+            "trimmer step examples/two-mass-servo.toml --plot step.svg",
             "how a servo with backlash follows a step, and that it hunts; and a picture of it",
         ),
         Example(
-            "trimmer step examples/stiction-pid.toml --reference path --set controllers.axis.ki=0",
+            "trimmer step examples/stiction-pid.toml --set controllers.axis.ki=0",
             "how a motor with stiction follows it without an integral: it comes to rest, with an error",
         ),
     ),

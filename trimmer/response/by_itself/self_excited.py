@@ -59,6 +59,11 @@ class SelfExcited:
     unit: float = 0.0
     returns: Returns | None = None
 
+    @property
+    def cut_short(self) -> bool:
+        """Whether it took more steps than are followed."""
+        return self.returns is not None and self.returns.course.ending is Ending.STEP_LIMIT
+
 
 def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) -> SelfExcited:
     """Return what a motion without a drive comes to.
@@ -85,7 +90,7 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
         rest = _rest_after(flow, course, unit)
         if rest is not None:
             return SelfExcited(waited, rest=rest)
-        if course.ending is not Ending.REACHED_END:
+        if course.ending not in (Ending.REACHED_END, Ending.STEP_LIMIT):
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         happened += len(course.events)
         reached.append((waited, state_sizes(flow, flow.reduced(_at_events(flow, course)))))
@@ -93,7 +98,7 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
         orbit = _settled_to(flow, returns[-1], known)
         if orbit is not None:
             return SelfExcited(waited, orbit)
-        if _is_chaotic(returns):
+        if _is_chaotic(returns) or course.ending is Ending.STEP_LIMIT:
             break
         instant = replace(course.end, phase=0.0)
     unstable = next((each for each in known if not each.stable and not each.neutral), None)

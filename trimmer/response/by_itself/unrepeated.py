@@ -23,7 +23,7 @@ def unrepeated(flow: Flow, found: SelfExcited, most_periods: int | None) -> Sett
     """
     returns = found.returns
     chaotic = returns is not None and returns.chaotic
-    window = None if returns is None or not returns.count else _watched(flow, returns)
+    window = None if returns is None or not returns.count or found.cut_short else _watched(flow, returns)
     kind = MotionKind.CHAOTIC if chaotic else MotionKind.UNDECIDED
     told = _told(found, window) if chaotic else _undecided(found, most_periods)
     if window is not None and returns is not None:
@@ -58,6 +58,8 @@ def _undecided(found: SelfExcited, most_periods: int | None) -> str:
         )
     if found.returns is not None and found.returns.slows_down:
         return f"{told}: each return takes longer than that before, so that it slows down for ever."
+    if found.cut_short:
+        return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}."
     longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
     return (
         f"{told}, {searched} periods of its slowest mode; {longer} of them would be followed with "
