@@ -41,7 +41,7 @@ _LOG_GAMMAS = (math.log(GAMMA_LIMITS[0]), math.log(GAMMA_LIMITS[1]))
 
 @dataclass(frozen=True, repr=False)
 class BandEnd(Shown):
-    """An end of a band of frequencies.
+    """An end of a band of frequencies, with the M/D that gives a limit cycle there.
 
     Attributes:
         frequency: Hz; 0 or infinity where the band has no end.

@@ -113,7 +113,11 @@ class DesignFile:
         return line_of(place, self.lines)
 
 
-def read_design_file(path: Path | str, changes: Sequence[tuple[str, float | str]] = ()) -> DesignFile:
+Changes = Sequence[tuple[str, float | str]]
+"""Places, and the numbers that stand there in place of those of the file."""
+
+
+def read_design_file(path: Path | str, changes: Changes = ()) -> DesignFile:
     """Read the file of a design, or standard input if the path is ``-``.
 
     Args:
@@ -128,17 +132,12 @@ def read_design_file(path: Path | str, changes: Sequence[tuple[str, float | str]
     return _design_file(bytes_of_file(path), str(path), path.parent, changes)
 
 
-def read_with_targets(
-    path: Path | str, changes: Sequence[tuple[str, float | str]] = ()
-) -> tuple[Mechanism, tuple[Target, ...]]:
+def read_with_targets(path: Path | str, changes: Changes = ()) -> tuple[Mechanism, tuple[Target, ...]]:
     """Read a mechanism as ``read_mechanism`` does, with other numbers, and the targets in its file."""
     path = file_path("path", path)
     text, name = decoded(bytes_of_file(path)), str(path)
     content = content_of_text(text, name)
-    set_values = {place_text(parse_place(place)): value for place, value in changes}
-    mechanism = mechanism_of_text(text, name, set_values, path.parent)
-    for place, value in changes:
-        mechanism = mechanism.with_value(place, value)
+    mechanism = _changed(text, name, path.parent, {}, changes)
     problems: list[Problem] = []
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     _stop_at(problems, name, content, lines_of_keys(text))
@@ -150,21 +149,28 @@ def design_file_of_text(text: str, name: str, folder: Path = Path()) -> DesignFi
     return _design_file(text.encode(), name, folder)
 
 
-def _design_file(
-    raw: bytes, name: str, folder: Path, changes: Sequence[tuple[str, float | str]] = ()
-) -> DesignFile:
+def _changed(
+    text: str, name: str, folder: Path, values: Mapping[str, float | str], changes: Changes
+) -> Mechanism:
+    """Return the mechanism of a text with values for what it leaves open, and other numbers at places."""
     set_values = {place_text(parse_place(place)): value for place, value in changes}
+    mechanism = mechanism_of_text(text, name, {**values, **set_values}, folder)
+    for place, value in changes:
+        mechanism = mechanism.with_value(place, value)
+    return mechanism
+
+
+def _design_file(raw: bytes, name: str, folder: Path, changes: Changes = ()) -> DesignFile:
+    set_places = {place_text(parse_place(place)) for place, _ in changes}
     text = decoded(raw)
     content = content_of_text(text, name)
     lines = lines_of_keys(text)
     problems: list[Problem] = []
-    left_open = tuple(each for each in open_values(content) if place_text(each.place) not in set_values)
+    left_open = tuple(each for each in open_values(content) if place_text(each.place) not in set_places)
     ends = dict(_given(left_open, problems))
     _stop_at(problems, name, content, lines)
     values: dict[str, float | str] = {place_text(each.place): _first(each, ends) for each in left_open}
-    mechanism = mechanism_of_text(text, name, {**values, **set_values}, folder)
-    for place, value in changes:
-        mechanism = mechanism.with_value(place, value)
+    mechanism = _changed(text, name, folder, values, changes)
     ranges = tuple(_ranges(left_open, ends, mechanism, problems))
     targets = targets_of(content.get("targets", {}), mechanism, problems)
     held = _held(content.get("held"), mechanism, problems)

@@ -27,7 +27,7 @@ RIGID = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class LinearMode:
-    """A mode that swings.
+    """An oscillating mode of the linear mechanism.
 
     Attributes:
         frequency: Of the oscillation as it dies out, imaginary part of the eigenvalue / 2 pi, Hz.

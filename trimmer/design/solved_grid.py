@@ -14,10 +14,9 @@ from trimmer.design.remedies import Remedies
 from trimmer.design.settings import DesignSettings
 from trimmer.design.strongest import number_drawn
 from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, measured, of_switching
+from trimmer.design.trial import MeasureOfPart, measured, measures_of_settled, of_switching
 from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError
-from trimmer.hybrid.advance import Ending
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import settle
 from trimmer.mechanism.mechanism import Mechanism
@@ -39,8 +38,8 @@ POINTS, MOST_POINTS = 128, 192
 """Instants at which a curve is kept: of one drive period, and at most."""
 MOST_LINES, SMALLEST = 16, 1e-3
 """Lines that are kept of a curve, the largest, down to this share of the first."""
-WINDOW, SHOWN = 20, 2
-"""Drive periods over which a motion that does not repeat is measured, and of which curves are kept."""
+SHOWN = 2
+"""Drive periods of a motion that does not repeat of which curves are kept."""
 
 Line = tuple[int, int, float]
 
@@ -118,24 +117,18 @@ class GridWork:
     def _driven(self, mechanism: Mechanism) -> GridMotion | None:
         flow = flow_of(mechanism)
         settled = settle(flow, flow.rest(), self.most_periods)
-        if settled.ending is not Ending.REACHED_END:
+        measures = measures_of_settled(flow, settled)
+        if measures is None:
             return None
-        if (orbit := settled.orbit) is not None:
-            count, flow, course, spanned = orbit.period_count, orbit.flow, orbit.course, orbit.periods
-            measures, shown = Measures(course, flow, count, spanned), spanned
-        else:
-            course = flow.course(settled.end, WINDOW)
-            if course.ending is not Ending.REACHED_END:
-                return None
-            flow, course = flow.travelling(course)
-            count, measures, spanned, shown = 1, Measures(course, flow, 1, WINDOW), WINDOW, SHOWN
-        repeats = None if orbit is None else count
+        repeats = None if settled.orbit is None else settled.orbit.period_count
+        course, spanned = measures.course, measures.periods
+        shown = SHOWN if repeats is None else spanned
         return GridMotion(
             settled.kind,
             repeats,
             tuple(measured(measures, each, repeats) for each in self.asked),
             course.duration * shown / spanned,
-            self._curves(flow, course, shown / spanned, min(POINTS * shown, MOST_POINTS)),
+            self._curves(measures.flow, course, shown / spanned, min(POINTS * shown, MOST_POINTS)),
             tuple(_largest(measures.outputs[name].lines) for name in self.signals),
         )
 

@@ -129,8 +129,7 @@ class TrialWork:
             flow = flow_of(subject)
             if not flow.period:
                 return self._by_itself(values, flow)
-            settled = settle(flow, flow.rest(), self.most_periods)
-            return self._measured(values, flow, settled)
+            return self._measured(values, flow)
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
             return self._failed(values)
 
@@ -161,21 +160,27 @@ class TrialWork:
             values, kind, count, tuple((each, measured(measures, each, count)) for each in self.asked)
         )
 
-    def _measured(self, values: tuple[float, ...], flow: Flow, settled: Settled) -> Trial:
-        if settled.ending is not Ending.REACHED_END:
+    def _measured(self, values: tuple[float, ...], flow: Flow) -> Trial:
+        settled = settle(flow, flow.rest(), self.most_periods)
+        measures = measures_of_settled(flow, settled)
+        if measures is None:
             return self._failed(values)
-        orbit = settled.orbit
-        if orbit is not None:
-            measures = Measures(orbit.course, flow, orbit.period_count, orbit.periods)
-        else:
-            course = flow.course(settled.end, WINDOW)
-            if course.ending is not Ending.REACHED_END:
-                return self._failed(values)
-            flow, course = flow.travelling(course)
-            measures = Measures(course, flow, 1, WINDOW)
-        count = None if orbit is None else orbit.period_count
+        count = None if settled.orbit is None else settled.orbit.period_count
         found = tuple((each, measured(measures, each, count)) for each in self.asked)
         return Trial(values, settled.kind, count, found)
+
+
+def measures_of_settled(flow: Flow, settled: Settled) -> Measures | None:
+    """Return measures of an orbit, or over some drive periods of what does not repeat; None if it ends."""
+    if settled.ending is not Ending.REACHED_END:
+        return None
+    if (orbit := settled.orbit) is not None:
+        return Measures(orbit.course, orbit.flow, orbit.period_count, orbit.periods)
+    course = flow.course(settled.end, WINDOW)
+    if course.ending is not Ending.REACHED_END:
+        return None
+    flow, course = flow.travelling(course)
+    return Measures(course, flow, 1, WINDOW)
 
 
 def of_switching(closings: Mapping[str, Closing], measures: Measures, asked: MeasureOfPart) -> float:

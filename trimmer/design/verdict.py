@@ -17,7 +17,7 @@ NEAR = 0.02
 
 
 class DesignOutcome(Enum):
-    """What is said about all targets together."""
+    """The verdict on all targets together."""
 
     NO_TARGETS = "there are no targets"
     MET = "all targets are met"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Band:
-    """A band of frequencies.
+    """The band of frequencies in which a signal can be trusted.
 
     Attributes:
         lowest, highest: Its ends, Hz; 0 and infinity where nothing bounds it.

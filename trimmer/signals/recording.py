@@ -11,7 +11,7 @@ from trimmer.signals.signal import Signal, SignalError
 
 @dataclass(frozen=True)
 class Gap:
-    """A time from which no samples are there.
+    """A stretch of time without samples.
 
     Attributes:
         begin, end: Times of the last sample before it and of the first after it, s.

@@ -104,7 +104,7 @@ class NaturalMode:
 @final
 @dataclass(frozen=True)
 class LimitCycleLine:
-    """A line of a limit cycle.
+    """A line at the frequency of a limit cycle that harmonic balance predicts.
 
     Attributes:
         number: Number of the limit cycle, from 1.
@@ -167,7 +167,7 @@ Origin = Harmonic | DriveFraction | NaturalMode | LimitCycleLine | OwnMultiple |
 @final
 @dataclass(frozen=True)
 class Match:
-    """A candidate for a peak.
+    """A possible origin of a peak, with its distance from the peak.
 
     Attributes:
         origin: The line that the peak may be.

@@ -55,7 +55,7 @@ Distribution = Normal | Uniform
 
 @dataclass(frozen=True)
 class Scatter:
-    """A number that scatters.
+    """A number with its distribution from machine to machine.
 
     Attributes:
         place: Its dotted place.

@@ -27,7 +27,7 @@ from trimmer.uncertainty.samples import Samples, sample, trials_of
 
 @dataclass(frozen=True)
 class QuantityOfInterest:
-    """A result whose scatter is divided among the numbers.
+    """A result whose variance Sobol indices divide among the numbers that scatter.
 
     Attributes:
         name: What it is, in words.
