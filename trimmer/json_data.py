@@ -23,10 +23,10 @@ class DataError(ValueError):
 
 
 def parsed_json(content: bytes | str) -> Any:
-    """Return what a JSON text in UTF-8 says, without NaN and infinity, nested and long within reason."""
+    """Return what a JSON text in UTF-8 says, without NaN, infinity and keys twice, of sensible depth."""
     try:
         text = content if isinstance(content, str) else content.decode("utf-8")
-        return json.loads(text, parse_constant=_refused)
+        return json.loads(text, parse_constant=_refused, object_pairs_hook=_object)
     except UnicodeDecodeError as error:
         raise DataError(f"it is no JSON in UTF-8 (byte {error.start})") from error
     except RecursionError as error:
@@ -41,6 +41,14 @@ def parsed_json(content: bytes | str) -> Any:
 
 def _refused(word: str) -> float:
     raise DataError(f"{word} is no number of JSON")
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        raise DataError(f"the key {shown_value(max(names, key=names.count))} is there twice")
+    return found
 
 
 def typed(kind: type[Data], data: Any) -> Data:
